@@ -1,0 +1,53 @@
+#pragma once
+#include "Grid/GridView.h"
+
+#include <vector>
+
+namespace hasp
+{
+
+/// Smallest and largest sample of each block of 8x8x8 cells (9x9x9 samples, shared faces included):
+/// the coarse phase of extraction and ray casting (thesis 3.3.1 uses the same blocks for haptics).
+///
+/// A block can hold a piece of the isosurface only if min < isovalue <= max (inside is value >=
+/// isovalue). NaN samples are left out of both. 8 bytes a block: about 1/64 of an int16 volume's
+/// bytes per sample. Immutable after construction; any thread may read.
+class MinMaxBlocks
+{
+public:
+  static constexpr int Side = 8; ///< cells per block and axis
+
+  MinMaxBlocks() = default;
+  /// O(samples), all threads. Throws std::invalid_argument on an invalid geometry.
+  explicit MinMaxBlocks(const AnyGridView& grid);
+
+  /// Blocks per axis; 0 on an axis with a single sample.
+  const glm::ivec3& Blocks() const { return this->BlockCount; }
+  std::size_t Count() const { return this->Ranges.size(); }
+  std::size_t Bytes() const { return this->Ranges.size() * sizeof(Range); }
+
+  bool Active(const glm::ivec3& block, double isovalue) const
+  {
+    const Range& r = this->Ranges[this->Index(block)];
+    return r.min < isovalue && isovalue <= r.max;
+  }
+  /// Over the whole volume; min > max if it holds no finite sample.
+  float Min() const { return this->Whole.min; }
+  float Max() const { return this->Whole.max; }
+
+private:
+  struct Range
+  {
+    float min, max;
+  };
+  std::size_t Index(const glm::ivec3& b) const
+  {
+    return (static_cast<std::size_t>(b.z) * this->BlockCount.y + b.y) * this->BlockCount.x + b.x;
+  }
+
+  glm::ivec3 BlockCount{ 0 };
+  std::vector<Range> Ranges;
+  Range Whole{ 0.0F, 0.0F };
+};
+
+} // namespace hasp

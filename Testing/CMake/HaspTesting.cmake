@@ -1,0 +1,23 @@
+# The test harness. Labels: kernel render haptic device guest app extreme minimal bench.
+if (HASP_BUILD_TESTING)
+  enable_testing()
+  include(GoogleTest)
+endif ()
+
+# hasp_add_kernel_test(Grid SOURCES Testing/TestGridView.cxx … [LIBRARIES targets…] [LABELS labels…])
+#
+# One program per kernel, one CTest test per GoogleTest case, labelled kernel. A second call with another
+# NAME makes a second program, for cases with labels of their own.
+function (hasp_add_kernel_test noun)
+  if (NOT HASP_BUILD_TESTING)
+    return()
+  endif ()
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if (NOT arg_NAME)
+    set(arg_NAME TestKernel${noun})
+  endif ()
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE Hasp::Kernel${noun} ${arg_LIBRARIES} GTest::gtest_main)
+  gtest_discover_tests(${arg_NAME} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "kernel;${arg_LABELS}" TIMEOUT 120)
+endfunction ()

@@ -1,0 +1,23 @@
+# hasp_add_kernel(Grid SOURCES a.cxx … HEADERS a.h … [PUBLIC targets…] [PRIVATE targets…])
+#
+# A kernel is a library free of VTK, OpenGL and Qt: target KernelGrid, linked as Hasp::KernelGrid, its
+# headers included as "Grid/GridView.h". It is exported with the VTK modules in one package.
+function (hasp_add_kernel noun)
+  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  set(target Kernel${noun})
+  add_library(${target} ${arg_SOURCES} ${arg_HEADERS})
+  add_library(Hasp::${target} ALIAS ${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Modules/Kernels>"
+    "$<INSTALL_INTERFACE:${HASP_HEADER_DIR}/Kernels>")
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME haspKernel${noun}
+    VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+  install(TARGETS ${target} EXPORT Hasp
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  foreach (header IN LISTS arg_HEADERS)
+    cmake_path(GET header PARENT_PATH folder)
+    install(FILES "${header}" DESTINATION "${HASP_HEADER_DIR}/Kernels/${noun}/${folder}")
+  endforeach ()
+endfunction ()

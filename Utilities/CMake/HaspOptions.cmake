@@ -1,0 +1,41 @@
+# Every optional dependency is one HASP_ENABLE_ switch, ON where the library is found.
+# What is switched OFF is neither searched for nor linked. Switching ON what is missing is an error.
+
+# hasp_optional(NAME "what it gives" find_package-arguments...)
+macro(hasp_optional name gives)
+  if (NOT DEFINED HASP_ENABLE_${name})
+    find_package(${ARGN} QUIET)
+    option(HASP_ENABLE_${name} "${gives}" ${${ARGV2}_FOUND})
+  elseif (HASP_ENABLE_${name})
+    find_package(${ARGN} REQUIRED)
+  endif ()
+  list(APPEND HASP_OPTIONS ${name})
+endmacro ()
+
+find_package(glm CONFIG REQUIRED)
+
+set(HASP_OPTIONS)
+hasp_optional(TBB "Kernels use all cores (oneTBB)" TBB CONFIG)
+hasp_optional(LIBARCHIVE "Read InVesalius projects, .inv3" LibArchive)
+hasp_optional(DCMTK "Read DICOM, in a child process" DCMTK)
+hasp_optional(CGAL "Check meshes: closed, manifold, no self-intersection (GPL)" CGAL CONFIG)
+hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
+hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)
+hasp_optional(CLI11 "The hasp command line" CLI11 CONFIG)
+
+# Modules not named by VTK_MODULE_ENABLE_Hasp_<Module>=YES are built only when this is ON.
+option(HASP_BUILD_ALL_MODULES "Build every VTK module whose dependencies are there" ON)
+option(HASP_BUILD_TESTING "Build the tests (needs GoogleTest)" ON)
+if (HASP_BUILD_TESTING)
+  find_package(GTest REQUIRED)
+endif ()
+
+# VTK with only what is used: without COMPONENTS every find module VTK knows would run.
+# glew + opengl: VTK < 9.4, glad: VTK >= 9.4. The last line is what the application, its rivals in
+# `hasp report` and the tests use; a build of single modules does without.
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  RenderingCore RenderingOpenGL2
+  OPTIONAL_COMPONENTS glew opengl glad
+  IOImage IOGeometry IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
+  RenderingVolume RenderingVolumeOpenGL2 TestingRendering Python WrappingPythonCore)

@@ -1,0 +1,11 @@
+# The installed package: find_package(Hasp COMPONENTS RenderingIsosurfaceOpenGL2 KernelGrid …).
+include(CMakePackageConfigHelpers)
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/HaspConfig.cmake.in"
+  "${CMAKE_BINARY_DIR}/${HASP_PACKAGE_DIR}/HaspConfig.cmake"
+  INSTALL_DESTINATION "${HASP_PACKAGE_DIR}")
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/${HASP_PACKAGE_DIR}/HaspConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${CMAKE_BINARY_DIR}/${HASP_PACKAGE_DIR}/HaspConfig.cmake"
+  "${CMAKE_BINARY_DIR}/${HASP_PACKAGE_DIR}/HaspConfigVersion.cmake"
+  DESTINATION "${HASP_PACKAGE_DIR}")
