@@ -21,3 +21,18 @@ function (hasp_add_kernel_test noun)
   gtest_discover_tests(${arg_NAME} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS "kernel;${arg_LABELS}" TIMEOUT 120)
 endfunction ()
+
+# hasp_add_module_test(IOMedical SOURCES Cxx/TestVolumeReader.cxx … [LIBRARIES targets…] [LABELS labels…])
+#
+# GoogleTest cases of a VTK module that draw nothing. Called from the module's Testing/CMakeLists.txt.
+function (hasp_add_module_test module)
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if (NOT arg_NAME)
+    set(arg_NAME Test${module})
+  endif ()
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE Hasp::${module} ${arg_LIBRARIES} GTest::gtest_main)
+  vtk_module_autoinit(TARGETS ${arg_NAME} MODULES Hasp::${module} ${arg_LIBRARIES})
+  gtest_discover_tests(${arg_NAME} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 120)
+endfunction ()
