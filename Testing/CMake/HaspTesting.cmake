@@ -1,4 +1,4 @@
-# The test harness. Labels: kernel render haptic device guest app extreme minimal bench.
+# The test harness. Labels: kernel module render haptic device guest app extreme minimal bench.
 if (HASP_BUILD_TESTING)
   enable_testing()
   include(GoogleTest)
@@ -34,5 +34,5 @@ function (hasp_add_module_test module)
   target_link_libraries(${arg_NAME} PRIVATE Hasp::${module} ${arg_LIBRARIES} GTest::gtest_main)
   vtk_module_autoinit(TARGETS ${arg_NAME} MODULES Hasp::${module} ${arg_LIBRARIES})
   gtest_discover_tests(${arg_NAME} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 120)
+    PROPERTIES LABELS "module;${arg_LABELS}" TIMEOUT 120)
 endfunction ()
