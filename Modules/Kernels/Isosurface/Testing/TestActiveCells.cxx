@@ -1,0 +1,116 @@
+#include "Grid/AnalyticVolumes.h"
+#include "Isosurface/ActiveCells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <tuple>
+
+namespace
+{
+
+template <typename T>
+hasp::ClusteredCells Extract(const std::vector<T>& samples, const hasp::GridGeometry& g, double iso)
+{
+  const hasp::AnyGridView grid = hasp::GridView<const T>{ samples.data(), g };
+  return ExtractActiveCells(grid, hasp::MinMaxBlocks(grid), iso);
+}
+
+template <typename T>
+class ActiveCells : public ::testing::Test
+{
+};
+using SampleTypes = ::testing::Types<std::int16_t, std::uint16_t, std::uint8_t, float>;
+TYPED_TEST_SUITE(ActiveCells, SampleTypes);
+
+TYPED_TEST(ActiveCells, MatchBruteForceAndKeepEverySample)
+{
+  const hasp::GridGeometry g{ { 21, 9, 18 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  std::mt19937 random(31);
+  std::vector<TypeParam> samples(g.Size());
+  for (auto& s : samples)
+    s = static_cast<TypeParam>(random() % 9 == 0 ? 200 : random() % 100);
+  const hasp::GridView<const TypeParam> grid{ samples.data(), g };
+  const auto cells = Extract(samples, g, 150.5);
+
+  std::set<std::tuple<int, int, int>> truth;
+  for (int k = 0; k < 17; ++k)
+    for (int j = 0; j < 8; ++j)
+      for (int i = 0; i < 20; ++i)
+      {
+        int inside = 0;
+        for (int c = 0; c < 8; ++c)
+          inside += grid(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)) >= 150.5;
+        if (inside != 0 && inside != 8)
+          truth.insert({ i, j, k });
+      }
+  ASSERT_EQ(cells.Count(), truth.size());
+  for (std::size_t n = 0; n < cells.Count(); ++n)
+  {
+    const glm::ivec3 at = cells.Cell(n);
+    ASSERT_TRUE(truth.erase({ at.x, at.y, at.z })) << at.x << " " << at.y << " " << at.z;
+    const auto corners = cells.Corners(n);
+    for (int c = 0; c < 8; ++c)
+      ASSERT_EQ(
+        corners[c], static_cast<float>(grid(at.x + (c & 1), at.y + (c >> 1 & 1), at.z + (c >> 2))));
+  }
+}
+
+TEST(ActiveCellsOf, IntegersTake20BytesACellAndFloats36)
+{
+  const hasp::GridGeometry g{ { 40, 40, 40 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  const auto sphere = hasp::AnalyticSphere({ 20, 20, 20 }, 15);
+  const auto small = Extract(hasp::SampleAnalytic<std::int16_t>(sphere, g, 100, 0), g, 0);
+  const auto large = Extract(hasp::SampleAnalytic<float>(sphere, g, 100, 0), g, 0);
+  EXPECT_EQ(small.Count(), large.Count());
+  EXPECT_EQ(small.Bytes(), small.Count() * 20 + small.clusters.size() * 8);
+  EXPECT_EQ(large.Bytes(), large.Count() * 36 + large.clusters.size() * 8);
+}
+
+TEST(ActiveCellsOf, AMillionHundredsOfTheRangeEdgesAreExact)
+{
+  // int16 extremes and a corner exactly at the isovalue: inside is >=.
+  std::vector<std::int16_t> samples(8, std::numeric_limits<std::int16_t>::min());
+  const hasp::GridGeometry g{ { 2, 2, 2 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  EXPECT_EQ(Extract(samples, g, -32768).Count(), 0U); // all inside
+  samples[5] = std::numeric_limits<std::int16_t>::max();
+  const auto cells = Extract(samples, g, 32767);
+  ASSERT_EQ(cells.Count(), 1U);
+  EXPECT_EQ(cells.Corners(0)[5], 32767.0F);
+  EXPECT_EQ(cells.Corners(0)[0], -32768.0F);
+  EXPECT_EQ(Extract(samples, g, 32768).Count(), 0U);
+}
+
+TEST(ActiveCellsOf, NotANumberIsNeverActive)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const hasp::GridGeometry g{ { 3, 2, 2 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  std::vector<float> samples{ -1, 1, nan, -1, 1, 1, -1, 1, 1, -1, 1, 1 };
+  const auto cells = Extract(samples, g, 0);
+  ASSERT_EQ(cells.Count(), 1U);
+  EXPECT_EQ(cells.Cell(0), glm::ivec3(0, 0, 0));
+}
+
+TEST(ActiveCellsOf, WrongInputIsRefused)
+{
+  const hasp::GridGeometry g{ { 20, 20, 20 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  const std::vector<std::uint8_t> samples(8000, 1);
+  const hasp::AnyGridView grid = hasp::GridView<const std::uint8_t>{ samples.data(), g };
+  const hasp::MinMaxBlocks blocks(grid);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(ExtractActiveCells(grid, blocks, nan), std::invalid_argument);
+  EXPECT_THROW(ExtractActiveCells(grid, blocks, 1e300), std::invalid_argument);
+  EXPECT_THROW(ExtractActiveCells(grid, hasp::MinMaxBlocks(), 1), std::invalid_argument);
+  EXPECT_THROW(ExtractActiveCells(grid, blocks, 1, [](double) { return false; }), hasp::Cancelled);
+}
+
+TEST(ActiveCellsOf, ASingleSliceHasNoCells)
+{
+  const std::vector<std::uint8_t> samples{ 0, 9, 9, 0 };
+  EXPECT_EQ(Extract(samples, { { 2, 2, 1 }, {}, { 1, 1, 1 }, glm::dmat3(1) }, 5).Count(), 0U);
+}
+
+} // namespace

@@ -1,0 +1,113 @@
+// Where a ray meets the trilinear isosurface inside one cell. GLSL and C++ compile this same text
+// (C++ through RayRoot.h), so what is drawn is what is tested.
+//
+// low, high  the 8 corner values minus the isovalue, x fastest: low = z 0, high = z 1. Inside is >= 0.
+// a, b       entry and exit point of the ray, in cell coordinates [0,1]^3
+// s          in [0,1]: the hit is at mix(a, b, s)
+//
+// Along a segment the trilinear polynomial is a cubic. Its Bernstein coefficients are the blossom of a
+// and b: 8 trilinear values. All of one sign: no root, by convexity, without an epsilon. Else the cubic
+// is split where its derivative vanishes, and safeguarded Newton runs in the first monotone piece whose
+// ends differ in sign. Cost: 8 trilinear values, one square root, a few cubics. Any thread.
+
+HASP_FUNCTION float HaspTrilinear(vec4 low, vec4 high, float x, float y, float z)
+{
+  // (1-t)a + tb, not a + t(b-a): neighbour cells then agree bit for bit on the face they share.
+  vec4 c = low * (1.0f - z) + high * z;
+  return ((1.0f - x) * c.x + x * c.y) * (1.0f - y) + ((1.0f - x) * c.z + x * c.w) * y;
+}
+
+HASP_FUNCTION vec3 HaspTrilinearGradient(vec4 low, vec4 high, vec3 t)
+{
+  vec4 c = low * (1.0f - t.z) + high * t.z;
+  vec4 d = high - low;
+  return vec3((1.0f - t.y) * (c.y - c.x) + t.y * (c.w - c.z),
+    (1.0f - t.x) * (c.z - c.x) + t.x * (c.w - c.y),
+    ((1.0f - t.x) * d.x + t.x * d.y) * (1.0f - t.y) + ((1.0f - t.x) * d.z + t.x * d.w) * t.y);
+}
+
+HASP_FUNCTION vec4 HaspRayBernstein(vec4 low, vec4 high, vec3 a, vec3 b)
+{
+  float b0 = HaspTrilinear(low, high, a.x, a.y, a.z);
+  float b1 = HaspTrilinear(low, high, b.x, a.y, a.z) + HaspTrilinear(low, high, a.x, b.y, a.z) +
+    HaspTrilinear(low, high, a.x, a.y, b.z);
+  float b2 = HaspTrilinear(low, high, a.x, b.y, b.z) + HaspTrilinear(low, high, b.x, a.y, b.z) +
+    HaspTrilinear(low, high, b.x, b.y, a.z);
+  float b3 = HaspTrilinear(low, high, b.x, b.y, b.z);
+  return vec4(b0, b1 * (1.0f / 3.0f), b2 * (1.0f / 3.0f), b3);
+}
+
+HASP_FUNCTION float HaspBernsteinValue(vec4 c, float s)
+{
+  float r = 1.0f - s;
+  return r * r * (r * c.x + 3.0f * s * c.y) + s * s * (3.0f * r * c.z + s * c.w);
+}
+
+HASP_FUNCTION float HaspBernsteinSlope(vec4 c, float s)
+{
+  float r = 1.0f - s;
+  return 3.0f * (r * r * (c.y - c.x) + 2.0f * r * s * (c.z - c.y) + s * s * (c.w - c.z));
+}
+
+// Root of a monotone piece [from, to] whose ends have different signs.
+HASP_FUNCTION float HaspMonotoneRoot(vec4 c, float from, float to, bool insideAtFrom)
+{
+  float s = 0.5f * (from + to);
+  for (int i = 0; i < 16; ++i)
+  {
+    float value = HaspBernsteinValue(c, s);
+    if ((value >= 0.0f) == insideAtFrom)
+      from = s;
+    else
+      to = s;
+    float next = s - value / HaspBernsteinSlope(c, s);
+    if (!(next >= from && next <= to)) // also when the slope is 0 or the step is not a number
+      next = 0.5f * (from + to);
+    if (abs(next - s) < 1e-7f)
+      return next;
+    s = next;
+  }
+  return s;
+}
+
+// The smallest root of the cubic with Bernstein coefficients c in [0,1]; false if there is none.
+HASP_FUNCTION bool HaspFirstRoot(vec4 c, HASP_OUT(float) s)
+{
+  s = 0.0f;
+  bool inside = c.x >= 0.0f;
+  if ((c.y >= 0.0f) == inside && (c.z >= 0.0f) == inside && (c.w >= 0.0f) == inside)
+    return false;
+  c = c * (1.0f / max(max(abs(c.x), abs(c.y)), max(abs(c.z), abs(c.w)))); // no square may over- or underflow
+
+  // Roots of the derivative: quadratic A s^2 + B s + C, by the form that does not cancel.
+  float d0 = c.y - c.x, d1 = c.z - c.y, d2 = c.w - c.z;
+  float A = d0 - 2.0f * d1 + d2, B = d1 - d0, C = d0; // B is half the linear coefficient
+  float discriminant = B * B - A * C;
+  float first = 0.0f, second = 0.0f; // 0: no split there
+  if (discriminant > 0.0f)
+  {
+    float q = -(B + (B < 0.0f ? -1.0f : 1.0f) * sqrt(discriminant));
+    float s1 = q != 0.0f ? C / q : -1.0f;
+    float s2 = A != 0.0f ? q / A : -1.0f;
+    s1 = s1 > 0.0f && s1 < 1.0f ? s1 : 0.0f;
+    s2 = s2 > 0.0f && s2 < 1.0f ? s2 : 0.0f;
+    first = min(s1, s2);
+    second = max(s1, s2);
+  }
+
+  float from = 0.0f;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    float to = piece == 0 ? first : (piece == 1 ? second : 1.0f);
+    if (to <= from)
+      continue;
+    bool insideAtTo = (to == 1.0f ? c.w : HaspBernsteinValue(c, to)) >= 0.0f;
+    if (insideAtTo != inside)
+    {
+      s = HaspMonotoneRoot(c, from, to, inside);
+      return true;
+    }
+    from = to;
+  }
+  return false;
+}
