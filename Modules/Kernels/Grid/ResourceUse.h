@@ -6,9 +6,9 @@
 namespace hasp
 {
 
-/// One thing a scene may build: a buffer, a shader variant, a texture, a tree, a thread. Owners list what
-/// they have *and* what they skipped (bytes 0, milliseconds 0), so that --explain, the planner's panel
-/// and the tests of label `minimal` read the same figures.
+/// One thing a scene may build: a buffer, a shader variant, a texture, a tree, a thread. Owners
+/// list what they have *and* what they skipped (bytes 0, milliseconds 0), so that --explain, the
+/// planner's panel and the tests of label `minimal` read the same figures.
 struct ResourceUse
 {
   std::string resource;      ///< stable name, lower case: "cells", "picking buffers", "second eye"

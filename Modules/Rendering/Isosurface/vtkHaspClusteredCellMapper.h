@@ -1,0 +1,102 @@
+/**
+ * @class   vtkHaspClusteredCellMapper
+ * @brief   Draws the exact trilinear isosurface of a volume from its active cells, without a mesh.
+ *
+ * Give it a vtkImageData (short, unsigned short, unsigned char or float; any spacing and direction
+ * matrix), an isovalue, and put it in a vtkActor:
+ *
+ *   vtkNew<vtkHaspClusteredCellMapper> mapper;
+ *   mapper->SetInputConnection(reader->GetOutputPort());
+ *   mapper->SetIsoValue(300.0);
+ *   actor->SetMapper(mapper);
+ *
+ * The cells that the surface crosses are extracted once per volume and isovalue, with their corner
+ * samples, and each is drawn as one screen rectangle in whose fragments the ray meets the trilinear
+ * polynomial (thesis 3.2.2, Paper VI; the rectangle after Liu, Clapworthy, Dong 2009). Depth is
+ * that of the hit and the normal is the analytic gradient, so the surface mixes with any other
+ * actor.
+ *
+ * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity; lights; clipping
+ * planes (not capped); hardware selection (cell ids are active cells: GetCellIndex gives the
+ * voxel); stereo and off-axis cameras (the eye comes from the full matrix). Inside is sample >=
+ * isovalue. Cells with a NaN corner are left out.
+ *
+ * Limit: with opacity < 1 only the nearest layer is drawn, and it does not take part in depth
+ * peeling. Limit: texture, scalar colouring, edges and representation are ignored.
+ *
+ * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
+ * Threads: RENDER only; extraction uses all cores inside the call.
+ * Errors: vtkErrorMacro, and nothing is drawn.
+ */
+#ifndef vtkHaspClusteredCellMapper_h
+#define vtkHaspClusteredCellMapper_h
+
+#include "Grid/ResourceUse.h"                 // for ResourceList
+#include "vtkHaspRenderingIsosurfaceModule.h" // for export macro
+#include "vtkMapper.h"
+
+#include <memory> // for unique_ptr
+
+class vtkImageData;
+
+namespace hasp
+{
+struct ClusteredCells;
+}
+
+class VTKHASPRENDERINGISOSURFACE_EXPORT vtkHaspClusteredCellMapper : public vtkMapper
+{
+public:
+  static vtkHaspClusteredCellMapper* New();
+  vtkTypeMacro(vtkHaspClusteredCellMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// In the units of the scalars; default 0. A value outside their range draws nothing and is no
+  /// error.
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  vtkImageData* GetImage();
+
+  /// Brings the active cells up to date with input and isovalue; Render does it by itself. The
+  /// min-max blocks of the volume are kept for the next isovalue. False, after vtkErrorMacro, if
+  /// there is no input or it cannot be read. O(samples) for a new volume, O(active blocks) for a
+  /// new isovalue.
+  bool UpdateCells();
+
+  /// The active cells as of the last update; never null, perhaps empty.
+  const hasp::ClusteredCells& GetCells() const;
+
+  /// The voxel (point index i,j,k of the image's first corner sample) of a picked cell id.
+  /// False, and ijk untouched, if there is no such active cell.
+  bool GetCellIndex(vtkIdType cellId, int ijk[3]) const;
+
+  /// Appends what this mapper holds and what it skipped, with bytes and milliseconds.
+  virtual void ListResources(hasp::ResourceList& list) const;
+
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  bool HasOpaqueGeometry() override { return true; }
+  bool HasTranslucentPolygonalGeometry() override { return false; }
+  bool GetSupportsSelection() override { return true; }
+
+protected:
+  vtkHaspClusteredCellMapper();
+  ~vtkHaspClusteredCellMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /// Counts updates of the cells: what is on the GPU is stale when this has moved.
+  vtkMTimeType GetCellsTime() const;
+
+private:
+  vtkHaspClusteredCellMapper(const vtkHaspClusteredCellMapper&) = delete;
+  void operator=(const vtkHaspClusteredCellMapper&) = delete;
+
+  double IsoValue = 0.0;
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

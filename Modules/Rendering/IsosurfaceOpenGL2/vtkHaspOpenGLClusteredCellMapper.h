@@ -1,0 +1,41 @@
+/**
+ * @class   vtkHaspOpenGLClusteredCellMapper
+ * @brief   OpenGL 4.3 implementation of vtkHaspClusteredCellMapper.
+ *
+ * Cells go to the GPU once per extraction, as they are (20 bytes a cell for integer volumes, 36 for
+ * float), and are pulled by the vertex shader; there are no vertex or index buffers. Shader
+ * variants are compiled when a scene first needs them: unsigned or float corners, hardware
+ * selection.
+ *
+ * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn.
+ */
+#ifndef vtkHaspOpenGLClusteredCellMapper_h
+#define vtkHaspOpenGLClusteredCellMapper_h
+
+#include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspRenderingIsosurfaceOpenGL2Module.h" // for export macro
+
+class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLClusteredCellMapper :
+  public vtkHaspClusteredCellMapper
+{
+public:
+  static vtkHaspOpenGLClusteredCellMapper* New();
+  vtkTypeMacro(vtkHaspOpenGLClusteredCellMapper, vtkHaspClusteredCellMapper);
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ListResources(hasp::ResourceList& list) const override;
+
+protected:
+  vtkHaspOpenGLClusteredCellMapper();
+  ~vtkHaspOpenGLClusteredCellMapper() override;
+
+private:
+  vtkHaspOpenGLClusteredCellMapper(const vtkHaspOpenGLClusteredCellMapper&) = delete;
+  void operator=(const vtkHaspOpenGLClusteredCellMapper&) = delete;
+
+  struct OpenGL;
+  std::unique_ptr<OpenGL> GL;
+};
+
+#endif
