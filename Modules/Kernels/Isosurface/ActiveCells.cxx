@@ -96,8 +96,10 @@ void ExtractBlock(
         used = true;
       }
     }
-  if (used)
-    out.clusters.emplace_back(static_cast<std::uint32_t>(block.x | block.y << 16), block.z);
+  if (!used)
+    return;
+  out.clusters.emplace_back(static_cast<std::uint32_t>(block.x | block.y << 16), block.z);
+  out.firstCells.push_back(static_cast<std::uint32_t>(out.Count()));
 }
 
 /// Puts the layers, in order, into one structure; cluster indices count on.
@@ -115,10 +117,14 @@ void Join(std::vector<ClusteredCells>& layers, ClusteredCells& whole)
       std::to_string(MaxClusters) + " fit: crop the volume or choose another isovalue");
   whole.words.reserve(words);
   whole.clusters.reserve(clusters);
+  whole.firstCells.reserve(clusters + 1);
   const std::size_t stride = whole.Stride();
   for (ClusteredCells& layer : layers)
   {
     const auto shift = static_cast<std::uint32_t>(whole.clusters.size()) << 9;
+    const auto before = static_cast<std::uint32_t>(whole.Count());
+    for (std::size_t c = 1; c < layer.firstCells.size(); ++c)
+      whole.firstCells.push_back(before + layer.firstCells[c]);
     for (std::size_t w = 0; w < layer.words.size(); w += stride)
       layer.words[w] += shift;
     whole.words.insert(whole.words.end(), layer.words.begin(), layer.words.end());

@@ -37,7 +37,9 @@ enum class CornerType
 /// GPU.
 ///           Cells of a cluster are neighbours, clusters follow the volume's raster order.
 /// clusters  two words each
-/// Values: corners are inside where corner >= isovalue. Immutable once made; any thread may read.
+/// firstCells  where each cluster's cells begin, and at the end Count(); the CPU culls clusters by
+/// it Values: corners are inside where corner >= isovalue. Immutable once made; any thread may
+/// read.
 struct ClusteredCells
 {
   GridGeometry geometry;
@@ -45,6 +47,7 @@ struct ClusteredCells
   CornerType cornerType = CornerType::Int16;
   std::vector<std::uint32_t> words;
   std::vector<glm::uvec2> clusters;
+  std::vector<std::uint32_t> firstCells{ 0 };
 
   std::size_t Stride() const
   {
@@ -54,7 +57,8 @@ struct ClusteredCells
   std::size_t Count() const { return this->words.size() / this->Stride(); }
   std::size_t Bytes() const
   {
-    return this->words.size() * sizeof(std::uint32_t) + this->clusters.size() * sizeof(glm::uvec2);
+    return (this->words.size() + this->firstCells.size()) * sizeof(std::uint32_t) +
+           this->clusters.size() * sizeof(glm::uvec2);
   }
 
   /// The volume cell of active cell n: its corner (0,0,0) is sample Cell(n).

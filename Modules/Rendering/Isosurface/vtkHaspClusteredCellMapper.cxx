@@ -61,6 +61,11 @@ int vtkHaspClusteredCellMapper::FillInputPortInformation(int, vtkInformation* in
   return 1;
 }
 
+void vtkHaspClusteredCellMapper::SetInputData(vtkImageData* image)
+{
+  this->SetInputDataInternal(0, image);
+}
+
 vtkImageData* vtkHaspClusteredCellMapper::GetImage()
 {
   if (this->GetNumberOfInputConnections(0) == 0)

@@ -58,7 +58,11 @@ public:
   vtkGetMacro(IsoValue, double);
   ///@}
 
+  ///@{
+  /// The volume, when it comes from no pipeline; SetInputConnection otherwise.
+  void SetInputData(vtkImageData* image);
   vtkImageData* GetImage();
+  ///@}
 
   /// Brings the active cells up to date with input and isovalue; Render does it by itself. The
   /// min-max blocks of the volume are kept for the next isovalue. False, after vtkErrorMacro, if

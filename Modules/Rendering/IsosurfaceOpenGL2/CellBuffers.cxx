@@ -59,28 +59,44 @@ void CellBuffers::Release()
   *this = {};
 }
 
-void CellBuffers::Draw(const std::function<void(int)>& beforeRange) const
+void CellBuffers::Draw(const std::vector<hasp::CellRange>& ranges, unsigned int primitive,
+  int verticesPerCell, const std::function<void(int)>& setFirstCell) const
 {
-  if (!this->Uploaded())
+  if (!this->Uploaded() || ranges.empty())
     return;
   GLint blockLimit = 0;
   glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &blockLimit);
-  // Whole multiples of 64 cells keep every range's offset a multiple of 256 bytes, the largest
+  // Whole multiples of 64 cells keep every part's offset a multiple of 256 bytes, the largest
   // alignment OpenGL may ask for; 6 vertices a cell must fit a GLsizei.
-  std::size_t range = static_cast<std::size_t>(blockLimit) / this->BytesPerCell / 64 * 64;
-  range = std::min<std::size_t>(range, std::size_t{ 1 } << 28);
+  std::size_t part = static_cast<std::size_t>(blockLimit) / this->BytesPerCell / 64 * 64;
+  part = std::min<std::size_t>(part, std::size_t{ 1 } << 28);
 
   const std::size_t count = this->CellBytes / this->BytesPerCell;
   glBindVertexArray(this->VertexArray);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, this->Clusters);
-  for (std::size_t first = 0; first < count; first += range)
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (std::size_t begin = 0; begin < count; begin += part)
   {
-    const std::size_t cells = std::min(range, count - first);
+    const std::size_t end = std::min(begin + part, count);
+    firsts.clear();
+    counts.clear();
+    for (const hasp::CellRange& range : ranges)
+    {
+      const std::size_t from = std::max<std::size_t>(range.first, begin);
+      const std::size_t to = std::min<std::size_t>(range.first + range.count, end);
+      if (from >= to)
+        continue;
+      firsts.push_back(static_cast<GLint>((from - begin) * verticesPerCell));
+      counts.push_back(static_cast<GLsizei>((to - from) * verticesPerCell));
+    }
+    if (firsts.empty())
+      continue;
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, this->Cells,
-      static_cast<GLintptr>(first * this->BytesPerCell),
-      static_cast<GLsizeiptr>(cells * this->BytesPerCell));
-    beforeRange(static_cast<int>(first));
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * cells));
+      static_cast<GLintptr>(begin * this->BytesPerCell),
+      static_cast<GLsizeiptr>((end - begin) * this->BytesPerCell));
+    setFirstCell(static_cast<int>(begin));
+    glMultiDrawArrays(primitive, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
   }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, 0);

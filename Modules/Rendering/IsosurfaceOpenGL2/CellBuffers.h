@@ -1,7 +1,7 @@
 #ifndef CellBuffers_h
 #define CellBuffers_h
 
-#include "Isosurface/ClusteredCells.h"
+#include "Isosurface/ClusterCulling.h"
 
 #include <functional>
 
@@ -16,9 +16,11 @@ public:
   bool Uploaded() const { return this->VertexArray != 0; }
   std::size_t Bytes() const { return this->CellBytes + this->ClusterBytes; }
 
-  /// Draws all cells, in ranges no larger than a storage block may be; `beforeRange(firstCell)`
-  /// sets the uniform of that name.
-  void Draw(const std::function<void(int)>& beforeRange) const;
+  /// Draws the ranges, `verticesPerCell` vertices each, as `primitive` (GL_POINTS, GL_TRIANGLES). A
+  /// storage block has a largest size: cells are bound in parts, and before each
+  /// `setFirstCell(cell)` is called.
+  void Draw(const std::vector<hasp::CellRange>& ranges, unsigned int primitive, int verticesPerCell,
+    const std::function<void(int)>& setFirstCell) const;
 
 private:
   unsigned int Cells = 0, Clusters = 0, VertexArray = 0;

@@ -2,7 +2,7 @@
 
 #include "CellBuffers.h"
 #include "CellLayout.h"
-#include "CellUniforms.h"
+#include "CellScene.h"
 #include "HaspGL.h"
 #include "RayRoot.h"
 #include "vtkHaspClusteredCellFS.h"
@@ -43,16 +43,18 @@ void Fill(std::string& shader, const std::string& slot, const std::string& text)
     shader.replace(at, slot.size() + 8, text);
 }
 
-std::string Defines(hasp::CornerType corners, Variant variant)
+std::string CornerDefines(hasp::CornerType corners)
 {
-  std::string text;
-  if (corners == hasp::CornerType::Float32)
-    text += "#define HASP_FLOAT_CORNERS\n";
-  if (corners == hasp::CornerType::UInt16)
-    text += "#define HASP_UNSIGNED_CORNERS\n";
-  if (variant == PickCells)
-    text += "#define HASP_SELECTION\n";
-  return text;
+  switch (corners)
+  {
+    case hasp::CornerType::Float32:
+      return "#define HASP_FLOAT_CORNERS\n";
+    case hasp::CornerType::UInt16:
+      return "#define HASP_UNSIGNED_CORNERS\n";
+    case hasp::CornerType::Int16:
+      break;
+  }
+  return {};
 }
 
 /// What hardware selection wants in this pass; see vtkHardwareSelector::PassTypes.
@@ -69,6 +71,14 @@ void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* select
   program->SetUniform3f("selectionColor", color);
 }
 
+/// In pixels; one less than OpenGL's limit, for the shader rounds up.
+double LargestPoint()
+{
+  GLfloat sizes[2] = { 1, 1 };
+  glGetFloatv(GL_POINT_SIZE_RANGE, sizes);
+  return sizes[1] - 1.0;
+}
+
 } // namespace
 
 struct vtkHaspOpenGLClusteredCellMapper::OpenGL
@@ -80,10 +90,9 @@ struct vtkHaspOpenGLClusteredCellMapper::OpenGL
   vtkOpenGLRenderWindow* Window = nullptr;
 
   vtkShaderProgram* ReadyProgram(
-    vtkOpenGLRenderWindow* window, hasp::CornerType corners, Variant variant)
+    vtkOpenGLRenderWindow* window, const std::string& defines, Variant variant)
   {
     const auto start = std::chrono::steady_clock::now();
-    const std::string defines = Defines(corners, variant);
     std::string vertex = vtkHaspClusteredCellVS, fragment = vtkHaspClusteredCellFS;
     Fill(vertex, "Defines", defines);
     Fill(vertex, "CellLayout", CellLayout);
@@ -141,22 +150,35 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
     return; // no surface at this isovalue
 
   vtkHardwareSelector* selector = renderer->GetSelector();
+  const CellScene scene(this, renderer, actor);
+  std::string defines = CornerDefines(this->GetCells().cornerType) + scene.Defines();
+  if (selector)
+    defines += "#define HASP_SELECTION\n";
   vtkShaderProgram* program =
-    this->GL->ReadyProgram(window, this->GetCells().cornerType, selector ? PickCells : ShadeCells);
+    this->GL->ReadyProgram(window, defines, selector ? PickCells : ShadeCells);
   if (!program)
   {
     vtkErrorMacro("The shaders did not compile; OpenGL 4.3 is needed.");
     return;
   }
-  SetCellUniforms(program, this, renderer, actor);
+  scene.SetUniforms(program);
   if (selector)
     SetSelectionUniforms(program, selector);
+  const hasp::VisibleCells visible =
+    CullClusters(this->GetCells(), scene.indexToClip, scene.viewportSize, LargestPoint());
 
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
+  glEnable(GL_PROGRAM_POINT_SIZE);
   const auto draw = [&]
-  { this->GL->Buffers.Draw([&](int first) { program->SetUniformi("firstCell", first); }); };
+  {
+    const auto setFirstCell = [&](int first) { program->SetUniformi("firstCell", first); };
+    program->SetUniformi("points", 1);
+    this->GL->Buffers.Draw(visible.points, GL_POINTS, 1, setFirstCell);
+    program->SetUniformi("points", 0);
+    this->GL->Buffers.Draw(visible.rectangles, GL_TRIANGLES, 6, setFirstCell);
+  };
   if (!selector && actor->GetProperty()->GetOpacity() < 1.0)
   {
     // Cells come in no order: depth first, then only the nearest layer is blended.
@@ -167,6 +189,7 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
     draw();
   }
   draw();
+  glDisable(GL_PROGRAM_POINT_SIZE);
   vtkOpenGLCheckErrorMacro("after drawing active cells");
 }
 

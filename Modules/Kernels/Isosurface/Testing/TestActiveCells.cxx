@@ -66,8 +66,8 @@ TEST(ActiveCellsOf, IntegersTake20BytesACellAndFloats36)
   const auto small = Extract(hasp::SampleAnalytic<std::int16_t>(sphere, g, 100, 0), g, 0);
   const auto large = Extract(hasp::SampleAnalytic<float>(sphere, g, 100, 0), g, 0);
   EXPECT_EQ(small.Count(), large.Count());
-  EXPECT_EQ(small.Bytes(), small.Count() * 20 + small.clusters.size() * 8);
-  EXPECT_EQ(large.Bytes(), large.Count() * 36 + large.clusters.size() * 8);
+  EXPECT_EQ(small.Bytes(), small.Count() * 20 + small.clusters.size() * 12 + 4);
+  EXPECT_EQ(large.Bytes(), large.Count() * 36 + large.clusters.size() * 12 + 4);
 }
 
 TEST(ActiveCellsOf, AMillionHundredsOfTheRangeEdgesAreExact)

@@ -49,23 +49,25 @@ HASP_FUNCTION float HaspBernsteinSlope(vec4 c, float s)
   return 3.0f * (r * r * (c.y - c.x) + 2.0f * r * s * (c.z - c.y) + s * s * (c.w - c.z));
 }
 
-// Root of a monotone piece [from, to] whose ends have different signs.
-HASP_FUNCTION float HaspMonotoneRoot(vec4 c, float from, float to, bool insideAtFrom)
+// Root of a monotone piece [from, to] with the values there, which differ in sign. Newton from the secant's
+// root, kept inside the shrinking bracket; a step below 1e-4 is the last, for the next would be its square.
+HASP_FUNCTION float HaspMonotoneRoot(vec4 c, float from, float to, float valueFrom, float valueTo)
 {
-  float s = 0.5f * (from + to);
-  for (int i = 0; i < 16; ++i)
+  bool insideAtFrom = valueFrom >= 0.0f;
+  float s = from + (to - from) * (valueFrom / (valueFrom - valueTo));
+  for (int i = 0; i < 24; ++i)
   {
     float value = HaspBernsteinValue(c, s);
-    if ((value >= 0.0f) == insideAtFrom)
-      from = s;
-    else
-      to = s;
+    bool sameAsFrom = (value >= 0.0f) == insideAtFrom;
+    from = sameAsFrom ? s : from;
+    to = sameAsFrom ? to : s;
     float next = s - value / HaspBernsteinSlope(c, s);
     if (!(next >= from && next <= to)) // also when the slope is 0 or the step is not a number
       next = 0.5f * (from + to);
-    if (abs(next - s) < 1e-7f)
-      return next;
+    float change = abs(next - s);
     s = next;
+    if (change < 1e-4f)
+      break;
   }
   return s;
 }
@@ -95,19 +97,28 @@ HASP_FUNCTION bool HaspFirstRoot(vec4 c, HASP_OUT(float) s)
     second = max(s1, s2);
   }
 
-  float from = 0.0f;
-  for (int piece = 0; piece < 3; ++piece)
+  // The first monotone piece whose ends differ in sign. No split: first, second are 0, their value c.x.
+  float valueFirst = HaspBernsteinValue(c, first), valueSecond = HaspBernsteinValue(c, second);
+  float from = 0.0f, to = 1.0f, valueFrom = c.x, valueTo = c.w;
+  if (first > 0.0f && (valueFirst >= 0.0f) != inside)
   {
-    float to = piece == 0 ? first : (piece == 1 ? second : 1.0f);
-    if (to <= from)
-      continue;
-    bool insideAtTo = (to == 1.0f ? c.w : HaspBernsteinValue(c, to)) >= 0.0f;
-    if (insideAtTo != inside)
-    {
-      s = HaspMonotoneRoot(c, from, to, inside);
-      return true;
-    }
-    from = to;
+    to = first;
+    valueTo = valueFirst;
   }
-  return false;
+  else if (second > 0.0f && (valueSecond >= 0.0f) != inside)
+  {
+    from = first;
+    valueFrom = valueFirst;
+    to = second;
+    valueTo = valueSecond;
+  }
+  else if ((c.w >= 0.0f) != inside)
+  {
+    from = second;
+    valueFrom = valueSecond;
+  }
+  else
+    return false;
+  s = HaspMonotoneRoot(c, from, to, valueFrom, valueTo);
+  return true;
 }

@@ -4,29 +4,38 @@
 //
 // in   see vtkHaspClusteredCellVS.glsl
 // in   indexToClip, indexToView, normalToView   columns in voxels; view coordinates in mm
-// in   planes        clipping planes in index coordinates, kept where plane . (p, 1) >= 0; plane 0 is near
+// in   planes        near plane, then clipping planes, in index coordinates: plane . (p, 1) >= 0 is kept
 // out  fragOutput0   colour, or what hardware selection asks for
 //Hasp::Defines
 #define HASP_FUNCTION
 #define HASP_OUT(T) out T
 //Hasp::RayRoot
 
-const int MaxLights = 8;
-const int MaxPlanes = 7;
+// What a scene does not have is not in its shader. Defaults, for a shader compiled as it stands:
+#ifndef HASP_PLANES
+#define HASP_PLANES 1 // with the near plane
+#endif
+#ifndef HASP_LIGHTS
+#define HASP_LIGHTS 1
+#endif
 
 uniform mat4 indexToClip;
 uniform mat4 indexToView;
 uniform mat3 normalToView;
-uniform vec4 eyeIndex;
+uniform mat4 clipToIndex;
+uniform vec4 eyeIndex; // (eye, 1), or (minus the view direction, 0) if parallel
+uniform vec4 viewportToDevice; // scale, offset: pixels to [-1,1]
 uniform bool parallelProjection;
-uniform int planeCount;
-uniform vec4 planes[MaxPlanes];
-uniform int lightCount;
-uniform vec3 lightColor[MaxLights];
-uniform vec3 lightPosition[MaxLights];    // view coordinates, mm
-uniform vec3 lightDirection[MaxLights];   // unit, from the light to what it lights
-uniform vec3 lightAttenuation[MaxLights]; // constant, linear, quadratic
-uniform vec3 lightCone[MaxLights];        // least cosine, exponent of the fall-off, 1 if positional
+uniform vec4 planes[HASP_PLANES];
+#if HASP_LIGHTS > 0
+uniform vec3 lightColor[HASP_LIGHTS];
+uniform vec3 lightDirection[HASP_LIGHTS];   // unit, from the light to what it lights
+#ifdef HASP_POSITIONAL_LIGHTS
+uniform vec3 lightPosition[HASP_LIGHTS];    // view coordinates, mm
+uniform vec3 lightAttenuation[HASP_LIGHTS]; // constant, linear, quadratic
+uniform vec3 lightCone[HASP_LIGHTS];        // least cosine, exponent of the fall-off, 1 if positional
+#endif
+#endif
 uniform vec3 ambientColor;
 uniform vec3 diffuseColor;
 uniform vec3 specularColor;
@@ -40,25 +49,34 @@ uniform int selectionShift; // bits to drop from the cell id; -1: selectionColor
 flat in vec4 low;
 flat in vec4 high;
 flat in vec4 cellClip;
-flat in vec3 cellIndex;
-flat in vec3 eyeInCell;
-flat in int cellId;
-in vec3 onRay;
+flat in ivec4 cell;
 out vec4 fragOutput0;
 
 // Cells reach this far into their neighbours, so that no ray slips between two of them. In voxels.
 const float Overlap = 1e-4;
 
+// The point of the pixel's ray in the plane through the cell's middle, parallel to the screen, in cell
+// coordinates. Points in world or eye coordinates would not do: a million voxels away float has no digits
+// left. Here differences of clip coordinates are taken first; they are small, nothing cancels afterwards.
+vec3 PointOnRay()
+{
+  vec4 middle = 0.5 * (indexToClip[0] + indexToClip[1] + indexToClip[2]); // relative to cellClip
+  vec2 device = gl_FragCoord.xy * viewportToDevice.xy + viewportToDevice.zw;
+  return (clipToIndex * vec4(device * (cellClip.w + middle.w) - cellClip.xy, middle.zw)).xyz;
+}
+
 // The part of the ray inside the cell and the clipping planes, as two points in cell coordinates.
 bool ClipRay(out vec3 a, out vec3 b)
 {
-  vec3 direction = onRay * eyeIndex.w - eyeInCell;
+  vec3 onRay = PointOnRay();
+  vec3 cellIndex = vec3(cell.xyz);
+  vec3 direction = (onRay + cellIndex) * eyeIndex.w - eyeIndex.xyz;
   direction /= max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
   vec3 safe = mix(direction, vec3(1e-12), lessThan(abs(direction), vec3(1e-12)));
   vec3 wall0 = (vec3(-Overlap) - onRay) / safe, wall1 = (vec3(1.0 + Overlap) - onRay) / safe;
   vec3 enter = min(wall0, wall1), leave = max(wall0, wall1);
   float t0 = max(max(enter.x, enter.y), enter.z), t1 = min(min(leave.x, leave.y), leave.z);
-  for (int p = 0; p < planeCount; ++p)
+  for (int p = 0; p < HASP_PLANES; ++p)
   {
     float atRay = dot(planes[p], vec4(cellIndex + onRay, 1.0));
     float slope = dot(planes[p].xyz, direction);
@@ -76,28 +94,35 @@ bool ClipRay(out vec3 a, out vec3 b)
 
 vec3 Shade(vec3 position, vec3 normal)
 {
+  vec3 color = ambientColor;
+#ifdef HASP_SPECULAR
   vec3 toEye = parallelProjection ? vec3(0.0, 0.0, 1.0) : normalize(-position);
-  vec3 diffuse = vec3(0.0), specular = vec3(0.0);
-  for (int n = 0; n < lightCount; ++n)
+#endif
+#if HASP_LIGHTS > 0
+  for (int n = 0; n < HASP_LIGHTS; ++n)
   {
     vec3 direction = lightDirection[n];
-    float strength = 1.0;
+    vec3 light = lightColor[n];
+#ifdef HASP_POSITIONAL_LIGHTS
     if (lightCone[n].z > 0.5)
     {
       vec3 way = position - lightPosition[n];
       float distance = length(way);
       direction = way / distance;
-      strength = 1.0 / dot(lightAttenuation[n], vec3(1.0, distance, distance * distance));
+      light /= dot(lightAttenuation[n], vec3(1.0, distance, distance * distance));
       float cosine = dot(direction, lightDirection[n]);
-      strength *= cosine < lightCone[n].x ? 0.0 : pow(max(cosine, 1e-6), lightCone[n].y);
+      light *= cosine < lightCone[n].x ? 0.0 : pow(max(cosine, 1e-6), lightCone[n].y);
     }
+#endif
     float facing = max(0.0, dot(normal, -direction));
-    diffuse += strength * facing * lightColor[n];
-    if (facing > 0.0)
-      specular += strength * lightColor[n] *
-        pow(max(1e-6, dot(reflect(direction, normal), toEye)), specularPower);
+    color += facing * light * diffuseColor;
+#ifdef HASP_SPECULAR
+    float mirrored = max(1e-6, dot(reflect(direction, normal), toEye));
+    color += facing > 0.0 ? light * specularColor * pow(mirrored, specularPower) : vec3(0.0);
+#endif
   }
-  return ambientColor + diffuse * diffuseColor + specular * specularColor;
+#endif
+  return color;
 }
 
 void main()
@@ -112,12 +137,12 @@ void main()
   gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far);
 
 #ifdef HASP_SELECTION
-  uint id = uint(cellId + 1) >> uint(max(selectionShift, 0)); // VTK keeps 0 for "nothing here"
+  uint id = uint(cell.w + 1) >> uint(max(selectionShift, 0)); // VTK keeps 0 for "nothing here"
   fragOutput0 = selectionShift < 0
     ? vec4(selectionColor, 1.0)
     : vec4(vec3(id & 255u, (id >> 8u) & 255u, (id >> 16u) & 255u) / 255.0, 1.0);
 #else
-  vec3 position = (indexToView * vec4(cellIndex + hit, 1.0)).xyz;
+  vec3 position = (indexToView * vec4(vec3(cell.xyz) + hit, 1.0)).xyz;
   vec3 normal = normalize(normalToView * -HaspTrilinearGradient(low, high, hit));
   if (dot(normal, parallelProjection ? vec3(0.0, 0.0, 1.0) : -position) < 0.0)
     normal = -normal; // seen from inside

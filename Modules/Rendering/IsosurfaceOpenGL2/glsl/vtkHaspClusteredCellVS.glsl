@@ -1,14 +1,14 @@
 #version 430 core
-// One active cell is 6 vertices: the two triangles of the smallest upright screen rectangle around it
-// (thesis 3.2.2; Liu, Clapworthy, Dong 2009). Cells are pulled from the buffer; there are no attributes.
+// One active cell is one square point around it, or, where OpenGL would drop or cap that point, the two
+// triangles of the smallest upright screen rectangle (thesis 3.2.2; Liu, Clapworthy, Dong 2009).
+// Cells are pulled from the buffer; there are no attributes.
 //
 // in   cells, clusters   packed as CellLayout.glsl says
-// in   indexToClip, clipToIndex, eyeIndex   the latter (eye, 1), or (minus view direction, 0) if parallel
-// out  low, high     corner samples minus the isovalue
-// out  cellClip      clip coordinates of the cell's corner (0,0,0)
-// out  cellIndex     that corner in index coordinates
-// out  onRay         a point of the pixel's ray in cell coordinates, close to the cell: float would not
-//                    do for points given in world or eye coordinates a million voxels away
+// in   indexToClip
+// in   viewport     width and height in pixels
+// out  low, high    corner samples minus the isovalue
+// out  cellClip     clip coordinates of the cell's corner (0,0,0)
+// out  cell         that corner in index coordinates, and the cell's id
 //Hasp::Defines
 #ifdef HASP_FLOAT_CORNERS
 #define CELL_WORDS HaspFloatCellWords
@@ -27,18 +27,15 @@ layout(std430, binding = 1) readonly buffer Clusters
   uvec2 clusters[];
 };
 uniform mat4 indexToClip;
-uniform mat4 clipToIndex;
-uniform vec4 eyeIndex;
+uniform vec2 viewport;
+uniform bool points;
 uniform float isovalue;
 uniform int firstCell; // of this draw: large sets are drawn in ranges
 
 flat out vec4 low;
 flat out vec4 high;
 flat out vec4 cellClip;
-flat out vec3 cellIndex;
-flat out vec3 eyeInCell;
-flat out int cellId;
-out vec3 onRay;
+flat out ivec4 cell;
 
 #ifdef HASP_FLOAT_CORNERS
 void ReadCorners(uint word)
@@ -66,18 +63,15 @@ void ReadCorners(uint word)
 
 void main()
 {
-  uint cell = uint(gl_VertexID) / 6u;
-  uint corner = uint(gl_VertexID) % 6u; // triangles 0 1 2 and 2 1 3
-  corner = corner < 3u ? corner : (corner == 3u ? 2u : (corner == 4u ? 1u : 3u));
-  uint word = cell * CELL_WORDS;
+  uint number = uint(gl_VertexID) / (points ? 1u : 6u);
+  uint word = number * CELL_WORDS;
   uint place = cells[word];
   ReadCorners(word + 1u);
   low -= isovalue;
   high -= isovalue;
-  cellId = firstCell + int(cell);
-  cellIndex = vec3(HaspClusterOrigin(clusters[HaspCellCluster(place)]) + HaspCellInCluster(place));
-  cellClip = indexToClip * vec4(cellIndex, 1.0);
-  eyeInCell = eyeIndex.xyz - cellIndex * eyeIndex.w;
+  cell = ivec4(HaspClusterOrigin(clusters[HaspCellCluster(place)]) + HaspCellInCluster(place),
+    firstCell + int(number));
+  cellClip = indexToClip * vec4(cell.xyz, 1.0);
 
   // The rectangle around the 8 projected corners, at the depth of the nearest.
   vec3 lowest = vec3(1e30), highest = vec3(-1e30);
@@ -92,6 +86,13 @@ void main()
     lowest = min(lowest, device);
     highest = max(highest, device);
   }
+  if (points)
+  {
+    vec2 size = (highest.xy - lowest.xy) * 0.5 * viewport;
+    gl_PointSize = max(size.x, size.y) + 1.0;
+    gl_Position = vec4(0.5 * (lowest.xy + highest.xy), max(lowest.z, -1.0), 1.0);
+    return;
+  }
   // A cell around the eye has no rectangle: it gets the whole screen, on the near plane.
   // A cell behind the eye gets none.
   bool aroundEye = leastW < 1e-4 * mostW;
@@ -99,13 +100,8 @@ void main()
   float depth = aroundEye ? -1.0 : max(lowest.z, -1.0);
   if (mostW <= 0.0)
     from = to = vec2(2.0);
-
-  vec2 device = vec2((corner & 1u) != 0u ? to.x : from.x, (corner & 2u) != 0u ? to.y : from.y);
-  gl_Position = vec4(device, depth, 1.0);
-
-  // The ray's point in the plane through the cell's middle, parallel to the screen. Differences of clip
-  // coordinates first: they are small, so nothing cancels afterwards.
-  vec4 middle = 0.5 * (indexToClip[0] + indexToClip[1] + indexToClip[2]); // relative to cellClip
-  float w = cellClip.w + middle.w;
-  onRay = (clipToIndex * vec4(device * w - cellClip.xy, middle.zw)).xyz;
+  uint corner = uint(gl_VertexID) % 6u; // triangles 0 1 2 and 2 1 3
+  corner = corner < 3u ? corner : (corner == 3u ? 2u : (corner == 4u ? 1u : 3u));
+  gl_Position =
+    vec4((corner & 1u) != 0u ? to.x : from.x, (corner & 2u) != 0u ? to.y : from.y, depth, 1.0);
 }

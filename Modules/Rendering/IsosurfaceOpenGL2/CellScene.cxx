@@ -1,0 +1,170 @@
+#include "CellScene.h"
+
+#include "HaspGL.h"
+#include "Isosurface/ClusteredCells.h"
+#include "vtkHaspClusteredCellMapper.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+namespace
+{
+
+glm::dmat4 IndexToWorld(vtkActor* actor, const hasp::GridGeometry& geometry)
+{
+  glm::dmat4 indexToData(geometry.IndexToWorldMatrix());
+  indexToData[3] = glm::dvec4(geometry.origin, 1.0);
+  return glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData())) * indexToData;
+}
+
+/// A row times indexToWorld: the same plane in index coordinates.
+glm::dvec4 PlaneInIndex(vtkPlane* plane, const glm::dmat4& indexToWorld)
+{
+  const glm::dvec3 normal = glm::make_vec3(plane->GetNormal());
+  const glm::dvec3 origin = glm::make_vec3(plane->GetOrigin());
+  return glm::dvec4(normal, -glm::dot(normal, origin)) * indexToWorld;
+}
+
+void AddLight(CellScene& scene, vtkLight* light, const glm::dmat4& worldToView)
+{
+  double from[3], to[3], factors[3];
+  light->GetTransformedPosition(from);
+  light->GetTransformedFocalPoint(to);
+  light->GetAttenuationValues(factors);
+  const glm::dvec3 way = glm::make_vec3(to) - glm::make_vec3(from);
+  const bool positional = light->GetPositional();
+  const bool spot = positional && light->GetConeAngle() < 90.0;
+  scene.positionalLights |= positional;
+  scene.lightColor.emplace_back(
+    glm::dvec3(glm::make_vec3(light->GetDiffuseColor())) * light->GetIntensity());
+  scene.lightPosition.emplace_back(worldToView * glm::dvec4(glm::make_vec3(from), 1.0));
+  scene.lightDirection.emplace_back(glm::normalize(glm::dmat3(worldToView) * way));
+  scene.lightAttenuation.emplace_back(factors[0], factors[1], factors[2]);
+  scene.lightCone.emplace_back(spot ? std::cos(glm::radians(light->GetConeAngle())) : -1.0,
+    spot ? light->GetExponent() : 0.0, positional ? 1.0 : 0.0);
+}
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)
+{
+  glm::mat4 single(matrix);
+  program->SetUniformMatrix4x4(name, glm::value_ptr(single));
+}
+
+/// (eye, 1), or (minus the view direction, 0) for a parallel projection: the point with clip
+/// coordinates (0, 0, 1, 0).
+glm::vec4 EyeInIndex(const glm::dmat4& clipToIndex, bool parallel)
+{
+  const glm::dvec4 eye = clipToIndex * glm::dvec4(0, 0, 1, 0);
+  return parallel ? glm::dvec4(-glm::normalize(glm::dvec3(eye)), 0.0) : eye / eye.w;
+}
+
+} // namespace
+
+CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkMatrix4x4 *view, *projection,
+    *clip; // VTK hands these out with column-major memory, for OpenGL
+  vtkMatrix3x3* normal;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, view, normal, projection, clip);
+  const glm::dmat4 worldToView = glm::make_mat4(view->GetData());
+  const glm::dmat4 indexToWorld = IndexToWorld(actor, mapper->GetCells().geometry);
+  this->indexToView = worldToView * indexToWorld;
+  this->indexToClip = glm::dmat4(glm::make_mat4(clip->GetData())) * indexToWorld;
+  this->parallelProjection = renderer->GetActiveCamera()->GetParallelProjection();
+  this->isovalue = mapper->GetCells().isovalue;
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  this->viewportOrigin = { viewport[0], viewport[1] };
+  this->viewportSize = { viewport[2], viewport[3] };
+
+  this->planes.push_back(glm::row(this->indexToClip, 2) + glm::row(this->indexToClip, 3));
+  if (vtkPlaneCollection* clipping = mapper->GetClippingPlanes())
+    for (int p = 0; p < clipping->GetNumberOfItems(); ++p)
+      this->planes.push_back(PlaneInIndex(clipping->GetItem(p), indexToWorld));
+
+  vtkProperty* property = actor->GetProperty();
+  const bool lit = property->GetLighting(); // unlit properties show their colour as it is
+  const auto color = [](const double* rgb, double share)
+  { return glm::vec3(glm::make_vec3(rgb) * share); };
+  this->ambientColor = lit ? color(property->GetAmbientColor(), property->GetAmbient())
+                           : color(property->GetDiffuseColor(), 1.0);
+  this->diffuseColor = color(property->GetDiffuseColor(), property->GetDiffuse());
+  this->specularColor = color(property->GetSpecularColor(), property->GetSpecular());
+  this->specularPower = static_cast<float>(property->GetSpecularPower());
+  this->opacity = static_cast<float>(property->GetOpacity());
+
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+    if (lit && light->GetSwitch())
+      AddLight(*this, light, worldToView);
+}
+
+std::string CellScene::Defines() const
+{
+  std::string text = "#define HASP_PLANES " + std::to_string(this->planes.size()) + "\n";
+  text += "#define HASP_LIGHTS " + std::to_string(this->lightColor.size()) + "\n";
+  if (this->positionalLights)
+    text += "#define HASP_POSITIONAL_LIGHTS\n";
+  if (this->specularColor != glm::vec3(0.0F))
+    text += "#define HASP_SPECULAR\n";
+  return text;
+}
+
+void CellScene::SetUniforms(vtkShaderProgram* program) const
+{
+  const glm::dmat4 clipToIndex = glm::inverse(this->indexToClip);
+  const glm::mat3 normalToView(glm::transpose(glm::inverse(glm::dmat3(this->indexToView))));
+  const glm::vec4 eye = EyeInIndex(clipToIndex, this->parallelProjection);
+  const glm::vec2 size(this->viewportSize);
+  const glm::vec4 toDevice(
+    glm::vec2(2.0F) / size, -2.0F * glm::vec2(this->viewportOrigin) / size - 1.0F);
+  SetMatrix(program, "indexToClip", this->indexToClip);
+  SetMatrix(program, "clipToIndex", clipToIndex);
+  SetMatrix(program, "indexToView", this->indexToView);
+  program->SetUniformMatrix3x3("normalToView", const_cast<float*>(glm::value_ptr(normalToView)));
+  program->SetUniform4f("eyeIndex", &eye.x);
+  program->SetUniform2f("viewport", &size.x);
+  program->SetUniform4f("viewportToDevice", &toDevice.x);
+  program->SetUniformi("parallelProjection", this->parallelProjection);
+  program->SetUniformf("isovalue", this->isovalue);
+  const std::vector<glm::vec4> single(this->planes.begin(), this->planes.end());
+  program->SetUniform4fv("planes", static_cast<int>(single.size()), &single[0].x);
+
+  program->SetUniform3f("ambientColor", &this->ambientColor.x);
+  program->SetUniform3f("diffuseColor", &this->diffuseColor.x);
+  program->SetUniform3f("specularColor", &this->specularColor.x);
+  program->SetUniformf("specularPower", this->specularPower);
+  program->SetUniformf("opacity", this->opacity);
+  const auto perLight = [&](const char* name, const std::vector<glm::vec3>& values)
+  {
+    if (!values.empty())
+      program->SetUniform3fv(name, static_cast<int>(values.size()), &values[0].x);
+  };
+  perLight("lightColor", this->lightColor);
+  perLight("lightDirection", this->lightDirection);
+  if (!this->positionalLights)
+    return;
+  perLight("lightPosition", this->lightPosition);
+  perLight("lightAttenuation", this->lightAttenuation);
+  perLight("lightCone", this->lightCone);
+}

@@ -1,0 +1,43 @@
+#ifndef CellScene_h
+#define CellScene_h
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkHaspClusteredCellMapper;
+class vtkRenderer;
+class vtkShaderProgram;
+
+/// What the shaders of the clustered cells know of camera, actor, clipping planes and lights: read
+/// from VTK once a frame, in double precision; rounded to float when it goes to the GPU. The eye is
+/// taken from the full matrix, so every kind of stereo and off-axis camera comes out right.
+struct CellScene
+{
+  glm::dmat4 indexToClip, indexToView;
+  bool parallelProjection;
+  glm::ivec2 viewportOrigin, viewportSize; ///< pixels of the window
+  std::vector<glm::dvec4> planes;          ///< in index coordinates; the near plane first
+
+  /// One entry a light that is switched on, in view coordinates.
+  std::vector<glm::vec3> lightColor, lightDirection, lightPosition, lightAttenuation, lightCone;
+  bool positionalLights = false;
+  glm::vec3 ambientColor, diffuseColor, specularColor;
+  float specularPower, opacity, isovalue;
+
+  /// RENDER thread, inside vtkMapper::Render.
+  CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
+
+  /// The #define lines of the shader variant this scene needs: what it does not have is not in it.
+  std::string Defines() const;
+  /// RENDER thread, with a program of that variant bound.
+  void SetUniforms(vtkShaderProgram* program) const;
+};
+
+#endif
