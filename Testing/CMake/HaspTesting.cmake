@@ -13,6 +13,7 @@ option(HASP_RECORD_BASELINES "Render tests write pictures and compare none: for 
 
 # hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.
 function (hasp_discover_tests target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # test files share names freely
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 120)
   # gtest_discover_tests would take a second label for the name of the next property.
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_labels.cmake")
@@ -76,6 +77,7 @@ function (hasp_add_render_test module)
   list(REMOVE_DUPLICATES modules)
   add_executable(${arg_NAME} ${arg_SOURCES}
     "${PROJECT_SOURCE_DIR}/Testing/ImageComparison/HaspRenderTestMain.cxx")
+  set_target_properties(${arg_NAME} PROPERTIES UNITY_BUILD OFF)
   target_compile_definitions(${arg_NAME} PRIVATE HASP_RENDER_TEST=${arg_NAME})
   target_link_libraries(${arg_NAME} PRIVATE HaspImageComparison ${modules})
   vtk_module_autoinit(TARGETS ${arg_NAME} MODULES ${modules})
