@@ -4,6 +4,24 @@ if (HASP_BUILD_TESTING)
   include(GoogleTest)
 endif ()
 
+# Render tests need windows without a display, and VTK's pictures for the judge.
+set(HASP_RENDER_TESTS OFF)
+if (HASP_BUILD_TESTING AND HASP_ENABLE_EGL AND TARGET VTK::IOImage AND TARGET VTK::ImagingCore)
+  set(HASP_RENDER_TESTS ON)
+endif ()
+option(HASP_RECORD_BASELINES "Render tests write pictures and compare none: for update-baseline" OFF)
+
+# hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.
+function (hasp_discover_tests target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # test files share names freely
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 120)
+  # gtest_discover_tests would take a second label for the name of the next property.
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_labels.cmake")
+  file(WRITE "${file}" "if (${target}_TESTS)\n"
+    "  set_tests_properties(\${${target}_TESTS} PROPERTIES LABELS \"${ARGN}\")\nendif ()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")
+endfunction ()
+
 # hasp_add_kernel_test(Grid SOURCES Testing/TestGridView.cxx … [LIBRARIES targets…] [LABELS labels…])
 #
 # One program per kernel, one CTest test per GoogleTest case, labelled kernel. A second call with another
@@ -18,8 +36,7 @@ function (hasp_add_kernel_test noun)
   endif ()
   add_executable(${arg_NAME} ${arg_SOURCES})
   target_link_libraries(${arg_NAME} PRIVATE Hasp::Kernel${noun} ${arg_LIBRARIES} GTest::gtest_main)
-  gtest_discover_tests(${arg_NAME} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "kernel;${arg_LABELS}" TIMEOUT 120)
+  hasp_discover_tests(${arg_NAME} kernel ${arg_LABELS})
 endfunction ()
 
 # hasp_add_module_test(IOMedical SOURCES Cxx/TestVolumeReader.cxx … [LIBRARIES targets…] [LABELS labels…])
@@ -33,6 +50,44 @@ function (hasp_add_module_test module)
   add_executable(${arg_NAME} ${arg_SOURCES})
   target_link_libraries(${arg_NAME} PRIVATE Hasp::${module} ${arg_LIBRARIES} GTest::gtest_main)
   vtk_module_autoinit(TARGETS ${arg_NAME} MODULES Hasp::${module} ${arg_LIBRARIES})
-  gtest_discover_tests(${arg_NAME} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "module;${arg_LABELS}" TIMEOUT 120)
+  hasp_discover_tests(${arg_NAME} module ${arg_LABELS})
+endfunction ()
+
+# hasp_add_render_test(RenderingStereo SOURCES Cxx/TestStereoEyes.cxx … [NAME TestX] [LIBRARIES targets…] [LABELS labels…])
+#
+# One program that draws one picture and compares it with Data/Baseline/<NAME>.png beside the calling
+# CMakeLists.txt; see HaspRenderTest.h for what the source looks like. NAME is the stem of the first
+# source. Without that picture configuring stops: a render test that compares nothing cannot fail.
+function (hasp_add_render_test module)
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if (NOT arg_NAME)
+    list(GET arg_SOURCES 0 first)
+    cmake_path(GET first STEM arg_NAME)
+  endif ()
+  set(baseline "${CMAKE_CURRENT_SOURCE_DIR}/Data/Baseline/${arg_NAME}.png")
+  if (NOT HASP_RECORD_BASELINES AND NOT EXISTS "${baseline}")
+    message(FATAL_ERROR "Render test ${arg_NAME} has no baseline ${baseline}\n"
+      "Record it, look at it and commit it: Utilities/Scripts/update-baseline ${arg_NAME}")
+  endif ()
+  if (NOT HASP_RENDER_TESTS)
+    return()
+  endif ()
+
+  set(modules Hasp::${module} Hasp::RenderingHeadless VTK::RenderingOpenGL2 ${arg_LIBRARIES})
+  list(REMOVE_DUPLICATES modules)
+  add_executable(${arg_NAME} ${arg_SOURCES}
+    "${PROJECT_SOURCE_DIR}/Testing/ImageComparison/HaspRenderTestMain.cxx")
+  set_target_properties(${arg_NAME} PROPERTIES UNITY_BUILD OFF)
+  target_compile_definitions(${arg_NAME} PRIVATE HASP_RENDER_TEST=${arg_NAME})
+  target_link_libraries(${arg_NAME} PRIVATE HaspImageComparison ${modules})
+  vtk_module_autoinit(TARGETS ${arg_NAME} MODULES ${modules})
+
+  set(pictures "${CMAKE_BINARY_DIR}/Testing/Pictures")
+  file(WRITE "${pictures}/${arg_NAME}.baseline" "${baseline}\n") # for update-baseline
+  add_test(NAME ${arg_NAME} COMMAND ${arg_NAME} --baseline "${baseline}" --output "${pictures}"
+    $<$<BOOL:${HASP_RECORD_BASELINES}>:--record>)
+  # What VTK reports as an error is one, also where the picture happens to be right.
+  set(labels render ${arg_LABELS})
+  set_tests_properties(${arg_NAME} PROPERTIES LABELS "${labels}" TIMEOUT 120
+    FAIL_REGULAR_EXPRESSION "ERR\\|;ERROR: In ;GL_INVALID_")
 endfunction ()
