@@ -10,6 +10,7 @@
 #include "vtkVersion.h"
 #include "vtk_glew.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 struct vtkHaspEGLRenderWindow::Internals
@@ -130,6 +131,12 @@ void vtkHaspEGLRenderWindow::Start()
 {
   if (this->SupportsOpenGL())
     this->Superclass::Start();
+}
+
+int vtkHaspEGLRenderWindow::GetColorBufferSizes(int* rgba)
+{
+  std::fill_n(rgba, 4, 8); // vtkOpenGLRenderWindow makes its render frame buffers RGBA8
+  return 32;
 }
 
 void vtkHaspEGLRenderWindow::Frame()

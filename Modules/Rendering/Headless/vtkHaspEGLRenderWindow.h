@@ -41,6 +41,9 @@ public:
   void ReleaseCurrent() override;
   bool IsCurrent() override;
   int SupportsOpenGL() override;
+  /// Of what is drawn into: VTK's own frame buffer, for there is no default one to ask about.
+  /// Hardware selection refuses windows with less than 8 bits.
+  int GetColorBufferSizes(int* rgba) override;
   vtkTypeBool IsDirect() override { return 1; }
   void OpenGLInitContext() override;
   const char* ReportCapabilities() override;

@@ -57,19 +57,46 @@ std::string CornerDefines(hasp::CornerType corners)
   return {};
 }
 
-/// What hardware selection wants in this pass; see vtkHardwareSelector::PassTypes.
-void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* selector)
+/// Between construction and destruction VTK's selector has blending off and knows which actor is
+/// drawn.
+class SelectionPass
 {
-  int shift = -1;
-  if (selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_LOW24)
-    shift = 0;
-  if (selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_HIGH24)
-    shift = 24;
-  float color[3];
-  selector->GetPropColorValue(color);
-  program->SetUniformi("selectionShift", shift);
-  program->SetUniform3f("selectionColor", color);
-}
+public:
+  explicit SelectionPass(vtkHardwareSelector* selector) : Selector(selector)
+  {
+    if (!selector)
+      return;
+    selector->BeginRenderProp();
+    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+      selector->RenderCompositeIndex(1);
+  }
+  ~SelectionPass()
+  {
+    if (this->Selector)
+      this->Selector->EndRenderProp();
+  }
+  SelectionPass(const SelectionPass&) = delete;
+  SelectionPass& operator=(const SelectionPass&) = delete;
+
+  /// What is to be written in this pass; see vtkHardwareSelector::PassTypes.
+  void SetUniforms(vtkShaderProgram* program) const
+  {
+    if (!this->Selector)
+      return;
+    int shift = -1;
+    if (this->Selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_LOW24)
+      shift = 0;
+    if (this->Selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_HIGH24)
+      shift = 24;
+    float color[3];
+    this->Selector->GetPropColorValue(color);
+    program->SetUniformi("selectionShift", shift);
+    program->SetUniform3f("selectionColor", color);
+  }
+
+private:
+  vtkHardwareSelector* Selector;
+};
 
 /// In pixels; one less than OpenGL's limit, for the shader rounds up.
 double LargestPoint()
@@ -153,7 +180,10 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   const CellScene scene(this, renderer, actor);
   std::string defines = CornerDefines(this->GetCells().cornerType) + scene.Defines();
   if (selector)
+  {
+    selector->UpdateMaximumCellId(static_cast<vtkIdType>(this->GetCells().Count()));
     defines += "#define HASP_SELECTION\n";
+  }
   vtkShaderProgram* program =
     this->GL->ReadyProgram(window, defines, selector ? PickCells : ShadeCells);
   if (!program)
@@ -162,8 +192,8 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
     return;
   }
   scene.SetUniforms(program);
-  if (selector)
-    SetSelectionUniforms(program, selector);
+  const SelectionPass selection(selector);
+  selection.SetUniforms(program);
   const hasp::VisibleCells visible =
     CullClusters(this->GetCells(), scene.indexToClip, scene.viewportSize, LargestPoint());
 

@@ -137,7 +137,7 @@ void main()
   gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far);
 
 #ifdef HASP_SELECTION
-  uint id = uint(cell.w + 1) >> uint(max(selectionShift, 0)); // VTK keeps 0 for "nothing here"
+  uint id = uint(cell.w) >> uint(max(selectionShift, 0)); // whether there is one says the actor pass
   fragOutput0 = selectionShift < 0
     ? vec4(selectionColor, 1.0)
     : vec4(vec3(id & 255u, (id >> 8u) & 255u, (id >> 16u) & 255u) / 255.0, 1.0);

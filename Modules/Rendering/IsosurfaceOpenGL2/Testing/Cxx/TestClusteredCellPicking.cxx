@@ -1,0 +1,120 @@
+// Hardware selection gives the cell the ray caster meets; and a scene that does not pick pays
+// nothing.
+#include "CellTestScene.h"
+#include "Isosurface/RayCaster.h"
+
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkWorldPointPicker.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using hasp::testing::CellTestScene;
+
+struct PickScene
+{
+  hasp::GridGeometry geometry = hasp::testing::ObliqueGrid(48, { 1.0, 0.8, 1.3 });
+  vtkSmartPointer<vtkImageData> image = hasp::MakeImage(
+    geometry, hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticGyroid(30), geometry, 100, 0));
+  hasp::MinMaxBlocks blocks{ hasp::ViewImage(image) };
+  CellTestScene scene{ 240, 200 };
+  PickScene()
+  {
+    scene.Mapper->SetInputData(image);
+    scene.Look({ 90, -120, 60 }, { 0, 0, 0 }, 40, 300);
+    scene.Draw();
+  }
+};
+
+hasp::ResourceUse Find(const CellTestScene& scene, const std::string& name)
+{
+  hasp::ResourceList list;
+  scene.Mapper->ListResources(list);
+  for (const auto& use : list)
+    if (use.resource == name)
+      return use;
+  ADD_FAILURE() << "no resource " << name;
+  return {};
+}
+
+class CellPicking : public ::testing::Test
+{
+protected:
+  static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
+};
+
+TEST_F(CellPicking, GivesTheCellAndTheActor)
+{
+  PickScene s;
+  const hasp::RayCaster caster(hasp::ViewImage(s.image), s.blocks, 0.0);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(s.scene.Renderer);
+  selector->SetArea(0, 0, 239, 199);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  ASSERT_TRUE(selector->CaptureBuffers());
+  int hits = 0, differ = 0;
+  for (unsigned y = 5; y < 200; y += 7)
+    for (unsigned x = 5; x < 240; x += 9)
+    {
+      const auto [origin, direction] = s.scene.Ray(int(x), int(y));
+      const auto truth = caster.Cast(origin, direction);
+      const unsigned pixel[2] = { x, y };
+      const auto picked = selector->GetPixelInformation(pixel);
+      ASSERT_EQ(picked.Valid, truth.has_value()) << x << " " << y;
+      if (!truth)
+        continue;
+      EXPECT_EQ(picked.Prop, s.scene.Actor.GetPointer());
+      int ijk[3];
+      ASSERT_TRUE(s.scene.Mapper->GetCellIndex(picked.AttributeID, ijk));
+      differ += glm::ivec3(ijk[0], ijk[1], ijk[2]) != truth->cell;
+      ++hits;
+    }
+  EXPECT_GT(hits, 200);
+  EXPECT_LE(differ, 1); // a hit on the face between two cells
+}
+
+TEST_F(CellPicking, WorldPointPickerGivesThePointOnTheSurface)
+{
+  PickScene s;
+  const hasp::RayCaster caster(hasp::ViewImage(s.image), s.blocks, 0.0);
+  vtkNew<vtkWorldPointPicker> picker;
+  picker->Pick(120, 100, 0, s.scene.Renderer);
+  const auto [origin, direction] = s.scene.Ray(120, 100);
+  const auto truth = caster.Cast(origin, direction);
+  ASSERT_TRUE(truth);
+  const double* at = picker->GetPickPosition();
+  // The picker takes the pixel's corner, not its centre: half a pixel, some 0.2 mm here.
+  EXPECT_LT(glm::length(glm::dvec3(at[0], at[1], at[2]) - truth->position), 1.0);
+}
+
+TEST_F(CellPicking, CellsOutsideTheRangeAreNoCells)
+{
+  PickScene s;
+  int ijk[3] = { 7, 7, 7 };
+  EXPECT_FALSE(s.scene.Mapper->GetCellIndex(-1, ijk));
+  EXPECT_FALSE(s.scene.Mapper->GetCellIndex(vtkIdType(1) << 40, ijk));
+  EXPECT_EQ(ijk[0], 7);
+}
+
+TEST_F(CellPicking, IsNotThereUntilAskedForAndGoneAfterRelease)
+{
+  PickScene s;
+  EXPECT_EQ(Find(s.scene, "shader: cell selection").milliseconds, 0.0);
+  EXPECT_GT(Find(s.scene, "active cells, GPU").bytes, 0U);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(s.scene.Renderer);
+  selector->SetArea(120, 100, 120, 100);
+  EXPECT_TRUE(selector->CaptureBuffers());
+  EXPECT_GT(Find(s.scene, "shader: cell selection").milliseconds, 0.0);
+  s.scene.Window->Finalize();
+  for (const char* name : { "shader: cell selection", "shader: shaded cells", "active cells, GPU" })
+  {
+    EXPECT_EQ(Find(s.scene, name).bytes, 0U) << name;
+    EXPECT_EQ(Find(s.scene, name).milliseconds, 0.0) << name;
+  }
+}
+
+} // namespace
