@@ -4,11 +4,6 @@ if (HASP_BUILD_TESTING)
   include(GoogleTest)
 endif ()
 
-# Render tests need windows without a display, and VTK's pictures for the judge.
-set(HASP_RENDER_TESTS OFF)
-if (HASP_BUILD_TESTING AND HASP_ENABLE_EGL AND TARGET VTK::IOImage AND TARGET VTK::ImagingCore)
-  set(HASP_RENDER_TESTS ON)
-endif ()
 option(HASP_RECORD_BASELINES "Render tests write pictures and compare none: for update-baseline" OFF)
 
 # hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.
@@ -53,6 +48,14 @@ function (hasp_add_module_test module)
   hasp_discover_tests(${arg_NAME} module ${arg_LABELS})
 endfunction ()
 
+# hasp_can_render(<variable>): is there what render tests need, windows without a display and VTK's pictures?
+function (hasp_can_render variable)
+  set(${variable} OFF PARENT_SCOPE)
+  if (TARGET Hasp::RenderingHeadless AND TARGET VTK::IOImage AND TARGET VTK::ImagingCore)
+    set(${variable} ON PARENT_SCOPE)
+  endif ()
+endfunction ()
+
 # hasp_add_render_test(RenderingStereo SOURCES Cxx/TestStereoEyes.cxx … [NAME TestX] [LIBRARIES targets…] [LABELS labels…])
 #
 # One program that draws one picture and compares it with Data/Baseline/<NAME>.png beside the calling
@@ -69,7 +72,8 @@ function (hasp_add_render_test module)
     message(FATAL_ERROR "Render test ${arg_NAME} has no baseline ${baseline}\n"
       "Record it, look at it and commit it: Utilities/Scripts/update-baseline ${arg_NAME}")
   endif ()
-  if (NOT HASP_RENDER_TESTS)
+  hasp_can_render(can_render)
+  if (NOT can_render)
     return()
   endif ()
 

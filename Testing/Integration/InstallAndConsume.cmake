@@ -1,4 +1,5 @@
-# cmake -DBUILD=<build tree> -DCONSUMER=<source> -DWORK=<folder> -DGENERATOR=… -P InstallAndConsume.cmake
+# cmake -DBUILD=<build tree> -DCONSUMER=<source> -DWORK=<folder> -DGENERATOR=…
+#   -DFLAGS=<compiler flags> -P InstallAndConsume.cmake
 # Installs the build below WORK, builds the consumer against it and runs it. The build tree is not on
 # any path: what the install lacks, the consumer lacks.
 file(REMOVE_RECURSE "${WORK}")
@@ -13,7 +14,8 @@ endfunction ()
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix")
 run("${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${WORK}/build" -G "${GENERATOR}"
-  "-DCMAKE_PREFIX_PATH=${WORK}/prefix" -DCMAKE_BUILD_TYPE=Release)
+  "-DCMAKE_PREFIX_PATH=${WORK}/prefix" -DCMAKE_BUILD_TYPE=Release
+  "-DCMAKE_CXX_FLAGS=${FLAGS}")
 file(STRINGS "${WORK}/build/CMakeCache.txt" found REGEX "^Hasp_DIR:")
 if (NOT found MATCHES "=${WORK}/prefix/")
   message(FATAL_ERROR "The consumer found another Hasp: ${found}")

@@ -43,14 +43,20 @@ std::string FillSlots(const std::string& name, const std::string& text, const Sh
   return filled;
 }
 
-std::set<std::string> FindDefines(const std::string& text)
+void FindDefines(const std::string& text, ShaderProgram& program)
 {
   static const std::regex asked(
     "#\\s*(?:ifdef|ifndef)\\s+(HASP_\\w+)|defined\\s*\\(?\\s*(HASP_\\w+)");
-  std::set<std::string> defines;
   for (std::sregex_iterator m(text.begin(), text.end(), asked), end; m != end; ++m)
-    defines.insert((*m)[1].matched ? (*m)[1] : (*m)[2]);
-  return defines;
+  {
+    const std::string name = (*m)[1].matched ? (*m)[1] : (*m)[2];
+    if (!std::regex_search(text, std::regex("#ifndef " + name + "\\s+#define " + name + " \\d")))
+      program.switches.insert(name);
+    else if (std::regex_search(text, std::regex("#if " + name + " > 0")))
+      program.counts[name] = { "0", "8" };
+    else
+      program.counts[name] = { "8" };
+  }
 }
 
 } // namespace
@@ -80,42 +86,52 @@ ShaderTexts ReadShaderTexts(const fs::path& root)
     program.name = name;
     const std::string filled = FillSlots(stem, text, result.parts);
     program.stages[StageOf(stem)] = filled;
-    program.defines.merge(FindDefines(filled));
+    FindDefines(filled, program);
   }
   for (auto& [name, program] : programs)
     result.programs.push_back(std::move(program));
   return result;
 }
 
-std::string WithDefines(const std::string& text, const std::set<std::string>& defines)
+std::string WithDefines(const std::string& text, const ShaderDefines& defines)
 {
   std::string lines;
-  for (const std::string& define : defines)
-    lines += "#define " + define + "\n";
+  for (const auto& [name, value] : defines)
+    lines += "#define " + name + " " + value + "\n";
   const std::size_t at = text.find('\n') + 1;
   return text.substr(0, at) + lines + text.substr(at);
 }
 
-std::vector<std::set<std::string>> ListVariants(const std::set<std::string>& defines)
+std::vector<ShaderDefines> ListVariants(const ShaderProgram& program)
 {
-  const std::vector<std::string> names(defines.begin(), defines.end());
-  std::vector<std::set<std::string>> variants;
-  if (names.size() <= 4)
+  const std::vector<std::string> names(program.switches.begin(), program.switches.end());
+  ShaderDefines all;
+  for (const std::string& name : names)
+    all[name] = "";
+  std::vector<ShaderDefines> variants;
+  if (names.size() <= 6)
   {
     for (unsigned bits = 0; bits < 1u << names.size(); ++bits)
     {
-      std::set<std::string> variant;
+      ShaderDefines& variant = variants.emplace_back();
       for (std::size_t n = 0; n < names.size(); ++n)
         if (bits >> n & 1u)
-          variant.insert(names[n]);
-      variants.push_back(variant);
+          variant[names[n]] = "";
     }
-    return variants;
   }
-  variants.emplace_back();
-  for (const std::string& name : names)
-    variants.push_back({ name });
-  variants.push_back(defines);
+  else
+  {
+    variants = { {}, all };
+    for (const std::string& name : names)
+      variants.push_back({ { name, "" } });
+  }
+  for (const auto& [name, values] : program.counts)
+    for (const std::string& value : values)
+      for (ShaderDefines variant : { ShaderDefines(), all })
+      {
+        variant[name] = value;
+        variants.push_back(variant);
+      }
   return variants;
 }
 

@@ -12,12 +12,19 @@ namespace hasp
 /// Slot name to text: //Hasp::RayRoot is filled with the .glsl file of the stem RayRoot.
 using ShaderSlots = std::map<std::string, std::string>;
 
+/// Names to values; a switch has none.
+using ShaderDefines = std::map<std::string, std::string>;
+
 /// The stages of one program: the files whose names differ in the last two letters alone.
 struct ShaderProgram
 {
   std::string name{};                          ///< vtkHaspClusteredCell
   std::map<std::string, std::string> stages{}; ///< "VS", "FS", "GS", "CS" to text, slots filled
-  std::set<std::string> defines{};             ///< every HASP_… that some stage asks #ifdef for
+  /// What some stage asks #ifdef HASP_… for.
+  std::set<std::string> switches{};
+  /// What some stage gives a default (#ifndef HASP_…, #define HASP_… 1), and other values to try:
+  /// 8, and 0 where it asks whether the count is > 0.
+  std::map<std::string, std::vector<std::string>> counts{};
 };
 
 struct ShaderTexts
@@ -31,10 +38,11 @@ struct ShaderTexts
 /// part, or if a stage does not begin with #version.
 ShaderTexts ReadShaderTexts(const std::filesystem::path& root);
 
-/// `text` with "#define X" for each of `defines` after its #version line.
-std::string WithDefines(const std::string& text, const std::set<std::string>& defines);
+/// `text` with a #define for each of `defines` after its #version line.
+std::string WithDefines(const std::string& text, const ShaderDefines& defines);
 
-/// All subsets of up to four defines; of more: none, each alone, and all.
-std::vector<std::set<std::string>> ListVariants(const std::set<std::string>& defines);
+/// Every subset of up to six switches; of more: none, each alone, and all. Then each other value of
+/// each count, with no switch and with all.
+std::vector<ShaderDefines> ListVariants(const ShaderProgram& program);
 
 } // namespace hasp

@@ -40,7 +40,7 @@ std::string Attach(GLuint program, const std::string& stage, const std::string& 
   return compiled ? "" : stage + ": " + log + "\n";
 }
 
-std::string Build(const hasp::ShaderProgram& program, const std::set<std::string>& defines)
+std::string Build(const hasp::ShaderProgram& program, const hasp::ShaderDefines& defines)
 {
   const GLuint handle = glCreateProgram();
   std::string errors;
@@ -67,15 +67,15 @@ std::string FindErrors(const fs::path& root, int& built)
   const hasp::ShaderTexts texts = hasp::ReadShaderTexts(root);
   std::string errors;
   for (const hasp::ShaderProgram& program : texts.programs)
-    for (const auto& variant : hasp::ListVariants(program.defines))
+    for (const auto& variant : hasp::ListVariants(program))
     {
       ++built;
       const std::string wrong = Build(program, variant);
       if (wrong.empty())
         continue;
       errors += program.name + " with";
-      for (const std::string& define : variant)
-        errors += " " + define;
+      for (const auto& [name, value] : variant)
+        errors += " " + name + (value.empty() ? "" : "=" + value);
       errors += "\n" + wrong + "\n";
     }
   return errors;
@@ -164,6 +164,19 @@ TEST_F(ShadersCompile, AnErrorInOneVariantAloneFails)
   EXPECT_EQ(built, 4);
   EXPECT_NE(errors.find("Variant with HASP_BAD\n"), std::string::npos) << errors;
   EXPECT_EQ(errors.find("Variant with HASP_GOOD\n"), std::string::npos) << errors;
+}
+
+TEST_F(ShadersCompile, AnErrorAtOneCountAloneFails)
+{
+  this->Write("CountCS.glsl", "#version 430 core\nlayout(local_size_x = 1) in;\n"
+                              "#ifndef HASP_LIGHTS\n#define HASP_LIGHTS 1\n#endif\n"
+                              "#if HASP_LIGHTS > 0\nfloat x[HASP_LIGHTS];\n#endif\n"
+                              "void main() { x[0] = 1; }\n");
+  int built = 0;
+  const std::string errors = FindErrors(this->Folder, built);
+  EXPECT_EQ(built, 5) << "the default, and 0 and 8 with no switch and with all (none)";
+  EXPECT_NE(errors.find("Count with HASP_LIGHTS=0\n"), std::string::npos) << errors;
+  EXPECT_EQ(errors.find("Count with HASP_LIGHTS=8\n"), std::string::npos) << errors;
 }
 
 TEST_F(ShadersCompile, WhatCannotBePutTogetherIsRefused)
