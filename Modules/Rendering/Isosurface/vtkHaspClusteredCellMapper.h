@@ -16,13 +16,13 @@
  * that of the hit and the normal is the analytic gradient, so the surface mixes with any other
  * actor.
  *
- * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity; lights; clipping
- * planes (not capped); hardware selection (cell ids are active cells: GetCellIndex gives the
- * voxel); stereo and off-axis cameras (the eye comes from the full matrix). Inside is sample >=
- * isovalue. Cells with a NaN corner are left out.
+ * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity (VTK's
+ * order-independent translucency and depth peeling); lights; clipping planes (not capped); hardware
+ * selection (cell ids are active cells: GetCellIndex gives the voxel); stereo and off-axis cameras
+ * (the eye comes from the full matrix). Inside is sample >= isovalue. Cells with a NaN corner are
+ * left out.
  *
- * Limit: with opacity < 1 only the nearest layer is drawn, and it does not take part in depth
- * peeling. Limit: texture, scalar colouring, edges and representation are ignored.
+ * Limit: texture, scalar colouring, edges and representation are ignored.
  *
  * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
  * Threads: RENDER only; extraction uses all cores inside the call.

@@ -50,7 +50,9 @@ flat in vec4 low;
 flat in vec4 high;
 flat in vec4 cellClip;
 flat in ivec4 cell;
-out vec4 fragOutput0;
+layout(location = 0) out vec4 fragOutput0;
+// Filled by VTK's passes for translucent actors, like the two lines in main().
+//VTK::DepthPeeling::Dec
 
 // Cells reach this far into their neighbours, so that no ray slips between two of them. In voxels.
 const float Overlap = 1e-4;
@@ -136,6 +138,7 @@ void main()
     hit.z * indexToClip[2].zw;
   gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far);
 
+  //VTK::DepthPeeling::PreColor
 #ifdef HASP_SELECTION
   uint id = uint(cell.w) >> uint(max(selectionShift, 0)); // whether there is one says the actor pass
   fragOutput0 = selectionShift < 0
@@ -148,4 +151,5 @@ void main()
     normal = -normal; // seen from inside
   fragOutput0 = vec4(Shade(position, normal), opacity);
 #endif
+  //VTK::DepthPeeling::Impl
 }

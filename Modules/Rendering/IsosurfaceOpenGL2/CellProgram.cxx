@@ -1,0 +1,132 @@
+#include "CellProgram.h"
+
+#include "CellLayout.h"
+#include "CellScene.h"
+#include "RayRoot.h"
+#include "vtkHaspClusteredCellFS.h"
+#include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspClusteredCellVS.h"
+
+#include "vtkActor.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+void Fill(std::string& shader, const std::string& slot, const std::string& text)
+{
+  const std::string line = "//Hasp::" + slot;
+  const std::size_t at = shader.find(line);
+  if (at != std::string::npos)
+    shader.replace(at, line.size(), text);
+}
+
+std::string CornerDefines(hasp::CornerType corners)
+{
+  switch (corners)
+  {
+    case hasp::CornerType::Float32:
+      return "#define HASP_FLOAT_CORNERS\n";
+    case hasp::CornerType::UInt16:
+      return "#define HASP_UNSIGNED_CORNERS\n";
+    case hasp::CornerType::Int16:
+      break;
+  }
+  return {};
+}
+
+std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
+{
+  std::vector<vtkOpenGLRenderPass*> passes;
+  vtkInformation* info = actor->GetPropertyKeys();
+  if (!info || !info->Has(vtkOpenGLRenderPass::RenderPasses()))
+    return passes;
+  for (int n = 0; n < info->Length(vtkOpenGLRenderPass::RenderPasses()); ++n)
+    if (auto* pass =
+          vtkOpenGLRenderPass::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), n)))
+      passes.push_back(pass);
+  return passes;
+}
+
+/// VTK's passes write to gl_FragData[n], which core profiles lack: it becomes fragOutput<n>.
+/// Returns the declarations of those that our shader does not declare itself.
+std::string NameOutputs(std::string& fragment)
+{
+  std::string declarations;
+  for (int n = 0; n < 8; ++n)
+  {
+    const std::string old = "gl_FragData[" + std::to_string(n) + "]";
+    const std::string name = "fragOutput" + std::to_string(n);
+    bool used = false;
+    for (std::size_t at = fragment.find(old); at != std::string::npos; at = fragment.find(old, at))
+    {
+      fragment.replace(at, old.size(), name);
+      used = true;
+    }
+    if (used && n > 0)
+      declarations += "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";\n";
+  }
+  return declarations;
+}
+
+/// What is to be written in this pass; see vtkHardwareSelector::PassTypes.
+void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* selector)
+{
+  int shift = -1;
+  if (selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_LOW24)
+    shift = 0;
+  if (selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_HIGH24)
+    shift = 24;
+  float color[3];
+  selector->GetPropColorValue(color);
+  program->SetUniformi("selectionShift", shift);
+  program->SetUniform3f("selectionColor", color);
+}
+
+} // namespace
+
+vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
+  vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
+  vtkHardwareSelector* selector)
+{
+  const auto start = std::chrono::steady_clock::now();
+  std::string vertex = vtkHaspClusteredCellVS, geometry, fragment = vtkHaspClusteredCellFS;
+  Fill(vertex, "CellLayout", CellLayout);
+  Fill(fragment, "RayRoot", RayRoot);
+  const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+    pass->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+  }
+  std::string defines = CornerDefines(mapper->GetCells().cornerType) + scene.Defines();
+  if (selector)
+    defines += "#define HASP_SELECTION\n";
+  Fill(vertex, "Defines", defines);
+  Fill(fragment, "Defines", defines + NameOutputs(fragment));
+
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vertex.c_str(), fragment.c_str(), geometry.c_str());
+  if (!program)
+    return nullptr;
+  double& milliseconds = this->Milliseconds[selector ? 1 : 0];
+  if (milliseconds == 0.0)
+    milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  for (vtkOpenGLRenderPass* pass : passes)
+    pass->SetShaderParameters(program, mapper, actor);
+  scene.SetUniforms(program);
+  if (selector)
+    SetSelectionUniforms(program, selector);
+  return program;
+}
