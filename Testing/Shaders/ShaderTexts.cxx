@@ -1,10 +1,11 @@
 #include "ShaderTexts.h"
 
-#include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <regex>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace hasp
 {
@@ -27,32 +28,50 @@ std::string StageOf(const std::string& stem)
 
 std::string FillSlots(const std::string& name, const std::string& text, const ShaderSlots& parts)
 {
-  static const std::regex slot("^//Hasp::(\\w+)\\s*$");
+  constexpr std::string_view slot = "//Hasp::";
   std::istringstream lines(text);
   std::string filled, line;
   while (std::getline(lines, line))
   {
-    std::smatch match;
-    if (!std::regex_match(line, match, slot))
+    if (!line.starts_with(slot))
+    {
       filled += line + "\n";
-    else if (const auto part = parts.find(match[1]); part != parts.end())
-      filled += FillSlots(part->first, part->second, parts);
-    else if (match[1] != "Defines")
-      throw std::runtime_error(name + ": no file is called " + match[1].str() + ".glsl");
+      continue;
+    }
+    std::string part;
+    std::istringstream(line.substr(slot.size())) >> part;
+    if (const auto found = parts.find(part); found != parts.end())
+      filled += FillSlots(found->first, found->second, parts);
+    else if (part != "Defines")
+      throw std::runtime_error(name + ": no file is called " + part + ".glsl");
   }
   return filled;
 }
 
+/// The words of a text, with every sign that cannot stand in a name as a space, but for #.
+std::vector<std::string> SplitWords(std::string text)
+{
+  for (char& c : text)
+    if (c != '#' && c != '_' && !std::isalnum(static_cast<unsigned char>(c)))
+      c = ' ';
+  std::istringstream in(text);
+  return { std::istream_iterator<std::string>(in), {} };
+}
+
 void FindDefines(const std::string& text, ShaderProgram& program)
 {
-  static const std::regex asked(
-    "#\\s*(?:ifdef|ifndef)\\s+(HASP_\\w+)|defined\\s*\\(?\\s*(HASP_\\w+)");
-  for (std::sregex_iterator m(text.begin(), text.end(), asked), end; m != end; ++m)
+  const std::vector<std::string> words = SplitWords(text);
+  for (std::size_t w = 1; w < words.size(); ++w)
   {
-    const std::string name = (*m)[1].matched ? (*m)[1] : (*m)[2];
-    if (!std::regex_search(text, std::regex("#ifndef " + name + "\\s+#define " + name + " \\d")))
+    const std::string& ask = words[w - 1];
+    const std::string& name = words[w];
+    if (!name.starts_with("HASP_") || (ask != "#ifdef" && ask != "#ifndef" && ask != "defined"))
+      continue;
+    const bool hasDefault = ask == "#ifndef" && w + 3 < words.size() && words[w + 1] == "#define" &&
+                            words[w + 2] == name && std::isdigit(words[w + 3][0]);
+    if (!hasDefault)
       program.switches.insert(name);
-    else if (std::regex_search(text, std::regex("#if " + name + " > 0")))
+    else if (text.find("#if " + name + " > 0") != std::string::npos)
       program.counts[name] = { "0", "8" };
     else
       program.counts[name] = { "8" };
@@ -89,7 +108,11 @@ ShaderTexts ReadShaderTexts(const fs::path& root)
     FindDefines(filled, program);
   }
   for (auto& [name, program] : programs)
+  {
+    for (const auto& [count, values] : program.counts)
+      program.switches.erase(count); // another stage asks for it without a default
     result.programs.push_back(std::move(program));
+  }
   return result;
 }
 
