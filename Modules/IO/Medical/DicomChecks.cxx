@@ -57,6 +57,24 @@ void CheckGeometry(const std::filesystem::path& folder, const DicomSlice& slice)
          "; the slope must not be 0 and both must be finite" + ExportAgain);
 }
 
+/// How a slice differs from another in what all of a series must share; empty if it does not.
+std::string Difference(const DicomSlice& slice, const DicomSlice& reference)
+{
+  const SliceRecord &a = reference.record, &b = slice.record;
+  if (a.rows != b.rows || a.columns != b.columns)
+    return "has " + std::to_string(b.columns) + " x " + std::to_string(b.rows) + " pixels, not " +
+           std::to_string(a.columns) + " x " + std::to_string(a.rows) + " as";
+  // A hundredth of a percent over 512 pixels is a twentieth of a pixel.
+  for (int n = 0; n < 2; ++n)
+    if (std::abs(a.spacing[n] - b.spacing[n]) > 1e-4 * a.spacing[n])
+      return "has a pixel spacing of " + Millimetres(b.spacing[n]) + ", not " +
+             Millimetres(a.spacing[n]) + " as";
+  for (int n = 0; n < 6; ++n)
+    if (std::abs(a.orientation[n] - b.orientation[n]) > 1e-3)
+      return "is turned against";
+  return std::strcmp(a.frame, b.frame) != 0 ? "has another frame of reference than" : "";
+}
+
 /// Missing or uneven, named with numbers.
 [[noreturn]] void ThrowGap(const std::filesystem::path& folder, const DicomSlice& before,
   const DicomSlice& after, double gap, double usual)
@@ -121,30 +139,16 @@ void CheckSlice(const std::filesystem::path& folder, const DicomSlice& slice)
 
 void CheckAlike(const std::filesystem::path& folder, const std::vector<DicomSlice>& slices)
 {
-  const DicomSlice& first = slices.front();
-  const SliceRecord& a = first.record;
+  // The odd one is to be named: if most differ from the first slice, the first is the odd one.
+  const auto differs = [](const DicomSlice& reference)
+  { return [&](const DicomSlice& slice) { return !Difference(slice, reference).empty(); }; };
+  const DicomSlice* usual = &slices.front();
+  if (std::size_t(std::count_if(slices.begin(), slices.end(), differs(*usual))) > slices.size() / 2)
+    usual = &*std::find_if(slices.begin(), slices.end(), differs(*usual));
   for (const DicomSlice& slice : slices)
-  {
-    const SliceRecord& b = slice.record;
-    const auto fail = [&](const std::string& what)
-    {
-      ThrowFileError(folder, SliceName(slice) + " " + what + " " + SliceName(first) +
+    if (const std::string what = Difference(slice, *usual); !what.empty())
+      ThrowFileError(folder, SliceName(slice) + " " + what + " " + SliceName(*usual) +
                                "; keep only slices of one scan in the folder");
-    };
-    if (a.rows != b.rows || a.columns != b.columns)
-      fail("has " + std::to_string(b.columns) + " x " + std::to_string(b.rows) + " pixels, not " +
-           std::to_string(a.columns) + " x " + std::to_string(a.rows) + " as");
-    // A hundredth of a percent over 512 pixels is a twentieth of a pixel.
-    for (int n = 0; n < 2; ++n)
-      if (std::abs(a.spacing[n] - b.spacing[n]) > 1e-4 * a.spacing[n])
-        fail("has a pixel spacing of " + Millimetres(b.spacing[n]) + ", not " +
-             Millimetres(a.spacing[n]) + " as");
-    for (int n = 0; n < 6; ++n)
-      if (std::abs(a.orientation[n] - b.orientation[n]) > 1e-3)
-        fail("is turned against");
-    if (std::strcmp(a.frame, b.frame) != 0)
-      fail("has another frame of reference than");
-  }
 }
 
 GridGeometry SortAndMeasure(

@@ -5,6 +5,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkXMLImageDataWriter.h"
@@ -28,6 +29,7 @@ void WriteXML(const std::filesystem::path& file, vtkImageData* image)
     [](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->AddObserver(vtkCommand::ErrorEvent, note);
+  writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
   writer->SetFileName(output.TemporaryName().c_str());
   writer->SetInputData(image);
   writer->SetDataModeToAppended();

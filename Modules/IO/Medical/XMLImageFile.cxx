@@ -5,6 +5,7 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -32,6 +33,7 @@ public:
       [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
     this->Reader->SetFileName(file.c_str());
     this->Reader->AddObserver(vtkCommand::ErrorEvent, note);
+    this->Reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
     // The XML parser inside tells its errors here.
     this->Reader->SetParserErrorObserver(note);
     this->Reader->SetReaderErrorObserver(note);

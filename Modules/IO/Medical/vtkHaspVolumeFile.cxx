@@ -73,7 +73,7 @@ std::vector<SliceRange> RangesOf(const GridView<const T>& grid)
   return ranges;
 }
 
-void CompletePassport(Passport& passport, const AnyGridView& grid)
+void CompletePassport(const std::string& baseName, const AnyGridView& grid, Passport& passport)
 {
   const auto ranges = std::visit([](const auto& view) { return RangesOf(view); }, grid);
   const int rowLength = GeometryOf(grid).dims.x;
@@ -92,21 +92,17 @@ void CompletePassport(Passport& passport, const AnyGridView& grid)
     passport.maximum = std::max(passport.maximum, range.maximum);
   }
   if (notFinite > 0)
-    throw std::runtime_error("the volume holds " + std::to_string(notFinite) +
-                             " samples that are NaN or infinite, the first at index (" + first +
-                             "); replace them by numbers before opening it");
+    ThrowFileError(baseName, "holds " + std::to_string(notFinite) +
+                               " samples that are NaN or infinite, the first at index (" + first +
+                               "); replace them by numbers before opening it");
 }
 
-} // namespace
-
-OpenedVolume OpenVolume(
-  const std::string& path, const VolumeReadSettings& settings, const ProgressFunction& progress)
+OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSettings& settings,
+  const ProgressFunction& progress)
 {
-  CheckSettings(settings);
-  const std::filesystem::path file = std::filesystem::u8path(path);
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (path.empty() || !std::filesystem::exists(status))
+  if (!std::filesystem::exists(status))
     ThrowFileError(file, "there is no such file or folder");
   if (std::filesystem::is_directory(status))
     return OpenDicomFolder(file, settings, progress);
@@ -127,12 +123,26 @@ OpenedVolume OpenVolume(
     file, "is of no kind that is read: a folder of DICOM slices, .inv3, .mha, .mhd or .vti");
 }
 
+} // namespace
+
+OpenedVolume OpenVolume(
+  const std::string& path, const VolumeReadSettings& settings, const ProgressFunction& progress)
+{
+  CheckSettings(settings);
+  if (path.empty())
+    throw std::invalid_argument("no file or folder is named");
+  const std::filesystem::path file = std::filesystem::u8path(path);
+  OpenedVolume opened = OpenByKind(file, settings, progress);
+  opened.baseName = BaseName(file);
+  return opened;
+}
+
 LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& progress)
 {
   LoadedVolume volume{ opened.passport, opened.load(progress) };
   const AnyGridView grid = ViewImage(volume.image);
   volume.passport.sampleType = SampleTypeName(volume.image->GetScalarType());
-  CompletePassport(volume.passport, grid);
+  CompletePassport(opened.baseName, grid, volume.passport);
   ReportProgress(progress, 1.0);
   return volume;
 }

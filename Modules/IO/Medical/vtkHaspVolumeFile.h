@@ -51,6 +51,7 @@ struct VolumeReadSettings
 /// A file whose header has been read and found good. `load` decodes the samples.
 struct OpenedVolume
 {
+  std::string baseName; ///< of the file or folder: begins the errors of LoadVolume
   Passport passport;
   std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&)> load;
 };
