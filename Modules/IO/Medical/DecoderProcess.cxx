@@ -148,6 +148,8 @@ std::size_t DecoderProcess::ReadSome(void* into, std::size_t size, const Progres
   const auto asked = Clock::now();
   for (;;)
   {
+    ReportProgress(
+      progress, double(this->Next) / double(std::max<std::size_t>(1, this->Files.size())));
     const auto since = [](Clock::time_point then)
     { return std::chrono::duration<double>(Clock::now() - then).count(); };
     const double silent = since(asked), total = since(this->Started);
@@ -161,8 +163,6 @@ std::size_t DecoderProcess::ReadSome(void* into, std::size_t size, const Progres
       this->Settings.decoderSilenceSeconds - silent, this->Settings.decoderTotalSeconds - total);
     pollfd wait{ this->Output, POLLIN, 0 };
     const int ready = poll(&wait, 1, static_cast<int>(std::min(500.0, 1000.0 * left)) + 1);
-    ReportProgress(
-      progress, double(this->Next) / double(std::max<std::size_t>(1, this->Files.size())));
     if (ready <= 0)
       continue;
     const ssize_t got = read(this->Output, into, size);

@@ -63,10 +63,16 @@ int vtkHaspVolumeReader::RequestInformation(
   Internals& inside = *this->Inside;
   inside.opened = {};
   inside.passport = {};
+  this->AbortExecute = 0; // VTK clears it before RequestData only
+  const auto progress = [this](double share)
+  {
+    this->UpdateProgress(share);
+    return !this->AbortExecute;
+  };
   try
   {
-    inside.opened = hasp::OpenVolume(this->FileName ? this->FileName : "", inside.settings,
-      [this](double) { return !this->AbortExecute; });
+    inside.opened =
+      hasp::OpenVolume(this->FileName ? this->FileName : "", inside.settings, progress);
   }
   catch (const std::exception& error)
   {

@@ -7,6 +7,9 @@
 #include <archive_entry.h>
 #include <gtest/gtest.h>
 
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -73,16 +76,49 @@ TEST(Cranium, SamplesAtLeast226AreExactlyItsOwnMask)
   EXPECT_GT(bone, 400000U);
 }
 
-/// Bone in a box of indices, in LPS order.
-int Bone(const glm::ivec3& low, const glm::ivec3& high)
+/// Whether a level ray from the middle of the head meets bone; degrees from anterior to the left.
+bool BoneTowards(double degrees, double z)
 {
   const auto view = View();
-  int count = 0;
-  for (int k = low.z; k < high.z; ++k)
-    for (int j = low.y; j < high.y; ++j)
-      for (int i = low.x; i < high.x; ++i)
-        count += view(i, j, k) >= 226;
-  return count;
+  const glm::dvec3 middle(122.5, 134.0, z);
+  const double angle = glm::radians(degrees);
+  for (double r = 30.0; r < 110.0; r += 0.25)
+  {
+    const glm::dvec3 at = middle + r * glm::dvec3(std::sin(angle), -std::cos(angle), 0.0);
+    const glm::ivec3 n(glm::round(view.geometry.WorldToIndex(at)));
+    if (view(n.x, n.y, n.z) >= 226)
+      return true;
+  }
+  return false;
+}
+
+TEST(Cranium, DefectIsInTheRightFrontalBone)
+{
+  // Measured once with such rays: open from z = 82.5 to 127.5 mm, 15 to 29 degrees to the right.
+  for (const double z : { 90.0, 97.5, 105.0, 112.5 })
+  {
+    EXPECT_FALSE(BoneTowards(-22.0, z)) << z;
+    EXPECT_TRUE(BoneTowards(22.0, z)) << "the left side is whole, " << z;
+    EXPECT_TRUE(BoneTowards(-40.0, z)) << z;
+    EXPECT_TRUE(BoneTowards(158.0, z)) << "so is the back, " << z;
+  }
+}
+
+TEST(Cranium, NoseIsAnteriorAndVaultSuperior)
+{
+  const auto view = View();
+  int anterior = 0, posterior = 0; // air near the mid-plane: nasal cavity and pharynx
+  for (int j = 0; j < 256; ++j)
+    for (int i = 0; i < 256; ++i)
+    {
+      const glm::dvec3 from =
+        view.geometry.IndexToWorld({ i, j, 15 }) - glm::dvec3(122.5, 134.0, 22.5);
+      if (std::abs(from.x) < 25.0 && std::abs(from.y) < 70.0 && view(i, j, 15) < -300)
+        ++(from.y < 0.0 ? anterior : posterior);
+    }
+  EXPECT_GT(anterior, 10 * posterior);
+  EXPECT_TRUE(BoneTowards(0.0, 145.0));
+  EXPECT_FALSE(BoneTowards(0.0, 155.0)) << "above the vault";
 }
 
 } // namespace
