@@ -15,7 +15,7 @@ class vtkPolyData;
 namespace hasp
 {
 
-/// .vti (zlib) or .mha (raw), by the extension. What ViewImage takes is written, with its
+/// .vti (LZ4) or .mha (raw), by the extension. What ViewImage takes is written, with its
 /// direction. MetaImage has no extent: there, sample (0,0,0) is the first of the image's extent.
 VTKHASPIOMEDICAL_EXPORT void WriteVolume(vtkImageData* image, const std::string& path);
 

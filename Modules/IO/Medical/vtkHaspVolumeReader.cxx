@@ -1,4 +1,5 @@
 #include "vtkHaspVolumeReader.h"
+#include "vtkHaspVolumeFile.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"

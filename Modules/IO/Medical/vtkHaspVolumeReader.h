@@ -16,10 +16,16 @@
 #define vtkHaspVolumeReader_h
 
 #include "vtkHaspIOMedicalModule.h" // for export macro
-#include "vtkHaspVolumeFile.h"      // for Passport, VolumeReadSettings
 #include "vtkImageAlgorithm.h"
 
 #include <memory> // for Internals
+
+// Of vtkHaspVolumeFile.h, to be included by who uses them: the wrapper would parse GLM with it.
+namespace hasp
+{
+struct Passport;
+struct VolumeReadSettings;
+}
 
 class VTKHASPIOMEDICAL_EXPORT vtkHaspVolumeReader : public vtkImageAlgorithm
 {

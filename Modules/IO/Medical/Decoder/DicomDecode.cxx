@@ -39,6 +39,9 @@ bool LimitSelf(rlim_t memoryBytes, rlim_t seconds)
     const rlimit both{ most, most };
     return setrlimit(what, &both) == 0;
   };
+#if defined(__SANITIZE_ADDRESS__)
+  memoryBytes = RLIM_INFINITY; // AddressSanitizer reserves terabytes of addresses for itself
+#endif
   return limit(RLIMIT_AS, memoryBytes) && limit(RLIMIT_CPU, seconds) && limit(RLIMIT_CORE, 0);
 }
 
