@@ -89,7 +89,8 @@ bool CertainlyInt16(const std::vector<DicomSlice>& slices)
       const SliceRecord& r = slice.record;
       const double span = std::ldexp(1.0, int(r.bitsStored));
       const double low = r.isSigned ? -span / 2 : 0.0, high = low + span - 1;
-      const auto [a, b] = std::minmax(r.slope * low + r.intercept, r.slope * high + r.intercept);
+      const auto [a, b] =
+        std::minmax({ r.slope * low + r.intercept, r.slope * high + r.intercept });
       return r.slope == std::round(r.slope) && r.intercept == std::round(r.intercept) &&
              a >= -32768.0 && b <= 32767.0;
     });

@@ -304,6 +304,21 @@ TEST_F(DicomSeries, FoldersMayBeNamedInAnyLanguage)
   }
 }
 
+TEST_F(DicomSeries, SampleTypeIsKnownBeforePixelsWhereHeadersDecideIt)
+{
+  // 12 bits less 1024 always fit 16 signed bits; 16 unsigned bits may not, though these do.
+  EXPECT_EQ(hasp::OpenVolume(this->Faulty({}).string()).passport.sampleType, "int16");
+  const auto folder = this->Faulty(
+    [](int, DcmDataset& slice)
+    {
+      slice.putAndInsertUint16(DCM_BitsStored, 16);
+      slice.putAndInsertUint16(DCM_HighBit, 15);
+    });
+  const auto opened = hasp::OpenVolume(folder.string());
+  EXPECT_EQ(opened.passport.sampleType, "int16 or float32");
+  EXPECT_EQ(hasp::LoadVolume(opened).passport.sampleType, "int16");
+}
+
 TEST_F(DicomSeries, PassportHoldsNoPatientTextAndNoUID)
 {
   const auto p = hasp::OpenVolume(this->Faulty({}).string()).passport;
