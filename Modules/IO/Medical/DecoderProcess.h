@@ -1,0 +1,65 @@
+#pragma once
+#include "DicomWire.h"
+#include "vtkHaspVolumeFile.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hasp
+{
+
+/// The child process that parses DICOM: started with a list of files, read from as it answers, and
+/// ended with this object whatever happens.
+///
+/// Every failure throws std::runtime_error that says what the child did (crashed, fell silent, ran
+/// out of memory, sent what is no answer), at which file, and what to do. One thread at a time.
+class DecoderProcess
+{
+public:
+  enum class Mode
+  {
+    Scan,
+    Decode
+  };
+  DecoderProcess(
+    Mode mode, const std::vector<std::filesystem::path>& files, const VolumeReadSettings& settings);
+  ~DecoderProcess();
+  DecoderProcess(const DecoderProcess&) = delete;
+  DecoderProcess& operator=(const DecoderProcess&) = delete;
+
+  /// The next file's record, its fields within the ranges DicomWire.h names. pixelBytes is 0 or
+  /// rows * columns * 2. Calls progress at least twice a second while it waits.
+  SliceRecord NextRecord(const ProgressFunction& progress);
+
+  /// The pixels that follow a record. `into` has room for record.pixelBytes.
+  void ReadPixels(const SliceRecord& record, void* into, const ProgressFunction& progress);
+
+  /// After the last record: the child must have ended well, and sent nothing more.
+  void Finish(const ProgressFunction& progress);
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::size_t ReadSome(void* into, std::size_t size, const ProgressFunction& progress);
+  void ReadAll(void* into, std::size_t size, const ProgressFunction& progress);
+  void Check(const SliceRecord& record) const;
+  [[noreturn]] void ThrowEnded();
+  [[noreturn]] void ThrowGarbage(const std::string& what) const;
+  std::string AtFile() const;
+  int Reap(); ///< wait status, once the child has closed its output
+
+  Mode Doing;
+  const std::vector<std::filesystem::path> Files;
+  const VolumeReadSettings Settings;
+  Clock::time_point Started;
+  std::size_t Next = 0; ///< the file whose answer is awaited
+  int Output = -1;      ///< our end of the child's standard output
+  int Child = -1;       ///< its process id; -1 once reaped
+};
+
+/// Where hasp-dicom-decode is: HASP_DICOM_DECODER, else beside this library. Throws
+/// std::runtime_error if it is nowhere.
+std::filesystem::path FindDecoder();
+
+} // namespace hasp

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <type_traits>
+
+/// What hasp-dicom-decode writes to its standard output, in the machine's own byte order: one
+/// SliceRecord per file asked for, in that order; in `decode` mode each good one is followed by
+/// pixelBytes of 16-bit stored values. Nothing in it is trusted by the reading side.
+///
+/// Standard input: the files' paths, each ended by a NUL. Arguments: scan|decode, memory in bytes,
+/// processor seconds.
+namespace hasp
+{
+
+enum class SliceStatus : std::uint32_t
+{
+  Image = 0,
+  NotDicom = 1,    ///< a foreign file
+  NoImage = 2,     ///< DICOM without rows and columns
+  Damaged = 3,     ///< begins like DICOM, cannot be parsed
+  CutOff = 4,      ///< fewer pixels than rows x columns (decode)
+  Undecodable = 5, ///< no decoder for its compression, or it failed
+  Last = Undecodable
+};
+
+enum SliceFlags : std::uint32_t
+{
+  HasSpacing = 1,
+  HasPosition = 2,
+  HasOrientation = 4,
+  HasRescale = 8,
+  RescaleIsHU = 16, ///< RescaleType says HU or is absent, as CT leaves it
+  Packed = 32,      ///< encapsulated or deflated: the file may be smaller than its pixels
+  Monochrome1 = 64,
+  Monochrome2 = 128,
+  HasInstance = 256,
+  AllFlags = 511
+};
+
+struct SliceRecord
+{
+  static constexpr std::uint32_t Magic = 0x31445348; // "HSD1"
+
+  std::uint32_t magic;
+  std::uint32_t index; ///< of the file in the list, from 0
+  std::uint32_t status;
+  std::uint32_t flags;
+  std::uint32_t rows, columns, frames, samplesPerPixel;
+  std::uint32_t bitsAllocated, bitsStored, highBit, isSigned;
+  std::int32_t instance;
+  std::uint32_t reserved; ///< 0
+  double spacing[2];      ///< mm between rows, between columns
+  double position[3];     ///< of the first pixel, LPS mm; NaN if it is no number
+  double orientation[6];  ///< direction of a row, direction of a column
+  double slope, intercept;
+  std::uint64_t pixelBytes; ///< that follow
+  char modality[24];        ///< NUL-ended texts
+  char compression[72];
+  char series[72];
+  char frame[72]; ///< frame of reference
+};
+static_assert(std::is_trivially_copyable_v<SliceRecord>);
+static_assert(sizeof(SliceRecord) == 56 + 13 * 8 + 8 + 24 + 3 * 72);
+
+} // namespace hasp

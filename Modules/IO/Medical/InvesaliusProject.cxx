@@ -1,0 +1,195 @@
+#include "SafeArchive.h"
+#include "VolumeFormat.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLDataParser.h"
+
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+// An InVesalius 3 project is a gzipped tar with one folder of property lists (XML) and raw arrays.
+// main.plist names the samples' file; they are int16, little-endian, [z][y][x]. x runs to the
+// patient's left, z to superior, but rows are stored bottom-up: y runs to ANTERIOR. They are turned
+// here, so that the image has the identity as direction. The file knows no position: the first
+// sample becomes the world's origin.
+namespace hasp
+{
+namespace
+{
+
+constexpr std::size_t PropertyListLimit = 1 << 20;
+
+struct Matrix
+{
+  std::string fileName;
+  glm::ivec3 dims{ 0 };
+};
+
+std::string Trimmed(const char* text)
+{
+  const std::string_view view = text ? text : "";
+  const std::size_t first = view.find_first_not_of(" \t\r\n");
+  if (first == view.npos)
+    return {};
+  return std::string(view.substr(first, view.find_last_not_of(" \t\r\n") - first + 1));
+}
+
+/// The element after <key>name</key>, or nullptr.
+vtkXMLDataElement* Find(vtkXMLDataElement* dict, const std::string& name)
+{
+  for (int n = 0; dict && n + 1 < dict->GetNumberOfNestedElements(); n += 2)
+    if (Trimmed(dict->GetNestedElement(n)->GetCharacterData()) == name)
+      return dict->GetNestedElement(n + 1);
+  return nullptr;
+}
+
+std::string TextOf(vtkXMLDataElement* dict, const std::string& name)
+{
+  vtkXMLDataElement* element = Find(dict, name);
+  return element ? Trimmed(element->GetCharacterData()) : std::string();
+}
+
+std::optional<double> Number(vtkXMLDataElement* element)
+{
+  const std::string text = element ? Trimmed(element->GetCharacterData()) : std::string();
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+/// The three numbers of an array, or an error naming the key.
+glm::dvec3 Three(
+  const std::filesystem::path& file, vtkXMLDataElement* dict, const std::string& name)
+{
+  vtkXMLDataElement* array = Find(dict, name);
+  glm::dvec3 numbers(0.0);
+  if (!array || array->GetNumberOfNestedElements() != 3)
+    ThrowFileError(file, "main.plist: " + name + " must be an array of three numbers");
+  for (int n = 0; n < 3; ++n)
+  {
+    const auto number = Number(array->GetNestedElement(n));
+    if (!number)
+      ThrowFileError(file, "main.plist: " + name + " holds what is no number");
+    numbers[n] = *number;
+  }
+  return numbers;
+}
+
+void ParseMain(const std::filesystem::path& file, const std::string& text,
+  const VolumeReadSettings& settings, Passport& passport, Matrix& matrix)
+{
+  vtkNew<vtkXMLDataParser> parser;
+  vtkNew<vtkCallbackCommand> silent; // an observer keeps VTK from printing; Parse returns 0 as well
+  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  parser->AddObserver(vtkCommand::ErrorEvent, silent);
+  std::istringstream stream(text);
+  parser->SetStream(&stream);
+  vtkXMLDataElement* root = parser->Parse() ? parser->GetRootElement() : nullptr;
+  vtkXMLDataElement* dict = root ? root->FindNestedElementWithName("dict") : nullptr;
+  vtkXMLDataElement* samples = Find(dict, "matrix");
+  if (!samples)
+    ThrowFileError(file, "main.plist is no property list with a matrix; save the project again");
+  if (const std::string type = TextOf(samples, "dtype"); type != "int16")
+    ThrowFileError(file, "main.plist: samples are \"" + type + "\", only int16 is read");
+  if (const std::string orientation = TextOf(dict, "orientation");
+      !orientation.empty() && orientation != "1")
+    ThrowFileError(file, "main.plist: orientation is " + orientation +
+                           ", only 1 (axial) is read; import the scan as axial slices");
+  matrix.fileName = TextOf(samples, "filename");
+  const glm::dvec3 shape = Three(file, samples, "shape"); // z, y, x
+  if (glm::any(glm::lessThan(shape, glm::dvec3(1.0))) ||
+      glm::any(glm::greaterThan(shape, glm::dvec3(1e6))))
+    ThrowFileError(file, "main.plist: shape must be three numbers in [1, 1000000]");
+  matrix.dims = { int(shape.z), int(shape.y), int(shape.x) };
+  CheckSampleBytes(file, matrix.dims.x, matrix.dims.y, matrix.dims.z, 2, settings.memoryLimitBytes);
+  const glm::dvec3 spacing = Three(file, dict, "spacing");
+  if (!glm::all(glm::greaterThan(spacing, glm::dvec3(0.0))))
+    ThrowFileError(file, "main.plist: spacing must be > 0 mm on each axis");
+  passport.format = "InVesalius";
+  passport.geometry.dims = matrix.dims;
+  passport.geometry.spacing = spacing;
+  passport.modality = TextOf(dict, "modality");
+  if (passport.modality.size() > 16)
+    passport.modality.clear();
+  passport.hounsfield = passport.modality == "CT"; // InVesalius stores rescaled values
+  passport.sampleType = "int16";
+  passport.warnings.push_back("InVesalius projects hold no patient position: the first sample is "
+                              "put at the world's origin.");
+}
+
+vtkSmartPointer<vtkImageData> LoadMatrix(const std::filesystem::path& file,
+  const Passport& passport, const Matrix& matrix, const VolumeReadSettings& settings,
+  const ProgressFunction& progress)
+{
+  vtkSmartPointer<vtkImageData> image;
+  const glm::ivec3 d = matrix.dims;
+  const std::size_t rowBytes = std::size_t(d.x) * 2, sliceBytes = rowBytes * d.y;
+  // The walk goes on to the archive's end: a bad entry after the samples is still a bad archive.
+  WalkArchive(file, settings.memoryLimitBytes,
+    [&](const ArchiveEntry& entry)
+    {
+      if (entry.Name() != matrix.fileName)
+        return true;
+      if (entry.Size() != sliceBytes * d.z)
+        ThrowFileError(file, matrix.fileName + " has " + std::to_string(entry.Size()) + " bytes, " +
+                               std::to_string(d.x) + " x " + std::to_string(d.y) + " x " +
+                               std::to_string(d.z) + " int16 samples need " +
+                               std::to_string(sliceBytes * d.z));
+      image = NewImage(passport.geometry, VTK_SHORT);
+      auto* slice = static_cast<std::byte*>(image->GetScalarPointer());
+      for (int k = 0; k < d.z; ++k, slice += sliceBytes)
+      {
+        entry.Read(slice, sliceBytes);
+        for (int low = 0, high = d.y - 1; low < high; ++low, --high)
+          std::swap_ranges(
+            slice + low * rowBytes, slice + (low + 1) * rowBytes, slice + high * rowBytes);
+        ReportProgress(progress, double(k + 1) / d.z);
+      }
+      return true;
+    });
+  if (!image)
+    ThrowFileError(file, "main.plist names " + BaseName(matrix.fileName) +
+                           " as the samples, the archive has no such file");
+  return image;
+}
+
+} // namespace
+
+OpenedVolume OpenInvesalius(const std::filesystem::path& file, const VolumeReadSettings& settings)
+{
+  OpenedVolume opened;
+  Matrix matrix;
+  WalkArchive(file, settings.memoryLimitBytes,
+    [&](const ArchiveEntry& entry)
+    {
+      if (entry.Name() != "main.plist")
+        return true;
+      if (entry.Size() > PropertyListLimit)
+        ThrowFileError(file, "main.plist has " + std::to_string(entry.Size()) +
+                               " bytes, more than a property list can need");
+      std::string text(entry.Size(), '\0');
+      entry.Read(text.data(), text.size());
+      ParseMain(file, text, settings, opened.passport, matrix);
+      return false;
+    });
+  if (matrix.dims.x == 0)
+    ThrowFileError(file, "has no main.plist: it is no InVesalius project");
+  opened.load = [file, matrix, settings, passport = opened.passport](
+                  const ProgressFunction& progress)
+  { return LoadMatrix(file, passport, matrix, settings, progress); };
+  return opened;
+}
+
+} // namespace hasp

@@ -1,0 +1,37 @@
+#pragma once
+#include "vtkHaspVolumeFile.h"
+
+#include <cstdint>
+#include <filesystem>
+
+/// One function per format; OpenVolume picks. Internal to IOMedical.
+namespace hasp
+{
+
+OpenedVolume OpenDicomFolder(
+  const std::filesystem::path& folder, const VolumeReadSettings& settings, const ProgressFunction&);
+OpenedVolume OpenInvesalius(const std::filesystem::path& file, const VolumeReadSettings& settings);
+OpenedVolume OpenMetaImage(const std::filesystem::path& file, const VolumeReadSettings& settings);
+OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSettings& settings);
+
+/// The last part of a path: all that errors may say of it.
+std::string BaseName(const std::filesystem::path& path);
+
+/// A std::runtime_error that begins with the file's base name.
+[[noreturn]] void ThrowFileError(const std::filesystem::path& file, const std::string& what);
+
+/// Bytes of x*y*z samples. Throws like ThrowFileError if a size is below 1 or above INT_MAX, or the
+/// bytes are above the limit. Call before taking memory.
+std::size_t CheckSampleBytes(const std::filesystem::path& file, std::int64_t x, std::int64_t y,
+  std::int64_t z, std::size_t bytesPerSample, std::size_t limitBytes);
+
+/// An image of this geometry with room for samples of a VTK type; they are not set.
+vtkSmartPointer<vtkImageData> NewImage(const GridGeometry& geometry, int vtkType);
+
+/// "int16" for VTK_SHORT and so on; empty for a type that no kernel reads.
+std::string SampleTypeName(int vtkType);
+
+/// Shortest text that reads well: "12.5", "0.001".
+std::string Text(double value);
+
+} // namespace hasp

@@ -1,0 +1,24 @@
+#include "VolumeFormat.h"
+
+// The formats this build was made without: they are named, so that the error says what to do.
+namespace hasp
+{
+
+#if !HASP_WITH_DCMTK
+OpenedVolume OpenDicomFolder(
+  const std::filesystem::path& folder, const VolumeReadSettings&, const ProgressFunction&)
+{
+  ThrowFileError(folder, "this build of Hasp was made without DICOM; configure it with "
+                         "HASP_ENABLE_DCMTK=ON");
+}
+#endif
+
+#if !HASP_WITH_LIBARCHIVE
+OpenedVolume OpenInvesalius(const std::filesystem::path& file, const VolumeReadSettings&)
+{
+  ThrowFileError(file, "this build of Hasp was made without InVesalius projects; configure it with "
+                       "HASP_ENABLE_LIBARCHIVE=ON");
+}
+#endif
+
+} // namespace hasp

@@ -1,0 +1,29 @@
+#ifndef vtkHaspOutputFile_h
+#define vtkHaspOutputFile_h
+
+#include "vtkHaspIOMedicalModule.h" // for export macro
+
+#include <string> // for paths
+
+class vtkImageData;
+class vtkPolyData;
+
+/// Writing without a pipeline: what vtkHaspVolumeWriter and vtkHaspSurfaceWriter are skins of.
+/// Files appear whole or not at all: temporary file in the same folder, fsync, rename. On any
+/// failure the earlier file is as it was. UTF-8 paths. Any thread, one per file.
+/// All throw std::runtime_error with the file's base name, or std::invalid_argument for the data.
+namespace hasp
+{
+
+/// .vti (LZ4) or .mha (raw), by the extension. What ViewImage takes is written, with its
+/// direction. MetaImage has no extent: there, sample (0,0,0) is the first of the image's extent.
+VTKHASPIOMEDICAL_EXPORT void WriteVolume(vtkImageData* image, const std::string& path);
+
+/// Binary STL, world millimetres in LPS, float32, normals from the triangles' corners; the 80-byte
+/// header says "Hasp <version> SPACE=LPS; UNIT=mm". Refused: no triangles, polygons or strips (run
+/// vtkTriangleFilter), points that are not finite in float32, more than 2^32 - 1 triangles.
+VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::string& path);
+
+} // namespace hasp
+
+#endif

@@ -1,0 +1,150 @@
+#include "vtkHaspVolumeFile.h"
+#include "VolumeFormat.h"
+#include "vtkHaspVolumeView.h"
+
+#include "Grid/ParallelFor.h"
+
+#include "vtkImageData.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace hasp
+{
+namespace
+{
+
+void CheckSettings(const VolumeReadSettings& s)
+{
+  if (s.series < 0)
+    throw std::invalid_argument("series is " + std::to_string(s.series) + ", must be >= 0");
+  for (const double seconds : { s.decoderSilenceSeconds, s.decoderTotalSeconds })
+    if (!(seconds > 0.0 && std::isfinite(seconds)))
+      throw std::invalid_argument("decoder time limit is " + Text(seconds) + " s, must be > 0");
+}
+
+bool IsOneDicomFile(const std::filesystem::path& file)
+{
+  char start[132] = {};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start, sizeof(start));
+  return stream.gcount() == sizeof(start) && std::string(start + 128, 4) == "DICM";
+}
+
+/// What one slice holds. Slots of their own, so that the result does not depend on threads.
+struct SliceRange
+{
+  double minimum = std::numeric_limits<double>::infinity();
+  double maximum = -std::numeric_limits<double>::infinity();
+  std::size_t notFinite = 0, firstNotFinite = 0;
+};
+
+template <typename T>
+std::vector<SliceRange> RangesOf(const GridView<const T>& grid)
+{
+  const glm::ivec3& dims = grid.geometry.dims;
+  std::vector<SliceRange> ranges(dims.z);
+  const std::size_t inSlice = std::size_t(dims.x) * dims.y;
+  ParallelFor(0, dims.z, 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        SliceRange& range = ranges[k];
+        const T* slice = grid.data + k * inSlice;
+        for (std::size_t n = 0; n < inSlice; ++n)
+        {
+          if constexpr (std::is_same_v<T, float>)
+            if (!std::isfinite(slice[n]))
+            {
+              if (range.notFinite++ == 0)
+                range.firstNotFinite = n;
+              continue;
+            }
+          range.minimum = std::min(range.minimum, double(slice[n]));
+          range.maximum = std::max(range.maximum, double(slice[n]));
+        }
+      }
+    });
+  return ranges;
+}
+
+void CompletePassport(const std::string& baseName, const AnyGridView& grid, Passport& passport)
+{
+  const auto ranges = std::visit([](const auto& view) { return RangesOf(view); }, grid);
+  const int rowLength = GeometryOf(grid).dims.x;
+  std::size_t notFinite = 0;
+  std::string first;
+  passport.minimum = std::numeric_limits<double>::infinity();
+  passport.maximum = -passport.minimum;
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+  {
+    const SliceRange& range = ranges[k];
+    if (range.notFinite > 0 && notFinite == 0)
+      first = std::to_string(range.firstNotFinite % rowLength) + ", " +
+              std::to_string(range.firstNotFinite / rowLength) + ", " + std::to_string(k);
+    notFinite += range.notFinite;
+    passport.minimum = std::min(passport.minimum, range.minimum);
+    passport.maximum = std::max(passport.maximum, range.maximum);
+  }
+  if (notFinite > 0)
+    ThrowFileError(baseName, "holds " + std::to_string(notFinite) +
+                               " samples that are NaN or infinite, the first at index (" + first +
+                               "); replace them by numbers before opening it");
+}
+
+OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSettings& settings,
+  const ProgressFunction& progress)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    ThrowFileError(file, "there is no such file or folder");
+  if (std::filesystem::is_directory(status))
+    return OpenDicomFolder(file, settings, progress);
+  if (!std::filesystem::is_regular_file(status))
+    ThrowFileError(file, "is neither a file nor a folder");
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".inv3")
+    return OpenInvesalius(file, settings);
+  if (extension == ".mha" || extension == ".mhd")
+    return OpenMetaImage(file, settings);
+  if (extension == ".vti")
+    return OpenXMLImage(file, settings);
+  if (IsOneDicomFile(file))
+    ThrowFileError(file, "is a single DICOM file; open the folder that holds the whole series");
+  ThrowFileError(
+    file, "is of no kind that is read: a folder of DICOM slices, .inv3, .mha, .mhd or .vti");
+}
+
+} // namespace
+
+OpenedVolume OpenVolume(
+  const std::string& path, const VolumeReadSettings& settings, const ProgressFunction& progress)
+{
+  CheckSettings(settings);
+  if (path.empty())
+    throw std::invalid_argument("no file or folder is named");
+  const std::filesystem::path file = std::filesystem::u8path(path);
+  OpenedVolume opened = OpenByKind(file, settings, progress);
+  opened.baseName = BaseName(file);
+  return opened;
+}
+
+LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& progress)
+{
+  LoadedVolume volume{ opened.passport, opened.load(progress) };
+  const AnyGridView grid = ViewImage(volume.image);
+  volume.passport.sampleType = SampleTypeName(volume.image->GetScalarType());
+  CompletePassport(opened.baseName, grid, volume.passport);
+  ReportProgress(progress, 1.0);
+  return volume;
+}
+
+} // namespace hasp
