@@ -79,14 +79,13 @@ public:
     return false;
   }
 
-  bool SignChangeNear(const glm::ivec3& p) const
+  /// Of a voxel that a plane cuts, one neighbour is always clear of the plane.
+  bool SaturatedNear(const glm::ivec3& p) const
   {
-    const bool inside = this->At(p) >= 0.5F;
-    for (int z = -2; z <= 2; ++z)
-      for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x)
-          if ((this->At(p + glm::ivec3(x, y, z)) >= 0.5F) != inside)
-            return true;
+    for (int n = 0; n < 27; ++n)
+      if (const float a = this->At(p + glm::ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
+          a <= Least || a >= Most)
+        return true;
     return false;
   }
 
@@ -200,15 +199,15 @@ SurfaceElements ExtractSurfaceElements(
             if (coverage[voxel] < Most)
             {
               ++partial;
-              lonely += !extractor.SignChangeNear(glm::ivec3(i, j, k));
+              lonely += !extractor.SaturatedNear(glm::ivec3(i, j, k));
             }
           }
     });
   if (lonely * 5 > partial)
     throw std::invalid_argument("surface elements: " + std::to_string(lonely) + " of " +
                                 std::to_string(partial) +
-                                " partial voxels are over two voxels from the 0.5 surface; this is "
-                                "no coverage image (make one with Coverage)");
+                                " partial voxels have only partial neighbours; this is a "
+                                "blurred image, not coverage (make that with Coverage)");
   SurfaceElements result;
   result.at.assign(coverage.size(), SurfaceElements::None);
   for (const auto& slice : perSlice)

@@ -30,10 +30,10 @@ struct SurfaceElements
 /// one kind that meet the other kind face to face, with nothing partial between, give the face.
 ///
 /// coverage   dims.x*dims.y*dims.z values in [0,1], x fastest; 1 inside
-/// The image must be coverage, whose edges are at most a voxel or two wide: a blurred grey image
-/// has "partial" voxels far from its surface, and they are refused (std::invalid_argument with the
-/// share of partial voxels without a sign change within two voxels, if above a fifth).
-/// Throws std::invalid_argument if sizes differ or the geometry is invalid. Any thread; all cores.
+/// The image must be coverage, whose edges are a voxel wide. A blurred grey image has "partial"
+/// voxels far from its surface, and would be wrong by more than a voxel: it is refused, by the
+/// share of partial voxels that have only partial neighbours, if above a fifth. Throws
+/// std::invalid_argument if so, if sizes differ or the geometry is invalid. Any thread; all cores.
 SurfaceElements ExtractSurfaceElements(
   const GridGeometry& geometry, std::span<const float> coverage);
 

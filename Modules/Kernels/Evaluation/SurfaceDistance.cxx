@@ -60,11 +60,9 @@ public:
     const glm::dvec3 index = g.WorldToIndex(world), p = index * g.spacing;
     std::vector<Candidate> candidates;
     const double least = this->FindCandidates(p, reach, candidates);
-    // A surface bit is at most half a line spacing per axis from a sample of its cell.
-    const double cover = glm::length(g.spacing) / (LinesPerSide - 1);
     Candidate best{ std::numeric_limits<double>::infinity(), {}, {} };
     for (const Candidate& c : candidates)
-      if (c.distance <= least + cover)
+      if (c.distance <= least + this->Cover())
         if (const Candidate foot = this->Descend(c, p); foot.distance < best.distance)
           best = foot;
     if (!(best.distance <= reach))
@@ -84,6 +82,9 @@ private:
     glm::dvec3 point;
     glm::ivec3 cell;
   };
+
+  /// Any point of a cell's surface has a sample of that cell within one line spacing per axis.
+  double Cover() const { return glm::length(this->Volume.geometry.spacing) / (LinesPerSide - 1); }
 
   std::array<double, 8> Corners(const glm::ivec3& cell) const
   {
@@ -125,10 +126,9 @@ private:
   {
     const glm::dvec3 spacing = this->Volume.geometry.spacing;
     const double step = std::min({ spacing.x, spacing.y, spacing.z });
-    const double cover = glm::length(spacing) / (LinesPerSide - 1);
     const glm::ivec3 home(glm::floor(p / spacing));
     double least = std::numeric_limits<double>::infinity();
-    for (int ring = 0; (ring - 1) * step <= std::min(reach, least) + cover; ++ring)
+    for (int ring = 0; (ring - 1) * step <= std::min(reach, least) + this->Cover(); ++ring)
     {
       const glm::ivec3 low = glm::max(home - ring, this->First);
       const glm::ivec3 high = glm::min(home + ring, this->First + this->Count - 1);
@@ -147,6 +147,10 @@ private:
   void BestOfCell(const glm::ivec3& cell, const glm::dvec3& p, std::vector<Candidate>& candidates,
     double& least) const
   {
+    const glm::dvec3 spacing = this->Volume.geometry.spacing, low = glm::dvec3(cell) * spacing;
+    const glm::dvec3 outside = glm::max(glm::max(low - p, p - low - spacing), glm::dvec3(0.0));
+    if (glm::length(outside) > least + this->Cover())
+      return; // even its box is too far
     const glm::ivec3 at = cell - this->First;
     const std::size_t n = (std::size_t(at.z) * this->Count.y + at.y) * this->Count.x + at.x;
     Candidate best{ std::numeric_limits<double>::infinity(), {}, cell };
@@ -169,7 +173,7 @@ private:
     const auto corners = this->Corners(at.cell);
     const glm::dvec3 low = glm::dvec3(at.cell) * spacing, high = low + spacing;
     double share = 1.0;
-    for (int n = 0; n < 40 && share > 1e-4; ++n)
+    for (int n = 0; n < 100 && share > 1e-4; ++n)
     {
       const glm::dvec3 g =
         TrilinearGradient(corners, at.point / spacing - glm::dvec3(at.cell)) / spacing;
@@ -187,6 +191,7 @@ private:
         at.distance = distance;
         if (settled)
           break;
+        share = std::min(1.0, 1.5 * share);
       }
       else
         share *= 0.5;

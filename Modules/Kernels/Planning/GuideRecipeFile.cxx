@@ -154,7 +154,7 @@ GuideRecipe ParseGuideRecipe(const std::string& json)
   {
     parsed = Json::parse(json);
   }
-  catch (const Json::parse_error& error)
+  catch (const Json::exception& error) // syntax, or a number too large for any double
   {
     throw std::runtime_error(std::string("guide recipe: no JSON: ") + error.what());
   }

@@ -133,7 +133,7 @@ TEST(CoverageDistance, ABlurredGreyImageIsRefused)
   std::vector<float> grey(grid.Size());
   for (std::size_t n = 0; n < grey.size(); ++n)
     grey[n] = static_cast<float>(glm::clamp(
-      0.5 + sphere.value(grid.IndexToWorld(glm::dvec3(n % 40, n / 40 % 40, n / 1600))) / 12, 0.0,
+      0.5 + sphere.value(grid.IndexToWorld(glm::dvec3(n % 40, n / 40 % 40, n / 1600))) / 5, 0.0,
       1.0));
   EXPECT_THROW(hasp::CoverageDistance(grid, grey), std::invalid_argument);
   EXPECT_THROW(hasp::CoverageDistance(grid, std::vector<float>(3)), std::invalid_argument);
