@@ -138,18 +138,18 @@ private:
           const bool face = std::abs(k - home.z) == ring || std::abs(j - home.y) == ring;
           for (int i = low.x; i <= high.x; ++i)
             if (face || std::abs(i - home.x) == ring)
-              this->BestOfCell({ i, j, k }, p, candidates, least);
+              this->BestOfCell({ i, j, k }, p, reach, candidates, least);
         }
     }
     return least;
   }
 
-  void BestOfCell(const glm::ivec3& cell, const glm::dvec3& p, std::vector<Candidate>& candidates,
-    double& least) const
+  void BestOfCell(const glm::ivec3& cell, const glm::dvec3& p, double reach,
+    std::vector<Candidate>& candidates, double& least) const
   {
     const glm::dvec3 spacing = this->Volume.geometry.spacing, low = glm::dvec3(cell) * spacing;
     const glm::dvec3 outside = glm::max(glm::max(low - p, p - low - spacing), glm::dvec3(0.0));
-    if (glm::length(outside) > least + this->Cover())
+    if (glm::length(outside) > std::min(reach, least + this->Cover()))
       return; // even its box is too far
     const glm::ivec3 at = cell - this->First;
     const std::size_t n = (std::size_t(at.z) * this->Count.y + at.y) * this->Count.x + at.x;

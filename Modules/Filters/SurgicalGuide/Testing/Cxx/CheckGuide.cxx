@@ -1,6 +1,6 @@
 // Makes the guide of a recipe on a volume, writes it as STL, reads it back and prints what the file
 // holds: is it a sound mesh, and how far is its inner wall from the trilinear bone surface.
-// Usage: CheckGuide volume.mha recipe.json guide.stl [least share of the inner wall within 0.2 mm]
+// Usage: CheckGuide volume recipe.json guide.stl [least share of the inner wall within 0.2 mm]
 // Exit status 1 if the mesh is unsound, meets itself, or the share is below the least.
 #include "Evaluation/GuideGap.h"
 #include "Evaluation/MeshCheck.h"
@@ -12,7 +12,13 @@
 #endif
 
 #include "vtkImageData.h"
+#if HASP_WITH_IOMEDICAL
+#include "vtkHaspVolumeReader.h"
+using VolumeReader = vtkHaspVolumeReader;
+#else
 #include "vtkMetaImageReader.h"
+using VolumeReader = vtkMetaImageReader; // ignores the direction: only for volumes without one
+#endif
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
@@ -31,7 +37,8 @@ bool MeshIsSound(const hasp::TriangleMesh& mesh)
   const hasp::MeshCheck c = hasp::CheckMesh(mesh);
   std::printf("mesh: %zu points, %zu triangles, %zu piece(s), %.1f mm3, %.1f mm2\n", c.points,
     c.triangles, c.pieces, c.volumeMm3, c.areaMm2);
-  std::printf("      border %zu, crowded %zu, turned %zu edges; %zu pinched points; %zu degenerate\n",
+  std::printf(
+    "      border %zu, crowded %zu, turned %zu edges; %zu pinched points; %zu degenerate\n",
     c.borderEdges, c.crowdedEdges, c.turnedEdges, c.pinchedPoints, c.degenerate);
   bool sound = c.Sound() && c.pieces == 1;
 #if HASP_WITH_CGAL
@@ -52,7 +59,8 @@ bool GapIsKept(vtkImageData* ct, const hasp::TriangleMesh& mesh, const hasp::Gui
   const auto g = hasp::MeasureGuideGap(hasp::ViewImage(ct), mesh, settings);
   std::printf("gap:  asked %.3f mm; inner wall %.1f mm2, %.2f %% within %.2f mm, %.2f %% closer\n",
     recipe.gapMm, g.innerWallMm2, 100.0 * g.share, settings.toleranceMm, 100.0 * g.closer);
-  std::printf("      min %.3f, p5 %.3f, p50 %.3f, p95 %.3f, max %.3f; nearest of all walls %.3f mm\n",
+  std::printf(
+    "      min %.3f, p5 %.3f, p50 %.3f, p95 %.3f, max %.3f; nearest of all walls %.3f mm\n",
     g.least, g.p5, g.p50, g.p95, g.most, g.leastAnywhere);
   return g.innerWallMm2 > 0.0 && g.share >= leastShare;
 }
@@ -63,12 +71,12 @@ int main(int argc, char** argv)
 {
   if (argc < 4)
   {
-    std::fprintf(stderr, "usage: CheckGuide volume.mha recipe.json guide.stl [least share]\n");
+    std::fprintf(stderr, "usage: CheckGuide volume recipe.json guide.stl [least share]\n");
     return 1;
   }
   try
   {
-    vtkNew<vtkMetaImageReader> reader;
+    vtkNew<VolumeReader> reader;
     reader->SetFileName(argv[1]);
     reader->Update();
     vtkNew<vtkHaspGuideFilter> filter;

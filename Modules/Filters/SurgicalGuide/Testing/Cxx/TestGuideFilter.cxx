@@ -25,6 +25,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -274,6 +275,46 @@ TEST(GuideFilter, WhatCannotBeMadeIsNamed)
       r.widthMm = 100;
     },
     "raise spacingMm");
+}
+
+TEST(GuideFilter, RandomRecipesOnNoisyBoneAreSoundOrNamed)
+{
+  std::mt19937 random(29);
+  std::normal_distribution<double> noise(0, 40); // HU, on a step of 200 per mm
+  auto ct = ScanOf(Skull(), { 1.5, 1.5, 2.5 }, 0.9);
+  auto* hu = static_cast<short*>(ct->GetScalarPointer());
+  for (vtkIdType n = 0; n < ct->GetNumberOfPoints(); ++n)
+    hu[n] = static_cast<short>(hu[n] + noise(random));
+  std::uniform_real_distribution<double> x(-16, 16), y(-13, 13), size(1.0, 4.0), any(-1, 1);
+  int made = 0;
+  for (int n = 0; n < 6; ++n)
+  {
+    hasp::GuideRecipe r;
+    r.spacingMm = 0.6 + 0.1 * any(random);
+    for (int p = 0; p < 2 + n % 3; ++p)
+      r.landmarks.push_back(OnSkull(x(random), y(random)));
+    r.withdrawal = glm::normalize(glm::dvec3(0.3 * any(random), 0.3 * any(random), 1));
+    r.widthMm = 4 + 2 * size(random);
+    r.thicknessMm = size(random) + 0.5;
+    r.gapMm = 0.2 * size(random);
+    if (n % 2)
+      r.slots = { { r.landmarks[0], glm::normalize(glm::dvec3(any(random), any(random), 0.1)), 1.5,
+        3 * size(random) } };
+    if (n % 3)
+      r.holes = { { r.landmarks[1], r.withdrawal, 1.5 } };
+    Answer answer(ct, r);
+    EXPECT_NE(answer.error.empty(), answer.Guide()->GetNumberOfPolys() == 0);
+    if (!answer.error.empty())
+      continue;
+    ++made;
+    const auto mesh = ThroughFile(answer.Guide());
+    EXPECT_TRUE(hasp::CheckMesh(mesh).Sound()) << n;
+    EXPECT_EQ(hasp::CheckMesh(mesh).pieces, 1U) << n;
+#if HASP_WITH_CGAL
+    EXPECT_EQ(hasp::CountSelfIntersections(mesh), 0U) << n;
+#endif
+  }
+  EXPECT_GE(made, 3);
 }
 
 TEST(GuideFilter, BoneOverheadBlocksTheWay)
