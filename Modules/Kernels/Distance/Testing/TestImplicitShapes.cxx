@@ -41,10 +41,16 @@ TEST(ImplicitShapes, AreDistances)
   const glm::dmat3 turned(glm::rotate(glm::dmat4(1), 0.8, Axis));
   const std::vector<glm::dvec3> line{ { -4, 0, 1 }, { 2, 3, 0 }, { 5, -2, -3 } };
   const std::function<double(const glm::dvec3&)> shapes[] = {
-    [](const glm::dvec3& x) { return hasp::CylinderDistance(x, { 1, 0, 0 }, Axis, 2); },
-    [](const glm::dvec3& x) { return hasp::CapsuleDistance(x, { 1, 0, 0 }, { 3, 3, 1 }, 2); },
+    [](const glm::dvec3& x) {
+      return hasp::CylinderDistance(x, { 1, 0, 0 }, Axis, 2);
+    },
+    [](const glm::dvec3& x) {
+      return hasp::CapsuleDistance(x, { 1, 0, 0 }, { 3, 3, 1 }, 2);
+    },
     [&](const glm::dvec3& x) { return hasp::TubeDistance(x, line, true, 1.5); },
-    [&](const glm::dvec3& x) { return hasp::BoxDistance(x, { 1, 1, 0 }, turned, { 2, 3, 1 }); },
+    [&](const glm::dvec3& x) {
+      return hasp::BoxDistance(x, { 1, 1, 0 }, turned, { 2, 3, 1 });
+    },
   };
   for (const auto& shape : shapes)
     for (const glm::dvec3& p : RandomPoints(200, 9))
@@ -75,7 +81,8 @@ TEST(ImplicitShapes, TubesOpenAndClosed)
 TEST(ImplicitShapes, PolygonsKnowTheirInsideFromBruteForce)
 {
   // An L: inside is known without a polygon.
-  const std::vector<glm::dvec2> corners{ { 0, 0 }, { 6, 0 }, { 6, 2 }, { 2, 2 }, { 2, 5 }, { 0, 5 } };
+  const std::vector<glm::dvec2> corners{ { 0, 0 }, { 6, 0 }, { 6, 2 }, { 2, 2 }, { 2, 5 },
+    { 0, 5 } };
   const auto inside = [](const glm::dvec2& p)
   { return p.x > 0 && p.y > 0 && ((p.x < 6 && p.y < 2) || (p.x < 2 && p.y < 5)); };
   for (const glm::dvec3& p3 : RandomPoints(500, 8))

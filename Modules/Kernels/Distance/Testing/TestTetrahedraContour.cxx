@@ -1,7 +1,7 @@
 #include "Distance/ImplicitShapes.h"
 #include "Distance/TetrahedraContour.h"
-#include "Evaluation/MeshCheck.h"
 #include "Grid/AnalyticVolumes.h"
+#include "Testing/MeshFacts.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -28,14 +28,6 @@ hasp::GridGeometry Cube(int n, double side)
   return { glm::ivec3(n), glm::dvec3(-0.5 * side), glm::dvec3(side / (n - 1)), glm::dmat3(1) };
 }
 
-/// As an STL file keeps it.
-hasp::TriangleMesh Rounded(hasp::TriangleMesh mesh)
-{
-  for (glm::dvec3& p : mesh.points)
-    p = glm::dvec3(glm::vec3(p));
-  return mesh;
-}
-
 TEST(TetrahedraContour, ASphereHasItsVolumeAndOnePiece)
 {
   for (const double flip : { 1.0, -1.0 }) // a left-handed grid must not turn the mesh inside out
@@ -45,12 +37,11 @@ TEST(TetrahedraContour, ASphereHasItsVolumeAndOnePiece)
     grid.origin.y *= flip;
     const auto field = Sample([](const glm::dvec3& p) { return glm::length(p) - 10; }, grid);
     const auto mesh = hasp::ContourTetrahedra({ field.data(), grid });
-    const auto check = hasp::CheckMesh(mesh);
-    EXPECT_TRUE(check.Sound());
-    EXPECT_EQ(check.pieces, 1U);
-    EXPECT_EQ(check.points - check.triangles / 2, 2U); // Euler: a sphere
+    const auto facts = hasp::FactsOf(mesh);
+    EXPECT_TRUE(facts.closed && facts.manifold && facts.noArea == 0);
+    EXPECT_EQ(facts.euler, 2); // a sphere
     // Chords of 0.6 mm cells: h^2 / (8 R) of radius, twice over: 0.3 % of the volume.
-    EXPECT_NEAR(check.volumeMm3 / (4.0 / 3.0 * glm::pi<double>() * 1000), 1.0, 0.004);
+    EXPECT_NEAR(facts.volume / (4.0 / 3.0 * glm::pi<double>() * 1000), 1.0, 0.004);
   }
 }
 
@@ -59,16 +50,16 @@ TEST(TetrahedraContour, ABoxMinusACylinderIsATorus)
   const glm::dmat3 axes(glm::rotate(glm::dmat4(1), 0.3, glm::normalize(glm::dvec3(1, 1, 2))));
   const auto shape = [&](const glm::dvec3& p)
   {
-    return std::max(hasp::BoxDistance(p, {}, axes, { 8, 6, 3 }),
-      -hasp::CylinderDistance(p, {}, axes[2], 2.5));
+    return std::max(
+      hasp::BoxDistance(p, {}, axes, { 8, 6, 3 }), -hasp::CylinderDistance(p, {}, axes[2], 2.5));
   };
   const auto grid = Cube(71, 24);
   const auto field = Sample(shape, grid);
-  const auto check = hasp::CheckMesh(hasp::ContourTetrahedra({ field.data(), grid }));
-  EXPECT_TRUE(check.Sound());
-  EXPECT_EQ(int(check.points) - int(check.triangles) / 2, 0); // Euler: one handle
+  const auto facts = hasp::FactsOf(hasp::ContourTetrahedra({ field.data(), grid }));
+  EXPECT_TRUE(facts.closed && facts.manifold && facts.noArea == 0);
+  EXPECT_EQ(facts.euler, 0); // one handle
   // Edges are bevelled by part of a 0.34 mm cell: 96 mm of them, 0.03 mm2 each.
-  EXPECT_NEAR(check.volumeMm3 / (16 * 12 * 6 - glm::pi<double>() * 2.5 * 2.5 * 6), 1.0, 0.005);
+  EXPECT_NEAR(facts.volume / (16 * 12 * 6 - glm::pi<double>() * 2.5 * 2.5 * 6), 1.0, 0.005);
 }
 
 TEST(TetrahedraContour, RandomFieldsAreClosedAndManifoldEvenAsFloats)
@@ -95,11 +86,12 @@ TEST(TetrahedraContour, RandomFieldsAreClosedAndManifoldEvenAsFloats)
     grid.spacing = { 0.3, 1, 3 };
     grid.origin += 150.0; // far out, where floats are coarse
     const auto samples = Sample(field, grid);
-    const auto mesh = hasp::WeldPoints(Rounded(hasp::ContourTetrahedra({ samples.data(), grid })));
-    const auto check = hasp::CheckMesh(mesh);
-    ASSERT_GT(check.triangles, 100U);
-    ASSERT_TRUE(check.Closed() && check.TwoManifold() && check.Outward()) << n;
-    ASSERT_EQ(check.degenerate, 0U) << n;
+    const auto mesh = hasp::RoundedAndWelded(hasp::ContourTetrahedra({ samples.data(), grid }));
+    const auto facts = hasp::FactsOf(mesh);
+    ASSERT_GT(mesh.triangles.size(), 100U);
+    ASSERT_TRUE(facts.closed && facts.manifold) << n;
+    ASSERT_EQ(facts.noArea, 0U) << n;
+    ASSERT_GT(facts.volume, 0) << n;
   }
 }
 
@@ -115,9 +107,9 @@ TEST(TetrahedraContour, ValuesOfZeroNaNAndInfinityHaveASide)
     std::vector<float> field(grid.Size());
     for (float& v : field)
       v = values[random() % std::size(values)];
-    const auto mesh = hasp::WeldPoints(Rounded(hasp::ContourTetrahedra({ field.data(), grid })));
-    const auto check = hasp::CheckMesh(mesh);
-    ASSERT_TRUE(check.Sound()) << n;
+    const auto mesh = hasp::RoundedAndWelded(hasp::ContourTetrahedra({ field.data(), grid }));
+    const auto facts = hasp::FactsOf(mesh);
+    ASSERT_TRUE(facts.closed && facts.manifold && facts.noArea == 0) << n;
     for (const glm::dvec3& p : mesh.points)
       ASSERT_TRUE(std::isfinite(p.x + p.y + p.z));
   }
@@ -127,9 +119,9 @@ TEST(TetrahedraContour, WhatReachesTheBorderIsClosedThere)
 {
   const auto grid = Cube(9, 8);
   const std::vector<float> inside(grid.Size(), -1.0F);
-  const auto check = hasp::CheckMesh(hasp::ContourTetrahedra({ inside.data(), grid }));
-  EXPECT_TRUE(check.Sound());
-  EXPECT_NEAR(check.volumeMm3, 512, 0.1 * 512); // the border counts as outside, 2 % of a cell in
+  const auto facts = hasp::FactsOf(hasp::ContourTetrahedra({ inside.data(), grid }));
+  EXPECT_TRUE(facts.closed && facts.manifold && facts.noArea == 0);
+  EXPECT_NEAR(facts.volume, 512, 0.1 * 512); // the border counts as outside, 2 % of a cell in
   const std::vector<float> outside(grid.Size(), 1.0F);
   EXPECT_TRUE(hasp::ContourTetrahedra({ outside.data(), grid }).triangles.empty());
   const hasp::GridGeometry flat{ { 5, 5, 1 }, {}, glm::dvec3(1), glm::dmat3(1) };
@@ -153,10 +145,10 @@ TEST(TetrahedraContour, SmallPiecesAndHollowsGo)
   EXPECT_NEAR(volumes[0], -4.19, 0.2); // the hollow's wall faces inward
   EXPECT_NEAR(volumes[1], 2.14, 0.2);
   const auto clean = hasp::WithoutSmallPieces(mesh, 10);
-  const auto check = hasp::CheckMesh(clean);
-  EXPECT_TRUE(check.Sound());
-  EXPECT_EQ(check.pieces, 1U);
-  EXPECT_NEAR(check.volumeMm3, 904.8, 4);
+  const auto facts = hasp::FactsOf(clean);
+  EXPECT_TRUE(facts.closed && facts.manifold && facts.noArea == 0);
+  EXPECT_EQ(facts.euler, 2);
+  EXPECT_NEAR(facts.volume, 904.8, 4);
 }
 
 TEST(TetrahedraContour, CancellingThrows)
