@@ -52,7 +52,7 @@ TEST(CoverageDistance, AxisParallelPlanesAreExact)
   EXPECT_NEAR(hasp::PlaneDistanceFromCoverage({ 0, 0, -1 }, sides, 0.9), -0.8, 1e-3);
 }
 
-TEST(CoverageDistance, IsThirtyTimesBetterThanBinaryOnSmoothShapes)
+TEST(CoverageDistance, IsTwentyTimesBetterThanBinaryOnSmoothShapes)
 {
   const glm::dvec3 off(0.31, -0.22, 0.43);
   for (const auto& shape : { hasp::AnalyticSphere(off, 20.3), hasp::AnalyticSphere(off, 12.3),

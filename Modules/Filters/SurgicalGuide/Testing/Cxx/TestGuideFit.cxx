@@ -15,7 +15,7 @@ class GuideFilterOnGrids : public testing::TestWithParam<std::tuple<glm::dvec3, 
 {
 };
 
-TEST_P(GuideFilterOnGrids, FitsWithinATwentiethOfAMillimetre)
+TEST_P(GuideFilterOnGrids, KeepsTheGapAskedFor)
 {
   const auto [spacing, angle] = GetParam();
   const auto ct = ScanOf(Skull(), spacing, angle);
