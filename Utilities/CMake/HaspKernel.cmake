@@ -1,10 +1,15 @@
-# hasp_add_kernel(Grid SOURCES a.cxx … HEADERS a.h … [PUBLIC targets…] [PRIVATE targets…])
+# hasp_add_kernel(Grid SOURCES a.cxx … HEADERS a.h … [PUBLIC targets…] [PRIVATE targets…]
+#                 [FOLDER Evaluation])
 #
 # A kernel is a library free of VTK, OpenGL and Qt: target KernelGrid, linked as Hasp::KernelGrid, its
 # headers included as "Grid/GridView.h". It is exported with the VTK modules in one package.
+# FOLDER: where the headers live if not in a folder of the library's name (a second library of one kernel).
 function (hasp_add_kernel noun)
-  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "FOLDER" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   set(target Kernel${noun})
+  if (NOT arg_FOLDER)
+    set(arg_FOLDER ${noun})
+  endif ()
   add_library(${target} ${arg_SOURCES} ${arg_HEADERS})
   add_library(Hasp::${target} ALIAS ${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -18,6 +23,6 @@ function (hasp_add_kernel noun)
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   foreach (header IN LISTS arg_HEADERS)
     cmake_path(GET header PARENT_PATH folder)
-    install(FILES "${header}" DESTINATION "${HASP_HEADER_DIR}/Kernels/${noun}/${folder}")
+    install(FILES "${header}" DESTINATION "${HASP_HEADER_DIR}/Kernels/${arg_FOLDER}/${folder}")
   endforeach ()
 endfunction ()

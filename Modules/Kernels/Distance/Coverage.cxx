@@ -1,0 +1,192 @@
+#include "Distance/Coverage.h"
+
+#include "Grid/ParallelFor.h"
+#include "Grid/Trilinear.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+namespace
+{
+/// Supersamples the voxels of one target grid in one source grid.
+template <typename T>
+class Sampler
+{
+public:
+  Sampler(const GridView<const T>& source, const GridGeometry& target, const CoverageSettings& s)
+    : Source(source),
+      Settings(s)
+  {
+    // Target index -> source index is affine: origin + matrix * (i,j,k).
+    const auto toSource = [&](const glm::dvec3& index)
+    { return source.geometry.WorldToIndex(target.IndexToWorld(index)); };
+    this->Origin = toSource(glm::dvec3(0.0));
+    for (int a = 0; a < 3; ++a)
+    {
+      glm::dvec3 unit(0.0);
+      unit[a] = 1.0;
+      this->Step[a] = toSource(unit) - this->Origin;
+    }
+    for (int a = 0; a < 3; ++a)
+      this->Half[a] = 0.5 * (std::abs(this->Step[0][a]) + std::abs(this->Step[1][a]) +
+                              std::abs(this->Step[2][a]));
+  }
+
+  float operator()(const glm::dvec3& index) const
+  {
+    const glm::dvec3 center = this->Origin + this->Step * index;
+    const glm::ivec3 top = this->Source.geometry.dims - 1;
+    if (glm::any(glm::lessThan(center + this->Half, glm::dvec3(0.0))) ||
+        glm::any(glm::greaterThan(center - this->Half, glm::dvec3(top))))
+      return 0.0F;
+    const glm::dvec3 low = glm::floor(center - this->Half), high = glm::ceil(center + this->Half);
+    const bool within = glm::all(glm::greaterThanEqual(low, glm::dvec3(0.0))) &&
+                        glm::all(glm::lessThanEqual(high, glm::dvec3(top)));
+    const glm::ivec3 first(glm::max(low, glm::dvec3(0.0)));
+    const glm::ivec3 last(glm::min(high, glm::dvec3(top)));
+    bool allInside = within, noneInside = true, allKept = true;
+    for (int k = first.z; k <= last.z; ++k)
+      for (int j = first.y; j <= last.y; ++j)
+        for (int i = first.x; i <= last.x; ++i)
+        {
+          const bool inside = this->Inside(i, j, k);
+          allInside = allInside && inside;
+          noneInside = noneInside && !inside;
+          allKept = allKept && (!inside || this->Kept(i, j, k));
+        }
+    if (noneInside || (allInside && allKept))
+      return noneInside ? 0.0F : 1.0F;
+    if (const auto uniform = this->FarFromSurface(center); uniform && (allKept || *uniform == 0.0F))
+      return *uniform;
+    return this->Supersample(center, !allKept);
+  }
+
+private:
+  bool Inside(int i, int j, int k) const
+  {
+    return double(this->Source(i, j, k)) >= this->Settings.isovalue; // NaN is not
+  }
+  bool Kept(int i, int j, int k) const
+  {
+    return this->Settings.keep.empty() || this->Settings.keep[this->Source.Offset(i, j, k)];
+  }
+
+  /// A voxel within one source cell, whose centre value is farther from the isovalue than the
+  /// field can change over half its size (each partial derivative of a trilinear polynomial is
+  /// bounded by its differences along edges).
+  std::optional<float> FarFromSurface(const glm::dvec3& center) const
+  {
+    const glm::dvec3 low = center - this->Half, high = center + this->Half;
+    const auto at = LocateCell(this->Source.geometry, center);
+    if (!at || glm::any(glm::lessThan(low, glm::dvec3(at->cell))) ||
+        glm::any(glm::greaterThan(high, glm::dvec3(at->cell + 1))))
+      return std::nullopt;
+    const auto c = CellCorners(this->Source, at->cell);
+    glm::dvec3 steepest(0.0);
+    for (int n = 0; n < 8; ++n)
+      for (int a = 0; a < 3; ++a)
+        if (!(n >> a & 1))
+          steepest[a] = std::max(steepest[a], std::abs(c[n | 1 << a] - c[n]));
+    const double beyond = TrilinearValue(c, at->local) - this->Settings.isovalue;
+    if (!(std::abs(beyond) > glm::dot(steepest, this->Half)))
+      return std::nullopt;
+    return beyond > 0 ? 1.0F : 0.0F;
+  }
+
+  float Supersample(const glm::dvec3& center, bool askKeep) const
+  {
+    const int n = this->Settings.samplesPerAxis;
+    int count = 0;
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          count += this->PointInside(
+            center + this->Step * ((glm::dvec3(i, j, k) + 0.5) / double(n) - 0.5), askKeep);
+    return static_cast<float>(double(count) / (double(n) * n * n));
+  }
+
+  bool PointInside(const glm::dvec3& index, bool askKeep) const
+  {
+    const auto at = LocateCell(this->Source.geometry, index);
+    if (!at)
+      return false;
+    if (!(TrilinearValue(CellCorners(this->Source, at->cell), at->local) >=
+          this->Settings.isovalue))
+      return false;
+    if (!askKeep)
+      return true;
+    double heaviest = -1.0;
+    bool kept = false;
+    for (int n = 0; n < 8; ++n)
+    {
+      const glm::ivec3 bit(n & 1, n >> 1 & 1, n >> 2), p = at->cell + bit;
+      const glm::dvec3 w = glm::mix(1.0 - at->local, at->local, glm::dvec3(bit));
+      if (const double weight = w.x * w.y * w.z; weight > heaviest && this->Inside(p.x, p.y, p.z))
+      {
+        heaviest = weight;
+        kept = this->Kept(p.x, p.y, p.z);
+      }
+    }
+    return kept;
+  }
+
+  const GridView<const T>& Source;
+  const CoverageSettings& Settings;
+  glm::dvec3 Origin{}, Half{};
+  glm::dmat3 Step{};
+};
+
+void Check(const AnyGridView& source, const GridGeometry& target, const CoverageSettings& s)
+{
+  GeometryOf(source).Validate();
+  target.Validate();
+  if (!std::isfinite(s.isovalue))
+    throw std::invalid_argument("coverage: isovalue must be finite");
+  if (s.samplesPerAxis < 1 || s.samplesPerAxis > 16)
+    throw std::invalid_argument(
+      "coverage: samplesPerAxis is " + std::to_string(s.samplesPerAxis) + ", must be in [1, 16]");
+  if (!s.keep.empty() && s.keep.size() != GeometryOf(source).Size())
+    throw std::invalid_argument("coverage: keep has " + std::to_string(s.keep.size()) +
+                                " values, must have one for each of the source's " +
+                                std::to_string(GeometryOf(source).Size()) + " samples");
+}
+} // namespace
+
+std::vector<float> Coverage(const AnyGridView& source, const GridGeometry& target,
+  const CoverageSettings& settings, const ProgressFunction& progress)
+{
+  Check(source, target, settings);
+  std::vector<float> coverage(target.Size());
+  const auto fill = [&](const auto& view)
+  {
+    const Sampler sampler(view, target, settings);
+    const std::int64_t ny = target.dims.y, nz = target.dims.z;
+    const std::int64_t step = std::max<std::int64_t>(1, nz / 20); // slices between two reports
+    for (std::int64_t k = 0; k < nz; k += step)
+    {
+      ReportProgress(progress, double(k) / double(nz));
+      ParallelFor(k * ny, std::min(nz, k + step) * ny, 8,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t row = first; row < last; ++row)
+            for (int i = 0; i < target.dims.x; ++i)
+              coverage[row * target.dims.x + i] =
+                sampler(glm::dvec3(i, double(row % ny), double(row / ny)));
+        });
+    }
+  };
+  std::visit(fill, source);
+  ReportProgress(progress, 1.0);
+  return coverage;
+}
+
+} // namespace hasp

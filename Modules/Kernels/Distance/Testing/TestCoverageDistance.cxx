@@ -1,0 +1,153 @@
+#include "Distance/CoverageDistance.h"
+#include "Distance/EuclideanDistance.h"
+#include "Distance/SurfaceElements.h"
+#include "Testing/AnalyticCoverage.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace
+{
+
+hasp::GridGeometry Cube(int n)
+{
+  return { glm::ivec3(n), glm::dvec3(-0.5 * n), glm::dvec3(1), glm::dmat3(1) };
+}
+
+TEST(CoverageDistance, PlaneDistanceInvertsTheShareOfABox)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> any;
+  std::uniform_real_distribution<double> share(0.001, 0.999), side(0.2, 3);
+  for (int n = 0; n < 60; ++n)
+  {
+    glm::dvec3 normal = glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+    if (n % 5 == 0)
+      normal = glm::normalize(glm::dvec3(0, normal.y, n % 2 ? 0 : normal.z)); // along faces
+    const glm::dvec3 sides(side(random), side(random), side(random));
+    const double covered = share(random);
+    const double d = hasp::PlaneDistanceFromCoverage(normal, sides, covered);
+    // Brute force: the box's share with normal.x <= -d, 40^3 points.
+    int count = 0;
+    for (int s = 0; s < 64000; ++s)
+    {
+      const glm::dvec3 p = (glm::dvec3(s % 40, s / 40 % 40, s / 1600) + 0.5) / 40.0 - 0.5;
+      count += glm::dot(normal, p * sides) <= -d;
+    }
+    // One layer of 40 may be off where the plane is parallel to a face.
+    EXPECT_NEAR(count / 64000.0, covered, 0.026);
+    EXPECT_NEAR(hasp::PlaneDistanceFromCoverage(normal, sides, 1 - covered), -d, 1e-7);
+  }
+}
+
+TEST(CoverageDistance, AxisParallelPlanesAreExact)
+{
+  const glm::dvec3 sides(0.4, 1, 2);
+  // The outward normal is +x; a quarter covered means the plane lies a quarter of the side before
+  // the centre, which is then outside. The clamped two axes cost 1e-4 of the box.
+  EXPECT_NEAR(hasp::PlaneDistanceFromCoverage({ 1, 0, 0 }, sides, 0.25), 0.1, 1e-4);
+  EXPECT_NEAR(hasp::PlaneDistanceFromCoverage({ 0, 0, -1 }, sides, 0.9), -0.8, 1e-3);
+}
+
+TEST(CoverageDistance, IsTwentyTimesBetterThanBinaryOnSmoothShapes)
+{
+  const glm::dvec3 off(0.31, -0.22, 0.43);
+  for (const auto& shape : { hasp::AnalyticSphere(off, 20.3), hasp::AnalyticSphere(off, 12.3),
+         hasp::AnalyticTorus(off, glm::normalize(glm::dvec3(1, 2, 2)), 17, 7) })
+  {
+    const auto grid = Cube(56);
+    const auto coverage = hasp::AnalyticCoverage(shape, grid);
+    const auto distance = hasp::CoverageDistance(grid, coverage);
+    std::vector<std::uint8_t> mask(coverage.size());
+    std::transform(
+      coverage.begin(), coverage.end(), mask.begin(), [](float c) { return c >= 0.5F; });
+    const auto error = hasp::ErrorOf(distance, shape, grid, 3);
+    const auto binary = hasp::ErrorOf(hasp::SignedEuclideanDistance(grid, mask), shape, grid, 3);
+    // Measured 0.003 to 0.008 rms and 0.03 at most; binary 0.24 and 0.5.
+    EXPECT_LT(error.rms, 0.01) << shape.name;
+    EXPECT_LT(error.most, 0.06) << shape.name;
+    EXPECT_GT(binary.rms, 20 * error.rms) << shape.name;
+    // Beyond the band the disc of the nearest element answers.
+    EXPECT_LT(hasp::ErrorOf(distance, shape, grid, 10).rms, 0.04) << shape.name;
+  }
+}
+
+TEST(CoverageDistance, StretchedAndTurnedVoxelsKeepMillimetres)
+{
+  const glm::dmat3 tilt(glm::rotate(glm::dmat4(1), 0.5, glm::normalize(glm::dvec3(2, -1, 3))));
+  const hasp::GridGeometry grid{ { 50, 50, 32 }, tilt * glm::dvec3(-24, -24, -24),
+    { 0.957, 0.957, 1.5 }, tilt };
+  const auto shape = hasp::AnalyticSphere({ 0.2, 0.1, -0.3 }, 15);
+  const auto distance = hasp::CoverageDistance(grid, hasp::AnalyticCoverage(shape, grid));
+  EXPECT_LT(hasp::ErrorOf(distance, shape, grid, 3).rms, 0.015);
+}
+
+TEST(CoverageDistance, FlatSlicesStillGiveAPlane)
+{
+  const hasp::GridGeometry grid{ { 30, 30, 9 }, {}, { 0.3, 0.3, 3 }, glm::dmat3(1) };
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 0.5, 0.05));
+  const hasp::AnalyticVolume half{ "half space",
+    [=](const glm::dvec3& p) { return glm::dot(glm::dvec3(4.4, 4.2, 12) - p, normal); }, 1 };
+  const auto distance = hasp::CoverageDistance(grid, hasp::AnalyticCoverage(half, grid));
+  // Interior voxels: at the grid's border the gradient sees clamped copies.
+  for (int k = 2; k < 7; ++k)
+    for (int j = 5; j < 25; ++j)
+      for (int i = 5; i < 25; ++i)
+      {
+        const double truth = -half.value(grid.IndexToWorld({ i, j, k }));
+        if (std::abs(truth) < 0.9)
+        {
+          ASSERT_NEAR(distance[(k * 30 + j) * 30 + i], truth, 0.03) << i << " " << j << " " << k;
+        }
+      }
+}
+
+TEST(CoverageDistance, EmptyAndFullAreInfinitelyFar)
+{
+  const auto grid = Cube(4);
+  constexpr float far = std::numeric_limits<float>::infinity();
+  for (const float d : hasp::CoverageDistance(grid, std::vector<float>(64, 0.0F)))
+    ASSERT_EQ(d, far);
+  for (const float d : hasp::CoverageDistance(grid, std::vector<float>(64, 1.0F)))
+    ASSERT_EQ(d, -far);
+}
+
+TEST(CoverageDistance, ABinaryImageIsACoverageImageToo)
+{
+  const auto grid = Cube(12);
+  std::vector<float> coverage(grid.Size());
+  for (std::size_t n = 0; n < coverage.size(); ++n)
+    coverage[n] = n % 12 < 5 ? 1.0F : 0.0F;
+  const auto distance = hasp::CoverageDistance(grid, coverage);
+  for (std::size_t n = 0; n < coverage.size(); ++n)
+    ASSERT_NEAR(distance[n], double(n % 12) - 4.5, 1e-5);
+}
+
+TEST(CoverageDistance, ABlurredGreyImageIsRefused)
+{
+  const auto grid = Cube(40);
+  const auto sphere = hasp::AnalyticSphere({}, 12);
+  std::vector<float> grey(grid.Size());
+  for (std::size_t n = 0; n < grey.size(); ++n)
+    grey[n] = static_cast<float>(glm::clamp(
+      0.5 + sphere.value(grid.IndexToWorld(glm::dvec3(n % 40, n / 40 % 40, n / 1600))) / 5, 0.0,
+      1.0));
+  EXPECT_THROW(hasp::CoverageDistance(grid, grey), std::invalid_argument);
+  EXPECT_THROW(hasp::CoverageDistance(grid, std::vector<float>(3)), std::invalid_argument);
+}
+
+TEST(CoverageDistance, ThinSheetsAndSpecksStayFinite)
+{
+  const auto grid = Cube(16);
+  std::vector<float> coverage(grid.Size(), 0.0F);
+  for (int n = 0; n < 256; ++n)
+    coverage[8 * 256 + n] = 0.4F; // thinner than a voxel: no gradient on its middle
+  coverage[3 * 256 + 100] = 0.2F;
+  for (const float d : hasp::CoverageDistance(grid, coverage))
+    ASSERT_TRUE(std::isfinite(d) && d > -1.0F);
+}
+
+} // namespace

@@ -1,0 +1,143 @@
+#include "Evaluation/MeshCheck.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace hasp
+{
+
+namespace
+{
+struct HalfEdge
+{
+  std::uint32_t low, high, triangle;
+  bool up; ///< runs from low to high
+  bool operator<(const HalfEdge& o) const
+  {
+    return std::tie(low, high, triangle) < std::tie(o.low, o.high, o.triangle);
+  }
+  bool SameEdge(const HalfEdge& o) const { return low == o.low && high == o.high; }
+};
+
+/// Disjoint sets of 0..n-1.
+class Sets
+{
+public:
+  explicit Sets(std::size_t n) : Parent(n) { std::iota(Parent.begin(), Parent.end(), 0U); }
+  std::uint32_t Root(std::uint32_t n)
+  {
+    while (this->Parent[n] != n)
+      n = this->Parent[n] = this->Parent[this->Parent[n]];
+    return n;
+  }
+  void Join(std::uint32_t a, std::uint32_t b) { this->Parent[this->Root(a)] = this->Root(b); }
+
+private:
+  std::vector<std::uint32_t> Parent;
+};
+
+std::vector<HalfEdge> SortedHalfEdges(const TriangleMesh& mesh)
+{
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c)
+    {
+      const std::uint32_t a = mesh.triangles[t][c], b = mesh.triangles[t][(c + 1) % 3];
+      edges.push_back({ std::min(a, b), std::max(a, b), t, a < b });
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+std::uint32_t CornerOf(const TriangleMesh& mesh, std::uint32_t triangle, std::uint32_t point)
+{
+  const glm::uvec3& t = mesh.triangles[triangle];
+  return 3 * triangle + (t.x == point ? 0 : t.y == point ? 1 : 2);
+}
+
+/// Counts faults of edges, and joins pieces (triangles) and fans (corners) across sound edges.
+void CheckEdges(const TriangleMesh& mesh, MeshCheck& check, Sets& pieces, Sets& fans)
+{
+  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh);
+  for (std::size_t first = 0, last; first < edges.size(); first = last)
+  {
+    for (last = first + 1; last < edges.size() && edges[last].SameEdge(edges[first]); ++last)
+      pieces.Join(edges[first].triangle, edges[last].triangle);
+    if (last - first == 1)
+      ++check.borderEdges;
+    else if (last - first > 2)
+      ++check.crowdedEdges;
+    else
+    {
+      const HalfEdge &a = edges[first], &b = edges[first + 1];
+      check.turnedEdges += a.up == b.up;
+      for (const std::uint32_t p : { a.low, a.high })
+        fans.Join(CornerOf(mesh, a.triangle, p), CornerOf(mesh, b.triangle, p));
+    }
+  }
+}
+} // namespace
+
+MeshCheck CheckMesh(const TriangleMesh& mesh)
+{
+  MeshCheck check;
+  check.points = mesh.points.size();
+  check.triangles = mesh.triangles.size();
+  for (const glm::uvec3& t : mesh.triangles)
+  {
+    if (std::max({ t.x, t.y, t.z }) >= mesh.points.size())
+      throw std::invalid_argument("mesh: a triangle names point " +
+                                  std::to_string(std::max({ t.x, t.y, t.z })) + " of " +
+                                  std::to_string(mesh.points.size()));
+    const glm::dvec3 &o = mesh.points[mesh.triangles.front().x], &a = mesh.points[t.x],
+                     &b = mesh.points[t.y], &c = mesh.points[t.z];
+    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+    check.areaMm2 += area;
+    check.volumeMm3 += glm::dot(a - o, glm::cross(b - o, c - o)) / 6.0;
+    check.degenerate += t.x == t.y || t.y == t.z || t.z == t.x || !(area > 0.0);
+  }
+  Sets pieces(mesh.triangles.size()), fans(3 * mesh.triangles.size());
+  CheckEdges(mesh, check, pieces, fans);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    check.pieces += pieces.Root(t) == t;
+
+  std::vector<std::uint32_t> fansAt(mesh.points.size(), 0);
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner)
+    if (fans.Root(corner) == corner)
+      ++fansAt[mesh.triangles[corner / 3][static_cast<int>(corner % 3)]];
+  check.pinchedPoints =
+    std::count_if(fansAt.begin(), fansAt.end(), [](std::uint32_t n) { return n > 1; });
+  return check;
+}
+
+TriangleMesh WeldPoints(const TriangleMesh& mesh)
+{
+  const auto less = [&](std::uint32_t a, std::uint32_t b)
+  {
+    const glm::dvec3 &p = mesh.points[a], &q = mesh.points[b];
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  std::vector<std::uint32_t> order(mesh.points.size()), newId(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), less);
+  TriangleMesh welded;
+  for (std::size_t n = 0; n < order.size(); ++n)
+  {
+    if (n == 0 || less(order[n - 1], order[n]))
+      welded.points.push_back(mesh.points[order[n]]);
+    newId[order[n]] = static_cast<std::uint32_t>(welded.points.size() - 1);
+  }
+  for (const glm::uvec3& t : mesh.triangles)
+    welded.triangles.emplace_back(newId[t.x], newId[t.y], newId[t.z]);
+  return welded;
+}
+
+} // namespace hasp
