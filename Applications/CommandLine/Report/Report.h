@@ -1,0 +1,96 @@
+#pragma once
+#include "Grid/ResourceUse.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What `hasp report` says, as plain values: rows, curves, stability, unused. No VTK here. Any
+/// thread, one at a time.
+namespace hasp
+{
+
+/// One figure. A ratio is ours / rival; when its id says speedup, simd, speed or rays it is
+/// rival / ours in time: larger is better.
+struct ReportRow
+{
+  std::string id;              ///< "cells.extract", or "cells.extract@dataset" on other data
+  std::string method;          ///< what is measured; empty: the id up to its first dot
+  std::optional<double> value; ///< the ratio or figure; absent rows have none
+  std::string unit;            ///< "ratio", "mm", "share", "s", ...
+  std::string rival;           ///< its name, version and settings; empty: no rival in this row
+  std::optional<double> error; ///< of ours, in errorUnit; a row with timeS has it too
+  std::string errorUnit;
+  std::optional<double> timeS; ///< wall time of ours, s; a row with error has it too
+  std::optional<double> cpuS;  ///< CPU time of ours, all threads, s
+  std::optional<double> q1;    ///< lower and upper quartile of value
+  std::optional<double> q3;
+  int n = 0;          ///< pairs or samples behind the value
+  std::string data;   ///< data set: "cranium@226HU"
+  std::string absent; ///< why this rival could not be measured; such a row has no value
+};
+
+/// Error against time: a line of one method, a point per setting, {time, error}.
+struct ReportCurve
+{
+  std::string id; ///< curves of one id share a chart
+  std::string method;
+  std::string xUnit; ///< of the time
+  std::string yUnit; ///< of the error
+  std::vector<std::pair<double, double>> points;
+};
+
+/// One stiff or extreme case. `figure` must stay within `limit` to pass.
+struct StabilityRow
+{
+  std::string id;
+  std::string testCase; ///< "k=100 N/mm T=1 ms m=0.05 kg"
+  bool pass = false;
+  double figure = 0.0;
+  double limit = 0.0;
+  std::string unit;
+};
+
+struct ReportMachine
+{
+  std::string cpu;
+  int cores = 0;
+  std::string simd; ///< widest set found: "AVX3", "AVX2", ... (Highway's names)
+  std::string gl;   ///< renderer of the OpenGL context, empty where nothing is drawn
+};
+
+struct Report
+{
+  std::string name;
+  std::string version;
+  std::string commit;
+  ReportMachine machine;
+  std::uint64_t seed = 1;
+  bool quick = false;
+  std::vector<ReportRow> rows;
+  std::vector<ReportCurve> curves;
+  std::vector<StabilityRow> stability;
+  ResourceList unused; ///< what the scenes of this report skipped: 0 bytes, 0 ms
+};
+
+/// The row's method, or the part of its id before the first dot.
+std::string MethodOf(const ReportRow& row);
+
+/// Everything that makes the report worthless, one sentence each; empty: it holds.
+///  - a time without an error, or an error without a time
+///  - a method with neither a rival nor an absent row; an absent row with a value
+///  - an id emitted twice
+///  - a figure that is not finite, a ratio without quartiles or with fewer than 9 pairs
+///  - an unused resource that holds bytes or took time
+///  - a report that says nothing
+std::vector<std::string> ReportFaults(const Report& report);
+
+/// The faults of each report, and ids that two of them emit.
+std::vector<std::string> ReportFaults(const std::vector<Report>& reports);
+
+/// What this process runs on. Reads /proc/cpuinfo where it exists; `gl` stays empty.
+ReportMachine ThisMachine();
+
+} // namespace hasp

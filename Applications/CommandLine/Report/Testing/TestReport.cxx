@@ -1,0 +1,136 @@
+#include "Report.h"
+#include "SampleReport.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace
+{
+
+using hasp::Report;
+
+/// What the check says about the sample after one change.
+std::string FaultsAfter(const std::function<void(Report&)>& change)
+{
+  Report report = SampleReport();
+  change(report);
+  std::string all;
+  for (const std::string& fault : hasp::ReportFaults(report))
+    all += fault + "\n";
+  return all;
+}
+
+void ExpectFault(const std::function<void(Report&)>& change, const std::string& words)
+{
+  const std::string faults = FaultsAfter(change);
+  EXPECT_NE(faults.find(words), std::string::npos) << "'" << words << "' is not in: " << faults;
+}
+
+TEST(Report, TheSampleHolds)
+{
+  EXPECT_EQ(FaultsAfter([](Report&) {}), "");
+}
+
+TEST(Report, ATimeNeedsItsErrorAndTheReverse)
+{
+  ExpectFault([](Report& r) { r.rows[0].error.reset(); }, "a time without an error");
+  ExpectFault([](Report& r) { r.rows[0].timeS.reset(); }, "an error without a time");
+  ExpectFault([](Report& r) { r.rows[0].errorUnit.clear(); }, "without a unit");
+}
+
+TEST(Report, AMethodNeedsARivalOrTheReasonOfItsAbsence)
+{
+  ExpectFault(
+    [](Report& r)
+    {
+      r.rows[0].rival.clear();
+      r.rows.pop_back();
+    },
+    "neither a rival");
+  // The absent row alone is an answer.
+  EXPECT_EQ(FaultsAfter([](Report& r) { r.rows.erase(r.rows.begin()); }), "");
+  // Another method's rival is none.
+  ExpectFault(
+    [](Report& r)
+    {
+      hasp::ReportRow row;
+      row.id = "distance.rms.ct";
+      row.value = 0.1;
+      r.rows.push_back(row);
+    },
+    "distance: has neither");
+}
+
+TEST(Report, AnIdIsEmittedOnce)
+{
+  ExpectFault([](Report& r) { r.rows.push_back(r.rows[0]); }, "emitted twice");
+  ExpectFault([](Report& r) { r.curves.push_back(r.curves[0]); }, "emitted twice");
+  ExpectFault([](Report& r) { r.stability.push_back(r.stability[0]); }, "emitted twice");
+  EXPECT_EQ(FaultsAfter(
+              [](Report& r)
+              {
+                r.rows.push_back(r.rows[0]);
+                r.rows.back().id += "@cranium";
+              }),
+    "");
+}
+
+TEST(Report, TwoReportsDoNotShareAnId)
+{
+  const std::vector<Report> twins{ SampleReport(), SampleReport() };
+  EXPECT_EQ(hasp::ReportFaults(twins).size(), 2u); // both rows
+  EXPECT_TRUE(hasp::ReportFaults(std::vector<Report>{ SampleReport() }).empty());
+}
+
+TEST(Report, FiguresAreFinite)
+{
+  ExpectFault([](Report& r) { r.rows[0].value = std::nan(""); }, "not finite");
+  ExpectFault([](Report& r) { r.curves[0].points[1].second = INFINITY; }, "not finite");
+  ExpectFault([](Report& r) { r.stability[0].figure = std::nan(""); }, "not finite");
+  // What blew up may say so, as long as it does not pass.
+  EXPECT_EQ(FaultsAfter(
+              [](Report& r)
+              {
+                r.stability[0].figure = std::nan("");
+                r.stability[0].pass = false;
+              }),
+    "");
+}
+
+TEST(Report, ATimedRatioHasNinePairsAndQuartiles)
+{
+  ExpectFault([](Report& r) { r.rows[0].n = 8; }, "fewer than 9 pairs");
+  ExpectFault([](Report& r) { r.rows[0].q3.reset(); }, "without quartiles");
+}
+
+TEST(Report, AbsentIsAbsent)
+{
+  ExpectFault([](Report& r) { r.rows[1].value = 1.0; }, "either a value or the reason");
+  ExpectFault([](Report& r) { r.rows[1].absent.clear(); }, "either a value or the reason");
+  ExpectFault([](Report& r) { r.rows[1].rival.clear(); }, "which rival is absent");
+}
+
+TEST(Report, UnusedMeansZero)
+{
+  ExpectFault([](Report& r) { r.unused[0].bytes = 1; }, "listed as unused");
+  ExpectFault([](Report& r) { r.unused[0].milliseconds = 0.1; }, "listed as unused");
+}
+
+TEST(Report, SayingNothingIsAFault)
+{
+  Report empty;
+  empty.name = "cells";
+  EXPECT_EQ(hasp::ReportFaults(empty).size(), 1u);
+}
+
+TEST(Report, TheMachineIsNamed)
+{
+  const hasp::ReportMachine machine = hasp::ThisMachine();
+  EXPECT_FALSE(machine.cpu.empty());
+  EXPECT_FALSE(machine.simd.empty());
+  EXPECT_GE(machine.cores, 1);
+}
+
+} // namespace

@@ -1,0 +1,55 @@
+#include "Session.h"
+
+#include "Explain.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace hasp
+{
+
+Session::Session() : progress(std::cerr) {}
+
+void AddCommonOptions(CLI::App& verb, Session& session)
+{
+  verb.add_flag("--quiet", session.quiet, "No progress; errors are still said");
+  verb.add_flag("--explain", session.explain,
+    "List what was built and what was skipped, with bytes and milliseconds");
+  verb.add_flag("--json", session.json, "Print results (and --explain) as one JSON document");
+}
+
+void ShowProgress(Session& session, vtkAlgorithm* algorithm)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&session.progress);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* progress, void*)
+    {
+      static_cast<ProgressLine*>(progress)->Share(
+        static_cast<vtkAlgorithm*>(caller)->GetProgress());
+    });
+  algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+void RunSession(Session& session)
+{
+  session.progress.SetStyle(session.quiet ? ProgressLine::Style::Quiet : StyleOfStderr());
+  session.run();
+  session.progress.Wipe();
+  if (session.explain && !session.json)
+    std::cout << ExplainTable(session.resources);
+  if (!session.json)
+    return;
+  if (session.explain)
+    session.result["resources"] = ExplainJson(session.resources);
+  // Names in files need not be UTF-8; what is not is replaced, so that the document always parses.
+  std::cout << session.result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << "\n";
+}
+
+} // namespace hasp

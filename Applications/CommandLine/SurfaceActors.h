@@ -1,0 +1,37 @@
+#pragma once
+#include "Grid/ResourceUse.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkImageData;
+
+namespace hasp
+{
+
+struct Session;
+
+/// Something drawn, and how to ask what it uses (after drawing).
+struct SurfaceActor
+{
+  vtkSmartPointer<vtkActor> actor;
+  std::function<void(ResourceList&)> listResources;
+};
+
+/// The names that --mapper takes in this build, the default first: "cells" (active cells, exact),
+/// "mesh" (vtkFlyingEdges3D).
+const std::vector<std::string>& SurfaceMappers();
+
+/// The isosurface through the mapper of that name; the other mapper is listed as skipped. Throws
+/// Failure: WrongUse for an unknown name.
+SurfaceActor MakeIsosurface(
+  vtkImageData* image, double isoValue, const std::string& mapper, Session& session);
+
+/// The triangles of an STL file. Throws Failure: BadInput.
+SurfaceActor MakeSurface(const std::string& path, Session& session);
+
+} // namespace hasp

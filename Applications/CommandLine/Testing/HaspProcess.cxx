@@ -1,0 +1,113 @@
+#include "HaspProcess.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+extern char** environ;
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr const char* Canary = "Mustermann_Erika_1964";
+
+std::vector<char*> Environment()
+{
+  std::vector<char*> kept;
+  for (char** entry = environ; *entry; ++entry)
+    if (std::string(*entry).rfind("DISPLAY=", 0) != 0)
+      kept.push_back(*entry);
+  kept.push_back(nullptr);
+  return kept;
+}
+
+std::string TakeFile(const fs::path& path)
+{
+  const std::string text = ReadBytes(path.string());
+  fs::remove(path);
+  return text;
+}
+
+} // namespace
+
+std::string ReadBytes(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+HaspRun RunHasp(const std::vector<std::string>& arguments)
+{
+  const fs::path base = fs::temp_directory_path() / ("hasp-run-" + std::to_string(getpid()));
+  const std::string out = base.string() + ".out", err = base.string() + ".err";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
+  std::vector<std::string> words{ HASP_PROGRAM };
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+    pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  const int failed =
+    posix_spawn(&child, HASP_PROGRAM, &actions, nullptr, pointers.data(), Environment().data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed)
+    throw std::runtime_error("cannot run " HASP_PROGRAM);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return { code, TakeFile(out), TakeFile(err) };
+}
+
+HaspTest::HaspTest()
+  : folder(fs::temp_directory_path() / (std::string(Canary) + "-" + std::to_string(getpid())))
+{
+  fs::create_directories(this->folder);
+}
+
+HaspTest::~HaspTest()
+{
+  std::error_code ignored; // a folder that stays is no reason to fail the test
+  fs::remove_all(this->folder, ignored);
+}
+
+void HaspTest::WriteText(const std::string& name, const std::string& text) const
+{
+  std::ofstream(this->folder / name) << text;
+}
+
+std::string HaspTest::Phantom(const std::string& name) const
+{
+  const HaspRun run =
+    RunHasp({ "phantom", "--spacing", "6,6,7", "--quiet", "--output", this->Path(name) });
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  return this->Path(name);
+}
+
+std::vector<std::string> HaspTest::Names() const
+{
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(this->folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void ExpectFailure(const HaspRun& run, int exitCode, const std::string& words)
+{
+  EXPECT_EQ(run.exitCode, exitCode) << run.err;
+  EXPECT_NE(run.err.find(words), std::string::npos) << "'" << words << "' is not in: " << run.err;
+  EXPECT_EQ((run.err + run.out).find(Canary), std::string::npos) << run.err << run.out;
+}

@@ -1,0 +1,40 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What a run of bin/hasp left behind.
+struct HaspRun
+{
+  int exitCode = -1; ///< 128 + signal if one ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs bin/hasp with these arguments, without a display, its output caught.
+HaspRun RunHasp(const std::vector<std::string>& arguments);
+
+/// A folder of its own for a test, removed afterwards. Its name is a canary: no text may show it.
+class HaspTest : public testing::Test
+{
+protected:
+  HaspTest();
+  ~HaspTest() override;
+
+  std::string Path(const std::string& name) const { return (this->folder / name).string(); }
+  void WriteText(const std::string& name, const std::string& text) const;
+  /// A coarse phantom of the given name.
+  std::string Phantom(const std::string& name = "head.mha") const;
+  /// Names in the folder, hidden ones too, sorted.
+  std::vector<std::string> Names() const;
+
+  std::filesystem::path folder;
+};
+
+/// The whole file.
+std::string ReadBytes(const std::string& path);
+
+/// Expects the exit code, a text on stderr that holds `words`, and no folder of the test in it.
+void ExpectFailure(const HaspRun& run, int exitCode, const std::string& words);

@@ -1,0 +1,92 @@
+#include "Failure.h"
+#include "Files.h"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test
+{
+protected:
+  Files() : folder(fs::temp_directory_path() / ("hasp-files-" + std::to_string(getpid())))
+  {
+    fs::create_directories(this->folder);
+  }
+  ~Files() override { fs::remove_all(this->folder); }
+
+  std::string Path(const std::string& name) const { return (this->folder / name).string(); }
+  std::string Read(const std::string& name) const
+  {
+    std::ifstream file(this->folder / name);
+    return { std::istreambuf_iterator<char>(file), {} };
+  }
+  std::ptrdiff_t Count() const
+  {
+    return std::distance(fs::directory_iterator(this->folder), fs::directory_iterator());
+  }
+
+  fs::path folder;
+};
+
+TEST_F(Files, WhatCannotBeWrittenLeavesNothing)
+{
+  EXPECT_THROW(hasp::RequireWritable(this->Path("none/x.png"), {}), hasp::Failure);
+  EXPECT_THROW(hasp::RequireWritable(this->Path("x.png"), { ".stl" }), hasp::Failure);
+  EXPECT_THROW(hasp::RequireWritable(this->folder.string(), {}), hasp::Failure);
+  EXPECT_THROW(hasp::RequireWritable("/dev/null", {}), hasp::Failure);
+  EXPECT_THROW(hasp::WriteFileAtomically(this->Path("none/x"), "text"), hasp::Failure);
+  fs::create_directories(this->folder / "taken" / "inner");
+  EXPECT_THROW(hasp::WriteFileAtomically(this->Path("taken"), "text"), hasp::Failure);
+  EXPECT_EQ(this->Count(), 1); // the folder made above
+}
+
+TEST_F(Files, AFileIsReplacedAsAWhole)
+{
+  hasp::WriteFileAtomically(this->Path("x"), "a long old text");
+  hasp::WriteFileAtomically(this->Path("x"), std::string("a\0b", 3));
+  EXPECT_EQ(this->Read("x"), std::string("a\0b", 3));
+  EXPECT_EQ(this->Count(), 1);
+}
+
+TEST_F(Files, APendingFileStaysOnlyIfKept)
+{
+  hasp::WriteFileAtomically(this->Path("g.stl"), "old");
+  {
+    hasp::PendingFile pending(this->Path("g.stl"));
+    EXPECT_EQ(fs::path(pending.Path()).extension(), ".stl"); // writers go by the ending
+    std::ofstream(pending.Path()) << "bad";
+  }
+  EXPECT_EQ(this->Read("g.stl"), "old");
+  {
+    hasp::PendingFile pending(this->Path("g.stl"));
+    std::ofstream(pending.Path()) << "good";
+    pending.Keep();
+  }
+  EXPECT_EQ(this->Read("g.stl"), "good");
+  hasp::PendingFile nothing(this->Path("h.stl"));
+  EXPECT_THROW(nothing.Keep(), hasp::Failure);
+  EXPECT_EQ(this->Count(), 1);
+}
+
+TEST_F(Files, FoldersAreTakenOutOfTexts)
+{
+  EXPECT_EQ(hasp::BaseName("/home/Erika/slices/"), "slices");
+  EXPECT_EQ(hasp::BaseName("head.mha"), "head.mha");
+  const std::string given = "data/Erika/head.mha";
+  EXPECT_EQ(hasp::WithoutFolders("cannot open data/Erika/head.mha: no", { given }),
+    "cannot open head.mha: no");
+  EXPECT_EQ(
+    hasp::WithoutFolders("in " + fs::absolute(given).string() + "!", { given }), "in head.mha!");
+  EXPECT_EQ(hasp::WithoutFolders("a / b", { "/", "--json", "" }), "a / b");
+}
+
+} // namespace

@@ -1,0 +1,84 @@
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace
+{
+
+using nlohmann::json;
+
+class HaspExplain : public HaspTest
+{
+protected:
+  /// The resources of one picture by name.
+  std::map<std::string, json> Resources(const std::vector<std::string>& more)
+  {
+    std::vector<std::string> words{ "render", this->Phantom(), "--isovalue", "226", "--resolution",
+      "60,60", "--output", this->Path("x.png"), "--explain", "--json" };
+    words.insert(words.end(), more.begin(), more.end());
+    const HaspRun run = RunHasp(words);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    std::map<std::string, json> byName;
+    const json document = json::parse(run.out);
+    for (const json& resource : document.at("resources"))
+    {
+      EXPECT_TRUE(byName.emplace(resource.at("resource"), resource).second) << "listed twice";
+      EXPECT_FALSE(resource.at("reason").get<std::string>().empty());
+    }
+    return byName;
+  }
+  static void ExpectSkipped(const std::map<std::string, json>& resources, const std::string& name)
+  {
+    ASSERT_TRUE(resources.contains(name)) << name;
+    EXPECT_EQ(resources.at(name).at("bytes"), 0) << name;
+    EXPECT_EQ(resources.at(name).at("ms"), 0.0) << name;
+  }
+  static void ExpectBuilt(const std::map<std::string, json>& resources, const std::string& name)
+  {
+    ASSERT_TRUE(resources.contains(name)) << name;
+    EXPECT_GT(resources.at(name).at("bytes"), 0) << name;
+    EXPECT_GT(resources.at(name).at("ms"), 0.0) << name;
+  }
+};
+
+TEST_F(HaspExplain, MonoHasNoSecondEye)
+{
+  const auto resources = this->Resources({});
+  ExpectSkipped(resources, "second eye");
+  ExpectSkipped(resources, "surfaces");
+  ExpectBuilt(resources, "volume");
+  ExpectBuilt(resources, "picture");
+}
+
+TEST_F(HaspExplain, StereoPaysForTheSecondEye)
+{
+  ExpectBuilt(this->Resources({ "--stereo", "anaglyph" }), "second eye");
+}
+
+TEST_F(HaspExplain, TheMeshMapperMakesNoCells)
+{
+  const auto resources = this->Resources({ "--mapper", "mesh" });
+  ExpectBuilt(resources, "mesh");
+  ExpectSkipped(resources, "active cells");
+}
+
+TEST_F(HaspExplain, TheCellMapperMakesNoMeshAndNoPickingBuffers)
+{
+  const auto resources = this->Resources({ "--mapper", "cells" });
+  ExpectSkipped(resources, "mesh");
+  ExpectSkipped(resources, "picking buffers");
+  ExpectSkipped(resources, "shader: cell selection");
+  ExpectBuilt(resources, "active cells, GPU");
+}
+
+TEST_F(HaspExplain, TheTableSaysTheSame)
+{
+  const HaspRun run = RunHasp({ "info", this->Phantom(), "--explain" });
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_NE(run.out.find("bytes"), std::string::npos);
+  EXPECT_NE(run.out.find("volume"), std::string::npos);
+}
+
+} // namespace

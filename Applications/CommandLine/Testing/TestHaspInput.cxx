@@ -1,0 +1,79 @@
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace
+{
+
+using nlohmann::json;
+
+class HaspInput : public HaspTest
+{
+};
+
+TEST_F(HaspInput, WhatIsMissingIsTwo)
+{
+  ExpectFailure(RunHasp({ "info", this->Path("no.mha") }), 2, "no.mha: no such file");
+}
+
+TEST_F(HaspInput, AnEmptyFolderIsTwo)
+{
+  std::filesystem::create_directory(this->folder / "slices");
+  ExpectFailure(RunHasp({ "info", this->Path("slices") }), 2, "slices: the folder is empty");
+  ExpectFailure(RunHasp({ "info", this->Path("slices") + "/" }), 2, "slices: the folder is empty");
+}
+
+TEST_F(HaspInput, WhatIsNoVolumeIsTwo)
+{
+  this->WriteText("note.txt", "Dear colleague,\n");
+  this->WriteText("note.mha", "Dear colleague,\n");
+  this->WriteText("note.vti", "<VTKFile");
+  this->WriteText("empty.mha", "");
+  std::filesystem::create_directory(this->folder / "slices");
+  this->WriteText("slices/note.txt", "Dear colleague,\n");
+  for (const std::string name : { "note.txt", "note.mha", "note.vti", "empty.mha", "slices" })
+    ExpectFailure(RunHasp({ "info", this->Path(name) }), 2, "hasp: ");
+}
+
+TEST_F(HaspInput, ACutFileIsTwo)
+{
+  const std::string whole = ReadBytes(this->Phantom());
+  this->WriteText("cut.mha", whole.substr(0, whole.size() / 2));
+  ExpectFailure(RunHasp({ "info", this->Path("cut.mha") }), 2, "cut.mha");
+}
+
+TEST_F(HaspInput, ThePassportIsTheVolumes)
+{
+  const HaspRun run = RunHasp({ "info", this->Phantom(), "--json" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json passport = json::parse(run.out).at("passport");
+  EXPECT_EQ(passport.at("spacing_mm"), (json{ 6.0, 6.0, 7.0 }));
+  EXPECT_EQ(passport.at("sample_type"), "int16");
+  EXPECT_EQ(passport.at("minimum"), -1000.0);
+  EXPECT_NEAR(passport.at("maximum").get<double>(), 1000.0, 1.0);
+  const HaspRun text = RunHasp({ "info", this->Path("head.mha"), "--quiet" });
+  EXPECT_EQ(text.err, "");
+  EXPECT_NE(text.out.find("6 x 6 x 7 mm"), std::string::npos) << text.out;
+}
+
+TEST_F(HaspInput, PathsOfTheWorldAreRead)
+{
+  for (const std::string name : { "übermäßig é.mha", "Череп пациента.mha", "頭 蓋.mha",
+         "with  'quotes' & \"more\".mha", "-dash.mha" })
+  {
+    const HaspRun run = RunHasp({ "info", this->Phantom(name), "--json" });
+    EXPECT_EQ(run.exitCode, 0) << name << ": " << run.err;
+    EXPECT_NE(run.err.find(name), std::string::npos) << run.err; // progress shows the name alone
+    EXPECT_EQ(run.err.find(this->folder.string()), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(HaspInput, ProgressIsPlainStepsWithoutATerminal)
+{
+  const HaspRun run = RunHasp({ "info", this->Phantom() });
+  EXPECT_EQ(run.err, "hasp: reading head.mha\n");
+}
+
+} // namespace

@@ -1,0 +1,121 @@
+#include "HaspProcess.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+class HaspRender : public HaspTest
+{
+protected:
+  HaspRun Render(const Words& more, const std::string& output = "out.png") const
+  {
+    Words words{ "render", this->Path("head.mha"), "--isovalue", "226", "--resolution", "120,90",
+      "--output", this->Path(output) };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+  /// Width and height out of the PNG's header.
+  std::pair<int, int> Size(const std::string& name) const
+  {
+    const std::string png = ReadBytes(this->Path(name));
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    const auto number = [&](std::size_t at)
+    {
+      int value = 0;
+      for (std::size_t k = 0; k < 4; ++k)
+        value = 256 * value + static_cast<unsigned char>(png.at(at + k));
+      return value;
+    };
+    return { number(16), number(20) };
+  }
+};
+
+TEST_F(HaspRender, AnIsovalueOutsideTheVolumeNamesItsRange)
+{
+  this->Phantom();
+  for (const std::string value : { "5000", "-1000", "nan" })
+    ExpectFailure(RunHasp({ "render", this->Path("head.mha"), "--isovalue", value, "--output",
+                    this->Path("x.png") }),
+      1, "values run from -1000 to ");
+  EXPECT_EQ(this->Names(), (Words{ "head.mha" }));
+}
+
+TEST_F(HaspRender, WhatCannotBeWrittenIsOneAndLeavesNothing)
+{
+  this->Phantom();
+  std::filesystem::create_directory(this->folder / "taken.png");
+  ExpectFailure(this->Render({}, "none/x.png"), 1, "x.png: its folder does not exist");
+  ExpectFailure(this->Render({}, "taken.png"), 1, "a folder has this name");
+  ExpectFailure(this->Render({}, "x.bmp"), 1, "must end in .png");
+  const HaspRun system = RunHasp({ "render", this->Path("head.mha"), "--isovalue", "226",
+    "--resolution", "9,9", "--output", "/proc/x.png" }); // no one writes there, not even root
+  ExpectFailure(system, 1, "cannot write x.png");
+  EXPECT_EQ(this->Names(), (Words{ "head.mha", "taken.png" }));
+}
+
+TEST_F(HaspRender, AFailureKeepsTheOldPicture)
+{
+  this->Phantom();
+  this->WriteText("out.png", "old");
+  this->WriteText("bad.stl", "solid nothing\nendsolid nothing\n");
+  ExpectFailure(this->Render({ "--surface", this->Path("bad.stl") }), 2, "bad.stl");
+  ExpectFailure(this->Render({ "--surface", this->Path("no.stl") }), 2, "no.stl");
+  EXPECT_EQ(ReadBytes(this->Path("out.png")), "old");
+  EXPECT_EQ(this->Names(), (Words{ "bad.stl", "head.mha", "out.png" }));
+}
+
+TEST_F(HaspRender, CameraVectorsMustSpanAView)
+{
+  this->Phantom();
+  ExpectFailure(this->Render({ "--camera-direction", "0,0,0" }), 1, "some length");
+  ExpectFailure(
+    this->Render({ "--camera-direction", "0,0,1", "--view-up", "0,0,-2" }), 1, "parallel");
+}
+
+TEST_F(HaspRender, WithoutOpenGLItIsFourAndLeavesNothing)
+{
+  this->Phantom();
+  setenv("HASP_EGL_DEVICE", "99", 1); // a graphics card that is not there
+  const HaspRun run = this->Render({});
+  unsetenv("HASP_EGL_DEVICE");
+  ExpectFailure(run, 4, "cannot draw");
+  EXPECT_EQ(this->Names(), (Words{ "head.mha" }));
+}
+
+TEST_F(HaspRender, TheLayoutMakesTheSize)
+{
+  this->Phantom();
+  using Size = std::pair<int, int>;
+  for (const auto& [layout, size] : std::vector<std::pair<std::string, Size>>{
+         { "mono", { 120, 90 } }, { "left", { 120, 90 } }, { "side-by-side", { 240, 90 } },
+         { "top-bottom", { 120, 180 } }, { "anaglyph", { 120, 90 } } })
+  {
+    const HaspRun run = this->Render({ "--stereo", layout });
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(this->Size("out.png"), size) << layout;
+  }
+}
+
+TEST_F(HaspRender, TwoRunsGiveTheSameBytes)
+{
+  this->Phantom();
+  ASSERT_EQ(this->Render({}, "a.png").exitCode, 0);
+  ASSERT_EQ(this->Render({}, "b.png").exitCode, 0);
+  ASSERT_EQ(this->Render({ "--view", "right" }, "c.png").exitCode, 0);
+  EXPECT_EQ(ReadBytes(this->Path("a.png")), ReadBytes(this->Path("b.png")));
+  EXPECT_NE(ReadBytes(this->Path("a.png")), ReadBytes(this->Path("c.png")));
+}
+
+TEST_F(HaspRender, PathsOfTheWorldAreWritten)
+{
+  this->Phantom();
+  const HaspRun run = this->Render({}, "Снимок é.png");
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(this->Size("Снимок é.png").first, 120);
+}
+
+} // namespace

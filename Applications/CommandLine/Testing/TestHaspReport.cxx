@@ -1,0 +1,43 @@
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+namespace
+{
+
+class HaspReport : public HaspTest
+{
+};
+
+TEST_F(HaspReport, WrongUseIsOne)
+{
+  ExpectFailure(RunHasp({ "report" }), 1, "NAME");
+  ExpectFailure(RunHasp({ "report", "nonsense" }), 1, "known are stereo");
+  ExpectFailure(
+    RunHasp({ "report", "stereo", "--json", this->Path("none/x.json") }), 1, "does not exist");
+  ExpectFailure(
+    RunHasp({ "report", "stereo", "--html", this->Path("x.txt") }), 1, "must end in .html");
+  EXPECT_TRUE(this->Names().empty());
+}
+
+TEST_F(HaspReport, WritesWhatItMeasured)
+{
+  const HaspRun run = RunHasp({ "report", "stereo", "--quick", "--seed", "7", "--json",
+    this->Path("s.json"), "--html", this->Path("s.html") });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const auto report = nlohmann::json::parse(ReadBytes(this->Path("s.json")));
+  EXPECT_EQ(report.at("report"), "stereo");
+  EXPECT_EQ(report.at("seed"), 7);
+  EXPECT_EQ(report.at("quick"), true);
+  for (const auto& row : report.at("rows"))
+  {
+    EXPECT_EQ(row.at("quick"), true);
+    EXPECT_LT(row.at("error"), 0.3) << row; // pixels; see BallScene: 0.05 a standard deviation
+  }
+  ASSERT_FALSE(report.at("unused").empty());
+  for (const auto& resource : report.at("unused"))
+    EXPECT_EQ(resource.at("bytes"), 0) << resource;
+  EXPECT_NE(ReadBytes(this->Path("s.html")).find("<svg"), std::string::npos);
+}
+
+} // namespace

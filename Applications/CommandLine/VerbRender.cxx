@@ -1,0 +1,114 @@
+#include "Failure.h"
+#include "Files.h"
+#include "RenderScene.h"
+#include "Session.h"
+#include "SurfaceActors.h"
+#include "Verbs.h"
+#include "VolumeInput.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace hasp
+{
+namespace
+{
+
+struct Choices
+{
+  std::string input;
+  std::string output;
+  int series = 0;
+  std::string stereo = "mono";
+  RenderOptions render;
+};
+
+void Run(const Choices& choices, Session& session)
+{
+  RequireWritable(choices.output, { ".png" });
+  const LoadedVolume volume = ReadVolume(choices.input, choices.series, session);
+  RequireIsoValue(choices.render.isoValue, volume.passport);
+  RenderScene scene(volume.image, choices.render, session);
+  WriteFileAtomically(choices.output, scene.DrawPng());
+  session.result["output"] = BaseName(choices.output);
+}
+
+void AddCameraOptions(CLI::App& verb, CameraOptions& camera)
+{
+  std::vector<std::string> views;
+  for (const AnatomicalView& view : AnatomicalViews())
+    views.push_back(view.name);
+  auto* view = verb.add_option("--view", camera.view, "Where the viewer stands, of the patient")
+                 ->check(CLI::IsMember(views))
+                 ->capture_default_str();
+  verb.add_option("--camera-direction", camera.direction, "x,y,z the viewer looks along, in LPS")
+    ->delimiter(',')
+    ->excludes(view);
+  verb.add_option("--view-up", camera.viewUp, "x,y,z that points up in the picture, in LPS")
+    ->delimiter(',');
+  verb.add_option("--zoom", camera.zoom, "2 shows half as much")
+    ->check(CLI::Range(0.01, 100.0))
+    ->capture_default_str();
+}
+
+void AddLookOptions(CLI::App& verb, Choices& choices)
+{
+  RenderOptions& render = choices.render;
+  verb.add_option("--resolution", render.resolution, "Pixels of one eye, width,height")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 16384))
+    ->capture_default_str();
+  verb.add_option("--color", render.color, "r,g,b of the isosurface, 0 to 1")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 1.0));
+  verb.add_option("--background", render.background, "r,g,b, 0 to 1")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 1.0));
+  verb
+    .add_option("--stereo", choices.stereo,
+      "mono, side-by-side, top-bottom, left, right or anaglyph; two eyes make the picture twice "
+      "as wide or high")
+    ->check(CLI::IsMember({ "mono", "side-by-side", "top-bottom", "left", "right", "anaglyph" }))
+    ->capture_default_str();
+  verb.add_option("--eye-angle", render.eyeAngle, "Degrees between the eyes, seen from the middle")
+    ->check(CLI::Range(0.0, 90.0))
+    ->capture_default_str();
+}
+
+} // namespace
+
+void AddRenderVerb(CLI::App& app, Session& session)
+{
+  auto choices = std::make_shared<Choices>();
+  CLI::App* verb = app.add_subcommand("render", "Draw an isosurface into a PNG file");
+  verb->add_option("IN", choices->input, "Volume: a file, or a folder of slices")->required();
+  verb->add_option("--isovalue", choices->render.isoValue, "In the volume's units; bone in CT: 226")
+    ->required();
+  verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();
+  verb->add_option("--series", choices->series, "Which DICOM series, from 1");
+  choices->render.mapper = SurfaceMappers().front();
+  verb->add_option("--mapper", choices->render.mapper, "cells: exact, no mesh; mesh: Flying Edges")
+    ->check(CLI::IsMember(SurfaceMappers()))
+    ->capture_default_str();
+  verb->add_option("--surface", choices->render.surfaces, "STL file drawn with it; repeatable")
+    ->expected(1)
+    ->take_all();
+  AddLookOptions(*verb, *choices);
+  AddCameraOptions(*verb, choices->render.camera);
+  AddCommonOptions(*verb, session);
+  verb->footer("Examples:\n"
+               "  hasp render head.mha --isovalue 226 --output head.png\n"
+               "  hasp render head.mha --isovalue 226 --view right --surface guide.stl \\\n"
+               "       --stereo side-by-side --resolution 960,1080 --output pair.png\n"
+               "  hasp render head.mha --isovalue 226 --output head.png --explain\n"
+               "Exit codes: 0 done, 1 wrong use, 2 bad input, 4 cannot draw.");
+  verb->callback(
+    [&session, choices]
+    {
+      choices->render.stereo = StereoLayoutFromName(choices->stereo);
+      session.run = [&session, choices] { Run(*choices, session); };
+    });
+}
+
+} // namespace hasp

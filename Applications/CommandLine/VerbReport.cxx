@@ -1,0 +1,130 @@
+#include "Failure.h"
+#include "Files.h"
+#include "ReportHtml.h"
+#include "ReportJson.h"
+#include "ReportRegistry.h"
+#include "ReportText.h"
+#include "Session.h"
+#include "Verbs.h"
+#include "Version.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace hasp
+{
+namespace
+{
+
+struct ReportOptions
+{
+  std::vector<std::string> names;
+  ReportSettings settings;
+  std::string json;
+  std::string html;
+};
+
+std::string KnownReports()
+{
+  std::string known;
+  for (const ReportEntry& entry : ReportRegistry())
+    known += std::string(entry.name) + ", ";
+  return known + "all";
+}
+
+std::vector<const ReportEntry*> Chosen(const std::vector<std::string>& names)
+{
+  std::vector<const ReportEntry*> chosen;
+  for (const std::string& name : names)
+  {
+    const std::size_t before = chosen.size();
+    for (const ReportEntry& entry : ReportRegistry())
+      if (name == "all" || name == entry.name)
+        chosen.push_back(&entry);
+    if (chosen.size() == before)
+      throw Failure(
+        ExitCode::WrongUse, "unknown report '" + name + "'; known are " + KnownReports());
+  }
+  return chosen;
+}
+
+Report RunReport(const ReportEntry& entry, const ReportSettings& settings, Session& session)
+{
+  Report report;
+  report.name = entry.name;
+  report.version = Version();
+  report.commit = Commit();
+  report.machine = ThisMachine();
+  report.seed = settings.seed;
+  report.quick = settings.quick;
+  session.progress.Step("report " + report.name);
+  ReportContext context{ report, settings,
+    [&session](double share, const std::string& step)
+    {
+      if (!step.empty())
+        session.progress.Step(step);
+      session.progress.Share(share);
+    } };
+  entry.run(context);
+  return report;
+}
+
+/// Text and page come out even if the figures do not hold: one must see them to mend them. JSON,
+/// which programs trust, does not.
+void Deliver(const ReportOptions& options, const std::vector<Report>& reports)
+{
+  for (const Report& report : reports)
+    std::cout << ReportText(report);
+  const std::vector<std::string> faults = ReportFaults(reports);
+  if (!options.html.empty())
+    WriteFileAtomically(options.html, ReportHtml(reports));
+  if (!options.json.empty() && faults.empty())
+    WriteFileAtomically(options.json, ReportJson(reports));
+  if (faults.empty())
+    return;
+  std::string all = "the report does not hold:";
+  for (const std::string& fault : faults)
+    all += "\n  " + fault;
+  throw Failure(ExitCode::FailedCheck, all);
+}
+
+void Run(const ReportOptions& options, Session& session)
+{
+  const auto chosen = Chosen(options.names);
+  if (!options.json.empty())
+    RequireWritable(options.json, { ".json" });
+  if (!options.html.empty())
+    RequireWritable(options.html, { ".html" });
+  std::vector<Report> reports;
+  for (const ReportEntry* entry : chosen)
+    reports.push_back(RunReport(*entry, options.settings, session));
+  session.progress.Wipe();
+  Deliver(options, reports);
+}
+
+} // namespace
+
+void AddReportVerb(CLI::App& app, Session& session)
+{
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* verb =
+    app.add_subcommand("report", "Measure error against run time, stability, and what is unused");
+  std::string names = "Reports: all";
+  for (const ReportEntry& entry : ReportRegistry())
+    names += std::string("\n") + entry.name + ": " + entry.summary;
+  verb->add_option("NAME", options->names, names)->required();
+  verb->add_flag("--quick", options->settings.quick, "At most a minute; rows are marked quick");
+  verb->add_flag("--soak", options->settings.soak, "Also what takes hours");
+  verb->add_option("--seed", options->settings.seed, "Of every random case")->capture_default_str();
+  verb->add_option("--json", options->json, "Write the figures to this .json file");
+  verb->add_option("--html", options->html, "Write tables and charts to this .html file");
+  verb->add_flag("--quiet", session.quiet, "No progress; errors are still said");
+  verb->footer("Example: hasp report stereo --quick --html stereo.html\n"
+               "Exit code 3: a time without its error, a method without a rival, an id twice.");
+  verb->callback(
+    [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
+}
+
+} // namespace hasp

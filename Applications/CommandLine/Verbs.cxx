@@ -1,0 +1,17 @@
+#include "Verbs.h"
+
+namespace hasp
+{
+
+void AddVerbs(CLI::App& app, Session& session)
+{
+  AddInfoVerb(app, session);
+  AddRenderVerb(app, session);
+#if HASP_WITH_GUIDES
+  AddGuideVerb(app, session);
+#endif
+  AddPhantomVerb(app, session);
+  AddReportVerb(app, session);
+}
+
+} // namespace hasp

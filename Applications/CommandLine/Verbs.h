@@ -1,0 +1,24 @@
+#pragma once
+
+namespace CLI
+{
+class App;
+}
+
+/// The verbs of `hasp`, one file each. A function adds its verb to the command line; when the verb
+/// is what the user asked for, it sets Session::run.
+namespace hasp
+{
+
+struct Session;
+
+/// All verbs of this build.
+void AddVerbs(CLI::App& app, Session& session);
+
+void AddInfoVerb(CLI::App& app, Session& session);
+void AddRenderVerb(CLI::App& app, Session& session);
+void AddPhantomVerb(CLI::App& app, Session& session);
+void AddGuideVerb(CLI::App& app, Session& session);
+void AddReportVerb(CLI::App& app, Session& session);
+
+} // namespace hasp

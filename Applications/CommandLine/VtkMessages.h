@@ -1,0 +1,17 @@
+#pragma once
+#include "Failure.h"
+
+namespace hasp
+{
+
+/// VTK's own error texts, which name source files, addresses and whole paths. From now on nothing
+/// of VTK goes to stderr; errors are kept until they are asked for. RENDER thread.
+void CaptureVtkMessages();
+
+/// The first error since the last call, without file, line, class and address; empty if none.
+std::string TakeVtkError();
+
+/// Throws Failure with the code, `what`, and VTK's error, if there is one.
+void ThrowVtkError(ExitCode code, const std::string& what);
+
+} // namespace hasp
