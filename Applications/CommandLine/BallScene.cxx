@@ -1,6 +1,8 @@
 #include "BallScene.h"
 
 #include "Failure.h"
+#include "StereoLayout.h"
+#include "StereoRig.h"
 #include "vtkHaspStereoCamera.h"
 #include "vtkHaspStereoPicture.h"
 

@@ -3,6 +3,8 @@
 #include "Failure.h"
 #include "Files.h"
 #include "Session.h"
+#include "StereoLayout.h"
+#include "StereoRig.h"
 #include "SurfaceActors.h"
 #include "VtkMessages.h"
 #include "Windows.h"

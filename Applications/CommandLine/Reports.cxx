@@ -1,5 +1,8 @@
 #include "ReportRegistry.h"
 
+#if HASP_WITH_CELLS
+#include "ReportIsosurface.h"
+#endif
 #include "ReportStereo.h"
 
 namespace hasp
@@ -7,8 +10,13 @@ namespace hasp
 
 const std::vector<ReportEntry>& ReportRegistry()
 {
-  static const std::vector<ReportEntry> entries{
-    { "stereo", "where points lie in both eyes, against VTK's own stereo", ReportStereo },
+  static const std::vector<ReportEntry> entries
+  {
+#if HASP_WITH_CELLS
+    { "isosurface", "error against time of cells, mesh, GPU volume and direct rays",
+      ReportIsosurface },
+#endif
+      { "stereo", "where points lie in both eyes, against VTK's own stereo", ReportStereo },
   };
   return entries;
 }

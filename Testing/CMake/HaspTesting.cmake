@@ -6,6 +6,13 @@ endif ()
 
 option(HASP_RECORD_BASELINES "Render tests write pictures and compare none: for update-baseline" OFF)
 
+# The real CT: installed by Utilities/Scripts/cranium, never committed. Tests that read it are there only with it.
+if (HASP_BUILD_TESTING)
+  find_file(HASP_CRANIUM Cranium.inv3 NO_DEFAULT_PATH
+    PATHS /usr/share/doc/invesalius-examples/examples "${PROJECT_SOURCE_DIR}/.cache"
+    DOC "A real CT: Cranium.inv3 of Debian's invesalius-examples")
+endif ()
+
 # hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.
 function (hasp_discover_tests target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # test files share names freely

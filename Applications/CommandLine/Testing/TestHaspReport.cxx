@@ -12,7 +12,7 @@ class HaspReport : public HaspTest
 TEST_F(HaspReport, WrongUseIsOne)
 {
   ExpectFailure(RunHasp({ "report" }), 1, "NAME");
-  ExpectFailure(RunHasp({ "report", "nonsense" }), 1, "known are stereo");
+  ExpectFailure(RunHasp({ "report", "nonsense" }), 1, "known are");
   ExpectFailure(
     RunHasp({ "report", "stereo", "--json", this->Path("none/x.json") }), 1, "does not exist");
   ExpectFailure(

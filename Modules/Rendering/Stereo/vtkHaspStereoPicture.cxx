@@ -1,4 +1,6 @@
 #include "vtkHaspStereoPicture.h"
+#include "StereoLayout.h"
+#include "StereoRig.h"
 
 #include "vtkCamera.h"
 #include "vtkHaspStereoCamera.h"

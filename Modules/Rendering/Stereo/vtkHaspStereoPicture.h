@@ -2,8 +2,7 @@
 #define vtkHaspStereoPicture_h
 
 #include "Grid/ResourceUse.h" // for ListResources
-#include "StereoLayout.h"     // for StereoLayout
-#include "StereoRig.h"        // for StereoRig
+#include "vtkHaspRenderingStereoModule.h" // for export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for return values
 
@@ -12,6 +11,14 @@
 
 class vtkImageData;
 class vtkRenderer;
+
+// StereoLayout.h and StereoRig.h say what these are. Included here they would bring GLM to VTK's
+// wrapper, which parses it for minutes.
+namespace hasp
+{
+enum class StereoLayout;
+struct StereoRig;
+}
 
 /**
  * @class   vtkHaspStereoPicture

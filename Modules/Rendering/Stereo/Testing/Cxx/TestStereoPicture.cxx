@@ -1,3 +1,5 @@
+#include "StereoLayout.h"
+#include "StereoRig.h"
 #include "vtkHaspStereoPicture.h"
 
 #include "vtkHaspHeadlessWindows.h"
