@@ -1,5 +1,6 @@
 #include "Failure.h"
 #include "Files.h"
+#include "LargePieces.h"
 #include "RenderScene.h"
 #include "Session.h"
 #include "SurfaceActors.h"
@@ -20,6 +21,7 @@ struct Choices
   std::string input;
   std::string output;
   int series = 0;
+  double ignoreBelowMm3 = 0.0;
   std::string stereo = "mono";
   RenderOptions render;
 };
@@ -29,7 +31,13 @@ void Run(const Choices& choices, Session& session)
   RequireWritable(choices.output, { ".png" });
   const LoadedVolume volume = ReadVolume(choices.input, choices.series, session);
   RequireIsoValue(choices.render.isoValue, volume.passport);
-  RenderScene scene(volume.image, choices.render, session);
+  vtkSmartPointer<vtkImageData> image = volume.image;
+  if (choices.ignoreBelowMm3 > 0.0)
+    image = WithoutSmallPieces(image, choices.render.isoValue, choices.ignoreBelowMm3, session);
+  else
+    session.resources.push_back(
+      { "volume without small pieces", 0, 0.0, "no --ignore-below was given" });
+  RenderScene scene(image, choices.render, session);
   WriteFileAtomically(choices.output, scene.DrawPng());
   session.result["output"] = BaseName(choices.output);
 }
@@ -87,6 +95,10 @@ void AddRenderVerb(CLI::App& app, Session& session)
     ->required();
   verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();
   verb->add_option("--series", choices->series, "Which DICOM series, from 1");
+  verb
+    ->add_option("--ignore-below", choices->ignoreBelowMm3,
+      "Leave out connected pieces smaller than this, mm3: specks, head-rests")
+    ->check(CLI::NonNegativeNumber);
   choices->render.mapper = SurfaceMappers().front();
   verb->add_option("--mapper", choices->render.mapper, "cells: exact, no mesh; mesh: Flying Edges")
     ->check(CLI::IsMember(SurfaceMappers()))

@@ -68,6 +68,16 @@ TEST_F(HaspRender, AFailureKeepsTheOldPicture)
   EXPECT_EQ(this->Names(), (Words{ "bad.stl", "head.mha", "out.png" }));
 }
 
+TEST_F(HaspRender, IgnoringSmallPiecesKeepsTheOthersAndRefusesToKeepNone)
+{
+  this->Phantom();
+  ASSERT_EQ(this->Render({}, "all.png").exitCode, 0);
+  ASSERT_EQ(this->Render({ "--ignore-below", "10" }, "large.png").exitCode, 0);
+  EXPECT_EQ(ReadBytes(this->Path("all.png")), ReadBytes(this->Path("large.png")));
+  ExpectFailure(this->Render({ "--ignore-below", "1e9" }, "none.png"), 2, "lower --ignore-below");
+  EXPECT_EQ(this->Names(), (Words{ "all.png", "head.mha", "large.png" }));
+}
+
 TEST_F(HaspRender, CameraVectorsMustSpanAView)
 {
   this->Phantom();
