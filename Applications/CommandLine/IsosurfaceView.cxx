@@ -29,6 +29,11 @@ IsosurfaceView::IsosurfaceView(vtkSmartPointer<vtkImageData> image_, double isov
   fit->ResetCamera(image->GetBounds());
   camera->Zoom(1.4);
   fit->ResetCameraClippingRange(image->GetBounds());
+  CameraMoved();
+}
+
+void IsosurfaceView::CameraMoved()
+{
   vtkMatrix4x4* clip = camera->GetCompositeProjectionTransformMatrix(double(width) / height, -1, 1);
   clipToWorld = glm::inverse(glm::transpose(glm::dmat4(glm::make_mat4(clip->GetData()))));
 }

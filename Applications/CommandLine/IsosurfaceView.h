@@ -24,6 +24,8 @@ struct IsosurfaceView
   /// A perspective view along `direction` in which the volume fills the picture.
   IsosurfaceView(vtkSmartPointer<vtkImageData> image, double isovalue, int width, int height,
     const glm::dvec3& direction);
+  /// After `camera` was changed: brings clipToWorld up to date.
+  void CameraMoved();
   /// Pixel x, y at normalised device depth z in [-1,1], in world mm.
   glm::dvec3 Unproject(int x, int y, double z) const;
   /// Origin on the near plane, unit direction.

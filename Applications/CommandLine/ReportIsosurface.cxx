@@ -3,41 +3,57 @@
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCaster.h"
-#include "IsosurfaceMethods.h"
-#include "Pairing.h"
+#include "IsosurfaceComparison.h"
 #include "ReportRegistry.h"
-#include "SurfaceErrors.h"
 #include "Windows.h"
+#include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <filesystem>
+#include <functional>
 
 namespace hasp
 {
 namespace
 {
 
-/// A volume whose surface is known in closed form, as int16 samples.
+const glm::dvec3 Oblique = glm::normalize(glm::dvec3(-0.6, 1.0, -0.4));
+
+/// A volume whose surface is known in closed form.
 struct Case
 {
+  std::string shapeName;
   AnalyticVolume shape;
   GridGeometry geometry;
-  std::string name; ///< "gyroid256"
 };
 
+/// 64 mm across whatever the number of samples: only the voxel changes.
 Case MakeCase(const std::string& shape, int dims)
 {
-  // 64 mm across whatever the number of samples: only the voxel changes.
-  const double voxel = 64.0 / (dims - 1);
-  const GridGeometry geometry{ glm::ivec3(dims), glm::dvec3(-32.0), glm::dvec3(voxel),
+  const GridGeometry geometry{ glm::ivec3(dims), glm::dvec3(-32.0), glm::dvec3(64.0 / (dims - 1)),
     glm::dmat3(1) };
-  return { shape == "gyroid" ? AnalyticGyroid(16.0) : AnalyticSphere({ 0.1, -0.2, 0.3 }, 28.0),
-    geometry, shape + std::to_string(dims) };
+  return { shape,
+    shape == "gyroid" ? AnalyticGyroid(16.0) : AnalyticSphere({ 0.1, -0.2, 0.3 }, 28.0), geometry };
+}
+
+glm::dvec3 Gradient(const AnalyticVolume& shape, const glm::dvec3& p)
+{
+  constexpr double h = 1e-5;
+  glm::dvec3 gradient;
+  for (int a = 0; a < 3; ++a)
+  {
+    glm::dvec3 step(0.0);
+    step[a] = h;
+    gradient[a] = shape.value(p + step) - shape.value(p - step);
+  }
+  return gradient;
 }
 
 /// The first surface inside the volume's box; a ray that starts inside the solid meets its far
@@ -46,10 +62,11 @@ std::optional<TrueHit> FirstInBox(
   const Case& c, const glm::dvec3& origin, const glm::dvec3& direction)
 {
   double t0 = 0.0, t1 = 1e9;
+  const glm::dvec3 low = c.geometry.origin;
   const glm::dvec3 high = c.geometry.IndexToWorld(glm::dvec3(c.geometry.dims - 1));
   for (int a = 0; a < 3; ++a)
   {
-    const double u = (c.geometry.origin[a] - origin[a]) / direction[a];
+    const double u = (low[a] - origin[a]) / direction[a];
     const double v = (high[a] - origin[a]) / direction[a];
     t0 = std::max(t0, std::min(u, v));
     t1 = std::min(t1, std::max(u, v));
@@ -63,171 +80,129 @@ std::optional<TrueHit> FirstInBox(
   if (!t)
     return std::nullopt;
   const glm::dvec3 p = origin + *t * direction;
-  constexpr double h = 1e-5;
-  glm::dvec3 gradient;
-  for (int a = 0; a < 3; ++a)
-  {
-    glm::dvec3 step(0.0);
-    step[a] = h;
-    gradient[a] = c.shape.value(p + step) - c.shape.value(p - step);
-  }
-  return TrueHit{ p, std::abs(glm::dot(glm::normalize(gradient), direction)) };
+  // Within a voxel of the border the samples end on one side of the surface or the other.
+  const glm::dvec3 margin = glm::min(p - low, high - p) / c.geometry.spacing;
+  if (std::min({ margin.x, margin.y, margin.z }) < 1.0)
+    return TrueHit{ p, 0.0 };
+  return TrueHit{ p, std::abs(glm::dot(glm::normalize(Gradient(c.shape, p)), direction)) };
 }
 
-/// A method with its error and the time of one frame.
-struct Measured
+void CompareAll(IsosurfaceComparison& comparison, const IsosurfaceView& view)
 {
-  std::string name;
-  SurfaceErrors error;
-  Timing frame;
-  std::size_t bytes = 0;
-};
+  const auto mesh = MakeMeshMethod(view);
+  comparison.Against(*mesh, "VTK mesh", "mesh");
+  const auto direct = MakeDirectMethod(view);
+  comparison.Against(*direct, "direct ray cast", "direct");
+  for (const auto& [step, id] : { std::pair(1.0, "volume1"), std::pair(0.25, "volume025") })
+    comparison.Against(*MakeVolumeMethod(view, step), "VTK GPU volume mapper", id);
+  comparison.Finish(mesh->Bytes());
+}
 
-class Runner
+void RunAnalytic(ReportContext& context, const Case& c, int pixels)
 {
-public:
-  Runner(ReportContext& context, const Case& c)
-    : Context(context),
-      Data(c.name),
-      Voxel(c.geometry.spacing.x),
-      View(MakeImage(c.geometry, SampleAnalytic<std::int16_t>(c.shape, c.geometry, 1000.0, 0.0)),
-        0.0, context.settings.quick ? 200 : 512, context.settings.quick ? 200 : 512,
-        glm::normalize(glm::dvec3(-0.6, 1.0, -0.4))),
-      Truth(TraceTruth(
-        View, [&](const glm::dvec3& o, const glm::dvec3& d) { return FirstInBox(c, o, d); })),
-      Cells(MakeCellMethod(View))
-  {
-    this->Ours.name = this->Cells->Name();
-    this->Cells->Draw();
-    this->Ours.error = MeasureErrors(this->View, this->Truth, this->Cells->Points());
-    this->Ours.bytes = this->Cells->Bytes();
-  }
+  const auto image =
+    MakeImage(c.geometry, SampleAnalytic<std::int16_t>(c.shape, c.geometry, 1000.0, 0.0));
+  const IsosurfaceView view(image, 0.0, pixels, pixels, Oblique);
+  SurfaceTruth truth = TraceTruth(view, [&](const glm::dvec3& origin, const glm::dvec3& direction)
+    { return FirstInBox(c, origin, direction); });
+  IsosurfaceComparison comparison(context, c.shapeName + std::to_string(c.geometry.dims.x),
+    c.shapeName, c.geometry.spacing.x, view, std::move(truth));
+  CompareAll(comparison, view);
+}
 
-  /// Frames in turn with the clustered cells; rows, and a point on the rival's curve.
-  void Against(IsosurfaceMethod& rival, const std::string& method, const std::string& id)
-  {
-    this->Context.progress(0.0, "isosurface: " + this->Data + " against " + rival.Name());
-    const PairedTimes times = ComparePairs([&] { return TimeOf([&] { this->Cells->Draw(); }); },
-      [&] { return TimeOf([&] { rival.Draw(); }); }, { 1, 9 });
-    this->Ours.frame = times.a;
-    const Measured theirs{ rival.Name(), MeasureErrors(this->View, this->Truth, rival.Points()),
-      times.b, rival.Bytes() };
-
-    ReportRow row = this->Row("isosurface.frame." + id, times.ratio.median, "ratio", rival.Name());
-    row.q1 = times.ratio.q1;
-    row.q3 = times.ratio.q3;
-    row.n = times.pairs;
-    this->Context.report.rows.push_back(row);
-    this->ErrorRows(theirs, method, id);
-    this->Curve(method, theirs);
-  }
-
-  /// Once all rivals have run: our own errors, and bytes against the mesh.
-  void Finish(std::size_t meshBytes)
-  {
-    this->ErrorRows(this->Ours, "clustered cells", "cells");
-    this->Curve("clustered cells", this->Ours);
-    if (meshBytes > 0)
+/// The trilinear surface by the ray caster, itself within 1e-5 voxel of it.
+SurfaceTruth TrilinearTruth(const IsosurfaceView& view)
+{
+  const AnyGridView grid = ViewImage(view.image);
+  const MinMaxBlocks blocks(grid);
+  const RayCaster caster(grid, blocks, view.isovalue);
+  return TraceTruth(view,
+    [&](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<TrueHit>
     {
-      ReportRow row = this->Row("isosurface.bytes.mesh", double(this->Ours.bytes) / meshBytes,
-        "share", "VTK polydata with normals, 64-bit ids, as vtkFlyingEdges3D leaves it");
-      this->Context.report.rows.push_back(row);
-    }
-    for (const ResourceUse& use : this->Cells->Resources())
-      if (use.bytes == 0 && use.milliseconds == 0.0)
-        this->Unused(use);
-  }
-  const IsosurfaceView& GetView() const { return this->View; }
+      const auto hit = caster.Cast(origin, direction);
+      if (!hit)
+        return std::nullopt;
+      return TrueHit{ hit->position, std::abs(glm::dot(glm::normalize(hit->gradient), direction)) };
+    });
+}
 
-private:
-  std::string Where() const
-  {
-    return this->Data + ", int16, " + std::to_string(this->View.width) + "^2 pixels";
-  }
-  ReportRow Row(
-    const std::string& id, double value, const std::string& unit, const std::string& rival) const
+void RunRealVolume(ReportContext& context, int pixels)
+{
+  const std::string& path = context.settings.volume;
+  if (!std::filesystem::exists(path))
   {
     ReportRow row;
-    row.id = id + "@" + this->Data;
-    row.value = value;
-    row.unit = unit;
-    row.rival = rival;
-    row.error = this->Ours.error.rmsMm / this->Voxel;
-    row.errorUnit = "voxel RMS";
-    row.timeS = this->Ours.frame.wallS;
-    row.cpuS = this->Ours.frame.cpuS;
-    row.data = this->Where();
-    return row;
+    row.id = "isosurface.frame.mesh@cranium";
+    row.rival = "all methods on a real CT";
+    row.absent =
+      "no Cranium.inv3 at hand: Utilities/Scripts/cranium installs it, --volume names it";
+    context.report.rows.push_back(row);
+    return;
   }
-  /// RMS, 99th percentile, maximum and where; in voxels with millimetres beside them.
-  void ErrorRows(const Measured& m, const std::string& method, const std::string& id)
-  {
-    const auto add = [&](const std::string& what, double mm, const std::string& note)
-    {
-      ReportRow row = this->Row("isosurface." + what + "." + id, mm / this->Voxel, "voxel", m.name);
-      row.error = row.value;
-      row.errorUnit = "voxel";
-      row.timeS = m.frame.wallS;
-      row.cpuS = m.frame.cpuS;
-      row.n = m.error.pixels;
-      char text[120];
-      std::snprintf(text, sizeof text, ", %.5f mm%s; %s", mm, note.c_str(), method.c_str());
-      row.data += text;
-      this->Context.report.rows.push_back(row);
-    };
-    add("rms", m.error.rmsMm, "");
-    add("p99", m.error.p99Mm, "");
-    add("max", m.error.maxMm,
-      " at pixel " + std::to_string(m.error.maxX) + "," + std::to_string(m.error.maxY));
-    ReportRow missed = this->Row("isosurface.missed." + id, m.error.missed, "share", m.name);
-    missed.error = m.error.missed;
-    missed.errorUnit = "share of surface pixels";
-    missed.timeS = m.frame.wallS;
-    missed.cpuS = m.frame.cpuS;
-    this->Context.report.rows.push_back(missed);
-  }
-  void Curve(const std::string& method, const Measured& m)
-  {
-    const std::string id = "isosurface.error_time@" + this->Data.substr(0, 6);
-    for (ReportCurve& curve : this->Context.report.curves)
-      if (curve.id == id && curve.method == method)
-      {
-        curve.points.emplace_back(1e3 * m.frame.wallS, m.error.rmsMm);
-        return;
-      }
-    this->Context.report.curves.push_back(
-      { id, method, "ms", "mm RMS", { { 1e3 * m.frame.wallS, m.error.rmsMm } } });
-  }
-  void Unused(const ResourceUse& use)
-  {
-    for (const ResourceUse& known : this->Context.report.unused)
-      if (known.resource == use.resource)
-        return;
-    this->Context.report.unused.push_back(use);
-  }
+  const auto image = LoadVolume(OpenVolume(path, {})).image;
+  const double* spacing = image->GetSpacing();
+  const IsosurfaceView view(image, 226.0, pixels, pixels, Oblique);
+  IsosurfaceComparison comparison(context, "cranium", "cranium",
+    *std::min_element(spacing, spacing + 3), view, TrilinearTruth(view));
+  CompareAll(comparison, view);
+}
 
-  ReportContext& Context;
-  std::string Data;
-  double Voxel;
-  IsosurfaceView View;
-  SurfaceTruth Truth;
-  std::unique_ptr<IsosurfaceMethod> Cells;
-  Measured Ours;
-};
-
-void RunCase(ReportContext& context, const Case& c)
+/// The cells on one hard case against the ray caster: largest distance, in voxels.
+void AddStability(ReportContext& context, const std::string& name, const GridGeometry& geometry,
+  double scale, const std::function<void(vtkCamera*)>& place)
 {
-  Runner runner(context, c);
-  const auto mesh = MakeMeshMethod(runner.GetView());
-  runner.Against(*mesh, "VTK mesh", "mesh");
-  const auto direct = MakeDirectMethod(runner.GetView());
-  runner.Against(*direct, "direct ray cast", "direct");
-  for (const auto& [step, id] : { std::pair(1.0, "volume1"), std::pair(0.25, "volume025") })
+  const auto sphere = AnalyticSphere({ 0, 0, 0 }, 20.0);
+  IsosurfaceView view(
+    MakeImage(geometry, SampleAnalytic<std::int16_t>(sphere, geometry, scale, 0.0)), 0.0, 200, 200,
+    Oblique);
+  place(view.camera);
+  view.CameraMoved();
+  const auto cells = MakeCellMethod(view);
+  cells->Draw();
+  const SurfaceErrors errors = MeasureErrors(view, TrilinearTruth(view), cells->Points());
+  const glm::dvec3& s = geometry.spacing;
+  const double figure = errors.maxMm / std::min({ s.x, s.y, s.z });
+  constexpr double limit = 0.1;
+  context.report.stability.push_back(
+    { "isosurface.depth", name, figure <= limit && errors.missed <= 0.001 && errors.pixels > 1000,
+      figure, limit, "voxel from the exact root" });
+}
+
+void RunStability(ReportContext& context)
+{
+  const auto grid = [](const glm::dvec3& spacing)
   {
-    const auto volume = MakeVolumeMethod(runner.GetView(), step);
-    runner.Against(*volume, "VTK GPU volume mapper", id);
-  }
-  runner.Finish(mesh->Bytes());
+    const glm::ivec3 dims(glm::dvec3(48.0) / spacing + 1.0);
+    return GridGeometry{ dims, -0.5 * spacing * glm::dvec3(dims - 1), spacing, glm::dmat3(1) };
+  };
+  const auto stay = [](vtkCamera*) {};
+  AddStability(context, "spacing 1 x 1 x 1 mm", grid({ 1, 1, 1 }), 100.0, stay);
+  AddStability(context, "spacing 0.3 x 0.3 x 3 mm", grid({ 0.3, 0.3, 3.0 }), 100.0, stay);
+  AddStability(context, "a step from -32768 to 32767", grid({ 1, 1, 1 }), 1e9, stay);
+  AddStability(context, "slope of one grey level a voxel", grid({ 1, 1, 1 }), 1.0, stay);
+  AddStability(context, "parallel projection", grid({ 1, 1, 1 }), 100.0,
+    [](vtkCamera* camera)
+    {
+      camera->SetParallelProjection(true);
+      camera->SetParallelScale(25.0);
+    });
+  AddStability(context, "eye 1e6 voxels away", grid({ 1, 1, 1 }), 100.0,
+    [](vtkCamera* camera)
+    {
+      const glm::dvec3 eye = -1e6 * Oblique;
+      camera->SetPosition(eye.x, eye.y, eye.z);
+      camera->SetFocalPoint(0, 0, 0);
+      camera->SetViewAngle(0.003);
+      camera->SetClippingRange(1e6 - 50.0, 1e6 + 50.0);
+    });
+  AddStability(context, "eye inside the sphere", grid({ 1, 1, 1 }), 100.0,
+    [](vtkCamera* camera)
+    {
+      camera->SetPosition(3, 4, 5);
+      camera->SetFocalPoint(3, 5, 5);
+      camera->SetViewAngle(70.0);
+      camera->SetClippingRange(0.5, 60.0);
+    });
 }
 
 } // namespace
@@ -236,11 +211,13 @@ void ReportIsosurface(ReportContext& context)
 {
   ChooseWindows();
   context.report.machine.gl = OpenGLName();
-  const std::vector<int> sizes =
-    context.settings.quick ? std::vector{ 64, 96 } : std::vector{ 128, 256 };
+  const bool quick = context.settings.quick;
+  const int pixels = quick ? 160 : 512;
+  RunStability(context);
   for (const char* shape : { "sphere", "gyroid" })
-    for (const int size : sizes)
-      RunCase(context, MakeCase(shape, size));
+    for (const int size : quick ? std::vector{ 48, 80 } : std::vector{ 128, 256 })
+      RunAnalytic(context, MakeCase(shape, size), pixels);
+  RunRealVolume(context, pixels);
 }
 
 } // namespace hasp

@@ -118,6 +118,11 @@ void AddReportVerb(CLI::App& app, Session& session)
   verb->add_flag("--quick", options->settings.quick, "At most a minute; rows are marked quick");
   verb->add_flag("--soak", options->settings.soak, "Also what takes hours");
   verb->add_option("--seed", options->settings.seed, "Of every random case")->capture_default_str();
+  options->settings.volume = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  verb
+    ->add_option("--volume", options->settings.volume,
+      "A real CT to measure on too, bone at 226; Utilities/Scripts/cranium prints one")
+    ->capture_default_str();
   verb->add_option("--json", options->json, "Write the figures to this .json file");
   verb->add_option("--html", options->html, "Write tables and charts to this .html file");
   verb->add_flag("--quiet", session.quiet, "No progress; errors are still said");
