@@ -89,7 +89,7 @@ void main()
   if (points)
   {
     vec2 size = (highest.xy - lowest.xy) * 0.5 * viewport;
-    gl_PointSize = max(size.x, size.y) + 1.0;
+    gl_PointSize = max(size.x, size.y) + 0.0625; // rasterisers snap to 1/16 pixel at the coarsest
     gl_Position = vec4(0.5 * (lowest.xy + highest.xy), max(lowest.z, -1.0), 1.0);
     return;
   }
