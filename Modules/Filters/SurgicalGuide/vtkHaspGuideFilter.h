@@ -9,8 +9,8 @@
  *
  * The shell lies from gapMm to gapMm + thicknessMm off the isosurface, widthMm around the
  * landmarks, and nowhere under bone as seen along the withdrawal direction, so that it lifts off.
- * Slots and holes go right through it. Thesis 2.3.2 and 3.2 (Paper III), with a Euclidean transform
- * instead of the weighted one; see Distance/CoverageDistance.h.
+ * Slots and holes go right through it. Thesis 2.1.4 and 3.1.2 (Paper III), with a Euclidean
+ * transform instead of the weighted one; see Distance/CoverageDistance.h.
  *
  * Errors (vtkErrorMacro, empty output): a recipe out of range; a landmark outside the volume or
  * more than 3 mm from bone; a slot or hole that does not meet the guide; a guide that is empty,

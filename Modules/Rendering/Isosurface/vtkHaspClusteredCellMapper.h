@@ -11,10 +11,10 @@
  *   actor->SetMapper(mapper);
  *
  * The cells that the surface crosses are extracted once per volume and isovalue, with their corner
- * samples, and each is drawn as one screen rectangle in whose fragments the ray meets the trilinear
- * polynomial (thesis 3.2.2, Paper VI; the rectangle after Liu, Clapworthy, Dong 2009). Depth is
- * that of the hit and the normal is the analytic gradient, so the surface mixes with any other
- * actor.
+ * samples. Each is drawn as one point, or one screen rectangle where a point will not do, in whose
+ * fragments the ray meets the trilinear polynomial (thesis 3.2.2, Paper VI; cell rasterisation
+ * after Liu, Clapworthy, Dong 2009). Depth is that of the hit and the normal is the analytic
+ * gradient, so the surface mixes with any other actor.
  *
  * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity (VTK's
  * order-independent translucency and depth peeling); lights; clipping planes (not capped); hardware

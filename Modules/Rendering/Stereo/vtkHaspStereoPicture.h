@@ -1,7 +1,7 @@
 #ifndef vtkHaspStereoPicture_h
 #define vtkHaspStereoPicture_h
 
-#include "Grid/ResourceUse.h" // for ListResources
+#include "Grid/ResourceUse.h"             // for ListResources
 #include "vtkHaspRenderingStereoModule.h" // for export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for return values
