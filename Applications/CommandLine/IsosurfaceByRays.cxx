@@ -6,6 +6,8 @@
 #include "Isosurface/RayCaster.h"
 #include "vtkHaspVolumeView.h"
 
+#include "vtkImageData.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
