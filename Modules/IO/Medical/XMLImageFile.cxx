@@ -4,6 +4,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
@@ -56,13 +57,24 @@ vtkSmartPointer<vtkImageData> Load(
 {
   ReportProgress(progress, 0.0);
   QuietReader reader(file);
+  // The samples alone: nobody has checked how large other arrays are, and field data may hold the
+  // patient's name.
+  reader->UpdateInformation();
+  vtkInformation* scalarsInfo =
+    vtkDataObject::GetActiveFieldInformation(reader->GetOutputInformation(0),
+      vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  const char* samples = scalarsInfo ? scalarsInfo->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  reader->GetCellDataArraySelection()->DisableAllArrays();
+  reader->GetPointDataArraySelection()->DisableAllArrays();
+  reader->GetPointDataArraySelection()->EnableArray(samples);
   reader->Update();
   reader.Check();
   vtkDataArray* scalars = reader->GetOutput()->GetPointData()->GetScalars();
   if (!scalars || std::size_t(scalars->GetNumberOfTuples()) != geometry.Size())
     ThrowFileError(file, "its samples do not fill the extent it declares");
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->ShallowCopy(reader->GetOutput());
+  image->CopyStructure(reader->GetOutput());
+  image->GetPointData()->SetScalars(scalars);
   const glm::ivec3 last = geometry.dims - 1;
   image->SetExtent(0, last.x, 0, last.y, 0, last.z); // the geometry's origin is sample (0,0,0)
   image->SetOrigin(geometry.origin.x, geometry.origin.y, geometry.origin.z);

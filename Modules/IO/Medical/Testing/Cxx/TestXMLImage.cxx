@@ -3,7 +3,10 @@
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeView.h"
 
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 
 #include <limits>
 
@@ -44,6 +47,19 @@ TEST_F(XMLImage, BadFilesAreRefused)
   this->ExpectRefused(this->Write("3 4", "nan 4"), { "a.vti: ", "1 samples", "(0, 1, 0)" });
   WriteBytes(this->Folder / "a.vti", "");
   this->ExpectRefused(this->Folder / "a.vti", { "damaged" });
+}
+
+TEST_F(XMLImage, OnlyTheSamplesAreTaken)
+{
+  const auto volume = Read(this->Write("</PointData></Piece>",
+    R"(<DataArray type="Float32" Name="more" format="ascii">1 2 3 4 5 6 7 8</DataArray></PointData>
+<CellData><DataArray type="Float32" Name="cell" format="ascii">1</DataArray></CellData></Piece>
+<FieldData><Array type="String" Name="PatientName" NumberOfTuples="1" format="ascii">69 0</Array>
+</FieldData>)"));
+  EXPECT_EQ(volume.image->GetPointData()->GetNumberOfArrays(), 1);
+  EXPECT_EQ(volume.image->GetCellData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(volume.image->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(volume.passport.maximum, 8.0);
 }
 
 TEST_F(XMLImage, WhatIsWrittenReadsBackWithItsDirection)
