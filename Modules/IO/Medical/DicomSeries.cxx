@@ -50,7 +50,7 @@ std::string ListOf(const Series& series)
   for (const auto& [uid, slices] : series)
   {
     const SliceRecord& r = slices.front().record;
-    const std::string modality(r.modality);
+    const std::string modality = SafeText(r.modality);
     ++number;
     list += (number > 1 ? "; " : "") + std::to_string(number) + ": " +
             (modality.empty() ? "unknown modality" : modality) + ", " +
@@ -68,16 +68,9 @@ std::vector<DicomSlice> Choose(const std::filesystem::path& folder, Series serie
                              std::to_string(count) + " (" + ListOf(series) + ")");
   if (asked == 0 && count > 1)
     ThrowFileError(folder, "the folder holds " + std::to_string(count) + " series (" +
-                             ListOf(series) + "); choose one by its number with SetSeries");
+                             ListOf(series) +
+                             "); choose one by its number (--series, or SetSeries)");
   return std::move(std::next(series.begin(), std::max(asked, 1) - 1)->second);
-}
-
-std::string SafeText(const char* text)
-{
-  std::string safe;
-  for (; *text != '\0'; ++text)
-    safe.push_back(*text >= ' ' && *text <= '~' ? *text : '?');
-  return safe;
 }
 
 /// int16 for certain if every stored value there can be rescales to a whole number in its range.

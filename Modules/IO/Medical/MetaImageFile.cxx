@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -93,11 +94,17 @@ std::vector<double> Numbers(const std::filesystem::path& file, const Keys& keys,
   return {};
 }
 
-bool IsTrue(const Keys& keys, const char* name)
+/// True, TRUE, t, 1 and their opposites, as MetaIO takes them. What is neither is refused: a switch
+/// that is misread turns samples into others.
+bool IsTrue(const std::filesystem::path& file, const Keys& keys, const char* name, bool otherwise)
 {
   const auto found = keys.find(name);
-  return found != keys.end() &&
-         (found->second == "True" || found->second == "true" || found->second == "1");
+  if (found == keys.end())
+    return otherwise;
+  const char first = found->second.empty() ? '\0' : found->second.front();
+  if (!std::strchr("TtFf01", first) || first == '\0')
+    ThrowFileError(file, std::string(name) + " must be True or False");
+  return std::strchr("Tt1", first) != nullptr;
 }
 
 std::string Value(const Keys& keys, const char* name)
@@ -120,8 +127,11 @@ void ParseType(const std::filesystem::path& file, const Keys& keys, MetaImage& m
   if (const auto channels = Numbers(file, keys, { "ElementNumberOfChannels" }, 1);
       !channels.empty() && channels[0] != 1.0)
     ThrowFileError(file, "has " + Text(channels[0]) + " channels, must have 1");
-  meta.bigEndian = IsTrue(keys, "BinaryDataByteOrderMSB") || IsTrue(keys, "ElementByteOrderMSB");
-  meta.compressed = IsTrue(keys, "CompressedData");
+  meta.bigEndian = IsTrue(file, keys, "BinaryDataByteOrderMSB", false) ||
+                   IsTrue(file, keys, "ElementByteOrderMSB", false);
+  meta.compressed = IsTrue(file, keys, "CompressedData", false);
+  if (!IsTrue(file, keys, "BinaryData", true))
+    ThrowFileError(file, "its samples are text; only binary samples are read");
 }
 
 void ParseGeometry(const std::filesystem::path& file, const Keys& keys,
@@ -278,14 +288,13 @@ OpenedVolume OpenMetaImage(const std::filesystem::path& file, const VolumeReadSe
   ParseType(file, keys, meta);
   ParseGeometry(file, keys, settings, meta, opened.passport);
   FindData(file, keys, stream, meta);
-  if (Value(keys, "BinaryData") == "False")
-    ThrowFileError(file, "its samples are text; only binary samples are read");
   opened.passport.format = "MetaImage";
   opened.passport.geometry = meta.geometry;
   opened.passport.sampleType = SampleTypeName(meta.vtkType);
   opened.passport.compression = meta.compressed ? "zlib" : "";
   if (const std::string modality = Value(keys, "Modality"); modality.rfind("MET_MOD_", 0) == 0)
-    opened.passport.modality = modality.substr(8) == "UNKNOWN" ? "" : modality.substr(8, 16);
+    opened.passport.modality =
+      modality.substr(8) == "UNKNOWN" ? "" : SafeText(modality.substr(8, 16));
   opened.load = [meta](const ProgressFunction& progress) { return Load(meta, progress); };
   return opened;
 }

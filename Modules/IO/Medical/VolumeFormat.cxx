@@ -3,6 +3,8 @@
 #include "vtkImageData.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +16,22 @@ std::string BaseName(const std::filesystem::path& path)
 {
   const auto name = path.filename().empty() ? path.parent_path().filename() : path.filename();
   return name.string();
+}
+
+std::string LowerExtension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string SafeText(const std::string& text)
+{
+  std::string safe = text;
+  std::replace_if(
+    safe.begin(), safe.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return safe;
 }
 
 void ThrowFileError(const std::filesystem::path& file, const std::string& what)

@@ -17,6 +17,12 @@ OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSet
 /// The last part of a path: all that errors may say of it.
 std::string BaseName(const std::filesystem::path& path);
 
+/// The name's ending in lower case, with its dot: readers and writers go by it.
+std::string LowerExtension(const std::filesystem::path& path);
+
+/// Text of a file that may be shown: what is not printable ASCII becomes "?".
+std::string SafeText(const std::string& text);
+
 /// A std::runtime_error that begins with the file's base name.
 [[noreturn]] void ThrowFileError(const std::filesystem::path& file, const std::string& what);
 

@@ -76,6 +76,11 @@ TEST_F(MetaImage, BadHeadersAreRefused)
   this->ExpectHeaderRefused("ElementDataFile", "gone.raw", "gone.raw is not there");
   this->ExpectHeaderRefused("ElementDataFile", "", "no MetaImage");
   this->ExpectHeaderRefused("CompressedData", "True", "damaged");
+  this->ExpectHeaderRefused("CompressedData", "TRUE", "damaged");
+  this->ExpectHeaderRefused("CompressedData", "perhaps", "True or False");
+  this->ExpectHeaderRefused("BinaryDataByteOrderMSB", "2", "True or False");
+  for (const char* no : { "False", "FALSE", "0" })
+    this->ExpectHeaderRefused("CompressedData", std::string("False\nBinaryData = ") + no, "text");
   this->ExpectHeaderRefused("Offset", "1 2 3\nOffset = 1 2 3", "twice");
   WriteBytes(this->Folder / "b.mha", std::string(200000, 'x'));
   this->ExpectRefused(this->Folder / "b.mha", { "no MetaImage" });
@@ -91,8 +96,11 @@ TEST_F(MetaImage, LocalExternalAndSwappedSamplesAreExact)
   std::string swapped = Raw();
   for (std::size_t n = 0; n < swapped.size(); n += 2)
     std::swap(swapped[n], swapped[n + 1]);
-  WriteBytes(this->Folder / "big.mha", Header("BinaryDataByteOrderMSB", "True") + swapped);
-  ExpectSame(Read(this->Folder / "big.mha"), Meant(), Samples(Meant()));
+  for (const char* yes : { "True", "true", "TRUE", "T", "1" })
+  {
+    WriteBytes(this->Folder / "big.mha", Header("BinaryDataByteOrderMSB", yes) + swapped);
+    ExpectSame(Read(this->Folder / "big.mha"), Meant(), Samples(Meant()));
+  }
 }
 
 TEST_F(MetaImage, CompressedSamplesMustBeExactlyAsManyAsDeclared)
@@ -116,6 +124,12 @@ TEST_F(MetaImage, CompressedSamplesMustBeExactlyAsManyAsDeclared)
   const std::string whole = pack(Raw());
   WriteBytes(this->Folder / "a.mha", header + whole.substr(0, whole.size() - 20));
   this->ExpectRefused(this->Folder / "a.mha", { "cut off" });
+}
+
+TEST_F(MetaImage, TheModalityIsPrintable)
+{
+  WriteBytes(this->Folder / "a.mha", "Modality = MET_MOD_C\x1b[31mT\n" + Header() + Raw());
+  EXPECT_EQ(Read(this->Folder / "a.mha").passport.modality, "C?[31mT");
 }
 
 TEST_F(MetaImage, NotFiniteSamplesAreCountedAndPlaced)
