@@ -8,6 +8,7 @@
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
 
+#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -110,8 +111,8 @@ void ParseMain(const std::filesystem::path& file, const std::string& text,
   matrix.fileName = TextOf(samples, "filename");
   const glm::dvec3 shape = Three(file, samples, "shape"); // z, y, x
   if (glm::any(glm::lessThan(shape, glm::dvec3(1.0))) ||
-      glm::any(glm::greaterThan(shape, glm::dvec3(1e6))))
-    ThrowFileError(file, "main.plist: shape must be three numbers in [1, 1000000]");
+      glm::any(glm::greaterThan(shape, glm::dvec3(1e6))) || shape != glm::floor(shape))
+    ThrowFileError(file, "main.plist: shape must be three whole numbers in [1, 1000000]");
   matrix.dims = { int(shape.z), int(shape.y), int(shape.x) };
   CheckSampleBytes(file, matrix.dims.x, matrix.dims.y, matrix.dims.z, 2, settings.memoryLimitBytes);
   const glm::dvec3 spacing = Three(file, dict, "spacing");
@@ -120,7 +121,7 @@ void ParseMain(const std::filesystem::path& file, const std::string& text,
   passport.format = "InVesalius";
   passport.geometry.dims = matrix.dims;
   passport.geometry.spacing = spacing;
-  passport.modality = TextOf(dict, "modality");
+  passport.modality = SafeText(TextOf(dict, "modality"));
   if (passport.modality.size() > 16)
     passport.modality.clear();
   passport.hounsfield = passport.modality == "CT"; // InVesalius stores rescaled values

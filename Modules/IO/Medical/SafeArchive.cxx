@@ -4,6 +4,9 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
+#include <clocale>
+#include <limits>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -12,6 +15,30 @@ namespace hasp
 {
 namespace
 {
+
+/// While it lives, this thread's names are UTF-8. libarchive turns the names of a pax archive into
+/// the thread's encoding, and in the "C" locale gives up on any that is not ASCII.
+class UTF8Names
+{
+public:
+  UTF8Names() : Names(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr))
+  {
+    if (this->Names)
+      this->Before = uselocale(this->Names);
+  }
+  ~UTF8Names()
+  {
+    if (!this->Names)
+      return;
+    uselocale(this->Before);
+    freelocale(this->Names);
+  }
+  UTF8Names(const UTF8Names&) = delete;
+  void operator=(const UTF8Names&) = delete;
+
+private:
+  locale_t Names, Before{};
+};
 
 constexpr std::size_t EntryLimit = 4096;
 constexpr std::size_t BesideSamples = std::size_t(512) << 20; // masks and surfaces of a project
@@ -72,6 +99,7 @@ void ArchiveEntry::Read(void* into, std::size_t size) const
 void WalkArchive(const std::filesystem::path& file, std::size_t limitBytes,
   const std::function<bool(const ArchiveEntry&)>& visit)
 {
+  const UTF8Names names;
   const std::unique_ptr<archive, int (*)(archive*)> from(archive_read_new(), &archive_read_free);
   if (!from)
     throw std::bad_alloc();
@@ -82,6 +110,8 @@ void WalkArchive(const std::filesystem::path& file, std::size_t limitBytes,
   std::set<std::string> seen;
   std::string topFolder;
   std::size_t declared = 0;
+  const std::size_t most =
+    limitBytes + std::min(BesideSamples, std::numeric_limits<std::size_t>::max() - limitBytes);
   for (;;)
   {
     archive_entry* header = nullptr;
@@ -97,7 +127,7 @@ void WalkArchive(const std::filesystem::path& file, std::size_t limitBytes,
     if (!seen.insert(name).second)
       ThrowFileError(file, "the archive holds two entries of one name; it is not to be trusted");
     const std::int64_t size = archive_entry_size(header);
-    if (size < 0 || std::uint64_t(size) > limitBytes + BesideSamples - declared)
+    if (size < 0 || std::uint64_t(size) > most - declared)
       ThrowFileError(file, "the archive declares more than the memory limit of " +
                              Text(double(limitBytes) / (1 << 20)) +
                              " MiB; if it is to be trusted, raise memoryLimitBytes");

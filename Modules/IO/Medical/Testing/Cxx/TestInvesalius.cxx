@@ -4,6 +4,7 @@
 #include <archive_entry.h>
 
 #include <cstdio>
+#include <limits>
 
 namespace
 {
@@ -102,7 +103,8 @@ TEST_F(Invesalius, UntrustworthyArchivesAreRefused)
 }
 
 /// A tar entry by hand, so that it may declare what it does not hold.
-std::string TarEntry(const std::string& name, std::uint64_t size, const std::string& bytes)
+std::string TarEntry(
+  const std::string& name, std::uint64_t size, const std::string& bytes, char type = '0')
 {
   std::string header(512, '\0');
   header.replace(0, name.size(), name);
@@ -111,7 +113,7 @@ std::string TarEntry(const std::string& name, std::uint64_t size, const std::str
   std::snprintf(octal, sizeof(octal), "%011lo", static_cast<unsigned long>(size));
   header.replace(124, 11, octal);
   header.replace(148, 8, "        ");
-  header[156] = '0';
+  header[156] = type;
   header.replace(257, 8, std::string("ustar\00000", 8));
   unsigned sum = 0;
   for (const char c : header)
@@ -128,10 +130,33 @@ TEST_F(Invesalius, SizeBombIsRefusedUnread)
     TarEntry("t/main.plist", List().size(), List()) + TarEntry("t/matrix.dat", Raw().size(), Raw());
   WriteBytes(file, good + std::string(1024, '\0'));
   ExpectSame(Read(file), Meant(), Samples(Meant()));
+  hasp::VolumeReadSettings noLimit;
+  // So large that what is allowed beside the samples must not be added to it.
+  noLimit.memoryLimitBytes = std::numeric_limits<std::size_t>::max() - (std::size_t(512) << 20) + 1;
+  ExpectSame(Read(file, noLimit), Meant(), Samples(Meant()));
   WriteBytes(file, good + TarEntry("t/bomb", std::uint64_t(6) << 30, ""));
   this->ExpectRefused(file, { "memory limit" });
   WriteBytes(file, TarEntry("t/bomb", std::uint64_t(6) << 30, "") + good);
   this->ExpectRefused(file, { "memory limit" });
+}
+
+/// As Python's tarfile writes a name that is not ASCII: a pax record in UTF-8 goes before.
+std::string PaxEntry(const std::string& name, const std::string& bytes)
+{
+  const std::string record = " path=" + name + "\n";
+  const std::string pax = std::to_string(record.size() + 2) + record;
+  return TarEntry("././@PaxHeader", pax.size(), pax, 'x') + TarEntry("t/?", bytes.size(), bytes);
+}
+
+TEST_F(Invesalius, NamesOfTheWorldAreRead)
+{
+  for (const std::string folder : { "Cr\xC3\xA2nio", "\xD0\xA7\xD0\xB5\xD1\x80\xD0\xB5\xD0\xBF" })
+  {
+    const auto file = this->Folder / (folder + ".inv3");
+    WriteBytes(file, PaxEntry(folder + "/main.plist", List()) +
+                       PaxEntry(folder + "/matrix.dat", Raw()) + std::string(1024, '\0'));
+    ExpectSame(Read(file), Meant(), Samples(Meant()));
+  }
 }
 
 TEST_F(Invesalius, CutOffAndForeignFilesAreRefused)
@@ -159,6 +184,7 @@ TEST_F(Invesalius, BadPropertyListsAreRefused)
   this->ExpectListRefused("<integer>8</integer>", "<integer>0</integer>", "shape");
   this->ExpectListRefused("<integer>8</integer>", "<integer>99999</integer>", "bytes");
   this->ExpectListRefused("<integer>8</integer>", "<integer>1e30</integer>", "shape");
+  this->ExpectListRefused("<integer>8</integer>", "<integer>8.5</integer>", "whole");
   this->ExpectListRefused("<integer>8</integer>", "", "three numbers");
   this->ExpectListRefused("<real>0.5</real>", "<real>0</real>", "spacing");
   this->ExpectListRefused("<real>0.5</real>", "<real>nan</real>", "no number");
