@@ -56,8 +56,17 @@ std::string UseText(
 int Complain(Session& session, ExitCode code, const std::string& text)
 {
   session.progress.Wipe();
-  std::cerr << "hasp: " << WithoutFolders(text, session.paths) << "\n";
+  std::cerr << "hasp: " << WithoutFolders(text, session.words) << "\n";
   return static_cast<int>(code);
+}
+
+/// Nobody may take the missing half of a result for the whole.
+int Printed(Session& session, int code)
+{
+  if (std::cout.flush() || code != static_cast<int>(ExitCode::Ok))
+    return code;
+  return Complain(session, ExitCode::WrongUse,
+    "standard output cannot be written to; the result was not printed whole");
 }
 
 int Run(Session& session)
@@ -86,7 +95,7 @@ int Run(Session& session)
 int RunCommandLine(int count, char** arguments)
 {
   Session session;
-  session.paths.assign(arguments + 1, arguments + count);
+  session.words.assign(arguments + 1, arguments + count);
   CaptureVtkMessages();
   CLI::App app("", "hasp");
   Describe(app);
@@ -97,13 +106,13 @@ int RunCommandLine(int count, char** arguments)
   }
   catch (const CLI::Success& help) // --help, --version
   {
-    return app.exit(help);
+    return Printed(session, app.exit(help));
   }
   catch (const CLI::Error& error)
   {
-    return Complain(session, ExitCode::WrongUse, UseText(app, session.paths, error));
+    return Complain(session, ExitCode::WrongUse, UseText(app, session.words, error));
   }
-  return Run(session);
+  return Printed(session, Run(session));
 }
 
 } // namespace hasp

@@ -1,14 +1,15 @@
 #include "Files.h"
 
 #include "Failure.h"
+#include "vtkHaspOutputFile.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <filesystem>
+#include <set>
+#include <stdexcept>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -17,6 +18,14 @@ namespace hasp
 {
 namespace
 {
+
+struct LongestFirst
+{
+  bool operator()(const std::string& a, const std::string& b) const
+  {
+    return a.size() != b.size() ? a.size() > b.size() : a < b;
+  }
+};
 
 std::string Lower(std::string text)
 {
@@ -31,13 +40,9 @@ fs::path FolderOf(const std::string& path)
   return folder.empty() ? fs::path(".") : folder;
 }
 
-/// Beside the file and with its ending, which writers go by; the process number keeps two runs
-/// apart.
-std::string PendingName(const std::string& path)
+fs::path WithoutLastSlash(const fs::path& path)
 {
-  std::string name = ".pending-" + std::to_string(getpid());
-  name.append("-").append(BaseName(path));
-  return (FolderOf(path) / name).string();
+  return path.has_filename() ? path : path.parent_path();
 }
 
 Failure CannotWrite(const std::string& path, const std::string& reason)
@@ -57,73 +62,29 @@ void RequireEnding(const std::string& path, const std::vector<std::string>& endi
   throw CannotWrite(path, "its name must end in " + known);
 }
 
-/// A file descriptor that closes itself, and removes its file unless told to keep it.
-class NewFile
-{
-public:
-  explicit NewFile(std::string path) : Path(std::move(path))
-  {
-    this->Descriptor = open(this->Path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (this->Descriptor < 0)
-      throw std::system_error(errno, std::generic_category());
-  }
-  ~NewFile()
-  {
-    if (this->Descriptor >= 0)
-      close(this->Descriptor);
-    if (!this->Path.empty())
-      unlink(this->Path.c_str());
-  }
-  NewFile(const NewFile&) = delete;
-  void operator=(const NewFile&) = delete;
-
-  void Write(std::string_view bytes)
-  {
-    while (!bytes.empty())
-    {
-      const ssize_t written = write(this->Descriptor, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR)
-        throw std::system_error(errno, std::generic_category());
-      bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
-  }
-  void RenameTo(const std::string& path)
-  {
-    if (fsync(this->Descriptor) != 0 || rename(this->Path.c_str(), path.c_str()) != 0)
-      throw std::system_error(errno, std::generic_category());
-    this->Path.clear();
-  }
-
-private:
-  std::string Path;
-  int Descriptor = -1;
-};
-
 } // namespace
 
 std::string BaseName(const std::string& path)
 {
-  const fs::path p = fs::path(path).lexically_normal();
-  return (p.has_filename() ? p : p.parent_path()).filename().string();
+  return WithoutLastSlash(fs::path(path).lexically_normal()).filename().string();
 }
 
-std::string WithoutFolders(std::string text, const std::vector<std::string>& paths)
+std::string WithoutFolders(std::string text, const std::vector<std::string>& words)
 {
-  const auto remove = [&](const fs::path& folder)
-  {
-    const std::string prefix = folder.string() + "/";
-    if (prefix.size() > 1)
-      for (auto at = text.find(prefix); at != text.npos; at = text.find(prefix, at))
-        text.erase(at, prefix.size());
-  };
-  for (const std::string& path : paths)
-  {
-    const fs::path given =
-      fs::path(path).has_filename() ? fs::path(path) : fs::path(path).parent_path();
-    std::error_code ignored; // an absolute form that cannot be made cannot be shown either
-    remove(fs::absolute(given, ignored).lexically_normal().parent_path());
-    remove(given.parent_path());
-  }
+  std::set<std::string, LongestFirst> folders; // else /a/ takes its part of /a/b/ and b/ is shown
+  for (const std::string& word : words)
+    for (const std::string& path : { word, word.substr(word.find('=') + 1) }) // --output=here/x.png
+    {
+      const fs::path given = WithoutLastSlash(path);
+      std::error_code ignored; // an absolute form that cannot be made cannot be shown either
+      folders.insert(fs::absolute(given, ignored).lexically_normal().parent_path().string() + "/");
+      folders.insert(given.parent_path().string() + "/");
+    }
+  folders.erase("/");
+  folders.erase("//");
+  for (const std::string& folder : folders)
+    for (auto at = text.find(folder); at != text.npos; at = text.find(folder, at))
+      text.erase(at, folder.size());
   return text;
 }
 
@@ -143,33 +104,16 @@ void RequireWritable(const std::string& path, const std::vector<std::string>& en
     throw CannotWrite(path, "its folder is not yours to write to; choose another");
 }
 
-void WriteFileAtomically(const std::string& path, std::string_view bytes)
+void WriteFile(const std::string& path, std::string_view bytes)
 {
   try
   {
-    NewFile file(PendingName(path));
-    file.Write(bytes);
-    file.RenameTo(path);
+    WriteBytes(bytes, path);
   }
-  catch (const std::system_error& error)
+  catch (const std::runtime_error& error)
   {
-    throw CannotWrite(path, error.code().message());
+    throw Failure(ExitCode::WrongUse, error.what());
   }
-}
-
-PendingFile::PendingFile(const std::string& path) : Target(path), Pending(PendingName(path)) {}
-
-PendingFile::~PendingFile()
-{
-  if (!this->Pending.empty())
-    unlink(this->Pending.c_str());
-}
-
-void PendingFile::Keep()
-{
-  if (rename(this->Pending.c_str(), this->Target.c_str()) != 0)
-    throw CannotWrite(this->Target, std::generic_category().message(errno));
-  this->Pending.clear();
 }
 
 void RequireInput(const std::string& path)

@@ -1,6 +1,7 @@
 #include "Session.h"
 
 #include "Explain.h"
+#include "Failure.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -8,10 +9,38 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <iostream>
 
 namespace hasp
 {
+
+namespace
+{
+
+std::string Text(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// What --explain and --json ask for.
+void PrintResult(Session& session)
+{
+  session.progress.Wipe();
+  if (session.explain && !session.json)
+    std::cout << ExplainTable(session.resources);
+  if (!session.json)
+    return;
+  if (session.explain)
+    session.result["resources"] = ExplainJson(session.resources);
+  // Names in files need not be UTF-8; what is not is replaced, so that the document always parses.
+  std::cout << session.result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << "\n";
+}
+
+} // namespace
 
 Session::Session() : progress(std::cerr) {}
 
@@ -21,6 +50,19 @@ void AddCommonOptions(CLI::App& verb, Session& session)
   verb.add_flag("--explain", session.explain,
     "List what was built and what was skipped, with bytes and milliseconds");
   verb.add_flag("--json", session.json, "Print results (and --explain) as one JSON document");
+}
+
+CLI::Validator Within(double least, double most)
+{
+  const std::string range = Text(least) + " to " + Text(most);
+  return { [least, most, range](std::string& given)
+    {
+      double value = 0.0;
+      const bool number = CLI::detail::lexical_cast(given, value);
+      return number && value >= least && value <= most ? std::string()
+                                                       : given + " is not in " + range;
+    },
+    range };
 }
 
 void ShowProgress(Session& session, vtkAlgorithm* algorithm)
@@ -39,17 +81,17 @@ void ShowProgress(Session& session, vtkAlgorithm* algorithm)
 void RunSession(Session& session)
 {
   session.progress.SetStyle(session.quiet ? ProgressLine::Style::Quiet : StyleOfStderr());
-  session.run();
-  session.progress.Wipe();
-  if (session.explain && !session.json)
-    std::cout << ExplainTable(session.resources);
-  if (!session.json)
-    return;
-  if (session.explain)
-    session.result["resources"] = ExplainJson(session.resources);
-  // Names in files need not be UTF-8; what is not is replaced, so that the document always parses.
-  std::cout << session.result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-            << "\n";
+  try
+  {
+    session.run();
+  }
+  catch (const Failure& failure)
+  {
+    if (failure.code == ExitCode::FailedCheck) // what was measured says why
+      PrintResult(session);
+    throw;
+  }
+  PrintResult(session);
 }
 
 } // namespace hasp

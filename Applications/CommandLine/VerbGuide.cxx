@@ -65,13 +65,25 @@ vtkSmartPointer<vtkPolyData> MakeGuide(
   return guide;
 }
 
+GuideCertificate Certify(const std::string& stl, vtkImageData* volume, const GuideRecipe& recipe)
+{
+  try
+  {
+    return CertifyGuide(stl, volume, recipe);
+  }
+  catch (const std::exception& error) // what cannot be measured does not hold
+  {
+    throw Failure(ExitCode::FailedCheck, error.what());
+  }
+}
+
 /// Prints the certificate; throws Failure: FailedCheck if it does not hold.
 void Check(const std::string& stl, vtkImageData* volume, const GuideRecipe& recipe,
   double leastShare, Session& session)
 {
   session.progress.Step("measuring the guide as written");
   const auto start = std::chrono::steady_clock::now();
-  const GuideCertificate certificate = CertifyGuide(stl, volume, recipe);
+  const GuideCertificate certificate = Certify(stl, volume, recipe);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back({ "certificate", 0, spent.count(), "--check; released again" });
   const std::vector<std::string> faults = FaultsOf(certificate, leastShare);
@@ -94,21 +106,25 @@ void Run(const GuideOptions& options, Session& session)
   const GuideRecipe recipe = ReadRecipe(options.recipe);
   const LoadedVolume volume = ReadVolume(options.input, options.series, session);
   const auto guide = MakeGuide(volume.image, recipe, session);
-  PendingFile file(options.output); // gone again unless the checks hold
+  const auto inspect = [&](const std::string& pendingFile)
+  {
+    if (options.check)
+      Check(pendingFile, volume.image, recipe, options.leastShare, session);
+    else
+      session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
+  };
   try
   {
-    WriteSurface(guide, file.Path());
+    WriteSurface(guide, options.output, inspect);
   }
-  catch (const std::exception&)
+  catch (const Failure&)
   {
-    throw Failure(ExitCode::WrongUse,
-      "cannot write " + BaseName(options.output) + "; is there room, and may you write there?");
+    throw;
   }
-  if (options.check)
-    Check(file.Path(), volume.image, recipe, options.leastShare, session);
-  else
-    session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
-  file.Keep();
+  catch (const std::exception& error)
+  {
+    throw Failure(ExitCode::WrongUse, error.what());
+  }
   session.result["output"] = BaseName(options.output);
 }
 
@@ -128,7 +144,7 @@ void AddGuideVerb(CLI::App& app, Session& session)
   verb
     ->add_option("--least-share", options->leastShare,
       "Of the inner wall that must be within 0.2 mm of the gap")
-    ->check(CLI::Range(0.0, 1.0))
+    ->check(Within(0.0, 1.0))
     ->capture_default_str();
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp guide head.mha --recipe guide.json --output guide.stl --check\n"

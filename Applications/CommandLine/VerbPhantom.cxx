@@ -79,10 +79,10 @@ void AddPhantomVerb(CLI::App& app, Session& session)
     ->required();
   verb->add_option("--spacing", options->spacing, "x,y,z in mm; one value each, may differ")
     ->delimiter(',')
-    ->check(CLI::Range(0.05, 50.0))
+    ->check(Within(0.05, 50.0))
     ->capture_default_str();
   verb->add_option("--noise", options->settings.noiseHU, "Standard deviation of added noise, HU")
-    ->check(CLI::Range(0.0, 1000.0))
+    ->check(Within(0.0, 1000.0))
     ->capture_default_str();
   verb->add_option("--seed", options->settings.seed, "Of the noise")->capture_default_str();
   verb->add_flag("--intact", options->intact, "Without the hole in the right frontal bone");

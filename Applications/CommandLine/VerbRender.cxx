@@ -38,7 +38,7 @@ void Run(const Choices& choices, Session& session)
     session.resources.push_back(
       { "volume without small pieces", 0, 0.0, "no --ignore-below was given" });
   RenderScene scene(image, choices.render, session);
-  WriteFileAtomically(choices.output, scene.DrawPng());
+  WriteFile(choices.output, scene.DrawPng());
   session.result["output"] = BaseName(choices.output);
 }
 
@@ -56,7 +56,7 @@ void AddCameraOptions(CLI::App& verb, CameraOptions& camera)
   verb.add_option("--view-up", camera.viewUp, "x,y,z that points up in the picture, in LPS")
     ->delimiter(',');
   verb.add_option("--zoom", camera.zoom, "2 shows half as much")
-    ->check(CLI::Range(0.01, 100.0))
+    ->check(Within(0.01, 100.0))
     ->capture_default_str();
 }
 
@@ -69,10 +69,10 @@ void AddLookOptions(CLI::App& verb, Choices& choices)
     ->capture_default_str();
   verb.add_option("--color", render.color, "r,g,b of the isosurface, 0 to 1")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(Within(0.0, 1.0));
   verb.add_option("--background", render.background, "r,g,b, 0 to 1")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(Within(0.0, 1.0));
   verb
     .add_option("--stereo", choices.stereo,
       "mono, side-by-side, top-bottom, left, right or anaglyph; two eyes make the picture twice "
@@ -80,7 +80,7 @@ void AddLookOptions(CLI::App& verb, Choices& choices)
     ->check(CLI::IsMember({ "mono", "side-by-side", "top-bottom", "left", "right", "anaglyph" }))
     ->capture_default_str();
   verb.add_option("--eye-angle", render.eyeAngle, "Degrees between the eyes, seen from the middle")
-    ->check(CLI::Range(0.0, 90.0))
+    ->check(Within(0.0, 90.0))
     ->capture_default_str();
 }
 

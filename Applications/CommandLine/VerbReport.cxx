@@ -10,8 +10,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 
 namespace hasp
 {
@@ -36,17 +38,20 @@ std::string KnownReports()
 
 std::vector<const ReportEntry*> Chosen(const std::vector<std::string>& names)
 {
+  const auto named = [&](const std::string& name)
+  { return std::find(names.begin(), names.end(), name) != names.end(); };
   std::vector<const ReportEntry*> chosen;
-  for (const std::string& name : names)
+  std::set<std::string> known{ "all" };
+  for (const ReportEntry& entry : ReportRegistry())
   {
-    const std::size_t before = chosen.size();
-    for (const ReportEntry& entry : ReportRegistry())
-      if (name == "all" || name == entry.name)
-        chosen.push_back(&entry);
-    if (chosen.size() == before)
+    known.insert(entry.name);
+    if (named("all") || named(entry.name)) // once, however often it is named
+      chosen.push_back(&entry);
+  }
+  for (const std::string& name : names)
+    if (!known.contains(name))
       throw Failure(
         ExitCode::WrongUse, "unknown report '" + name + "'; known are " + KnownReports());
-  }
   return chosen;
 }
 
@@ -79,9 +84,9 @@ void Deliver(const ReportOptions& options, const std::vector<Report>& reports)
     std::cout << ReportText(report);
   const std::vector<std::string> faults = ReportFaults(reports);
   if (!options.html.empty())
-    WriteFileAtomically(options.html, ReportHtml(reports));
+    WriteFile(options.html, ReportHtml(reports));
   if (!options.json.empty() && faults.empty())
-    WriteFileAtomically(options.json, ReportJson(reports));
+    WriteFile(options.json, ReportJson(reports));
   if (faults.empty())
     return;
   std::string all = "the report does not hold:";

@@ -44,14 +44,15 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
-HaspRun RunHasp(const std::vector<std::string>& arguments)
+HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device)
 {
   const fs::path base = fs::temp_directory_path() / ("hasp-run-" + std::to_string(getpid()));
   const std::string out = base.string() + ".out", err = base.string() + ".err";
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
+  posix_spawn_file_actions_addopen(
+    &actions, STDOUT_FILENO, device.empty() ? out.c_str() : device.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
   std::vector<std::string> words{ HASP_PROGRAM };
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -13,8 +13,9 @@ struct HaspRun
   std::string err;
 };
 
-/// Runs bin/hasp with these arguments, without a display, its output caught.
-HaspRun RunHasp(const std::vector<std::string>& arguments);
+/// Runs bin/hasp with these arguments, without a display, its output caught; or, where a device is
+/// named, its standard output sent there.
+HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device = {});
 
 /// A folder of its own for a test, removed afterwards. Its name is a canary: no text may show it.
 class HaspTest : public testing::Test

@@ -43,37 +43,21 @@ TEST_F(Files, WhatCannotBeWrittenLeavesNothing)
   EXPECT_THROW(hasp::RequireWritable(this->Path("x.png"), { ".stl" }), hasp::Failure);
   EXPECT_THROW(hasp::RequireWritable(this->folder.string(), {}), hasp::Failure);
   EXPECT_THROW(hasp::RequireWritable("/dev/null", {}), hasp::Failure);
-  EXPECT_THROW(hasp::WriteFileAtomically(this->Path("none/x"), "text"), hasp::Failure);
+  EXPECT_THROW(hasp::WriteFile(this->Path("none/x"), "text"), hasp::Failure);
   fs::create_directories(this->folder / "taken" / "inner");
-  EXPECT_THROW(hasp::WriteFileAtomically(this->Path("taken"), "text"), hasp::Failure);
+  EXPECT_THROW(hasp::WriteFile(this->Path("taken"), "text"), hasp::Failure);
   EXPECT_EQ(this->Count(), 1); // the folder made above
 }
 
 TEST_F(Files, AFileIsReplacedAsAWhole)
 {
-  hasp::WriteFileAtomically(this->Path("x"), "a long old text");
-  hasp::WriteFileAtomically(this->Path("x"), std::string("a\0b", 3));
+  hasp::WriteFile(this->Path("x"), "a long old text");
+  hasp::WriteFile(this->Path("x"), std::string("a\0b", 3));
   EXPECT_EQ(this->Read("x"), std::string("a\0b", 3));
-  EXPECT_EQ(this->Count(), 1);
-}
-
-TEST_F(Files, APendingFileStaysOnlyIfKept)
-{
-  hasp::WriteFileAtomically(this->Path("g.stl"), "old");
-  {
-    hasp::PendingFile pending(this->Path("g.stl"));
-    EXPECT_EQ(fs::path(pending.Path()).extension(), ".stl"); // writers go by the ending
-    std::ofstream(pending.Path()) << "bad";
-  }
-  EXPECT_EQ(this->Read("g.stl"), "old");
-  {
-    hasp::PendingFile pending(this->Path("g.stl"));
-    std::ofstream(pending.Path()) << "good";
-    pending.Keep();
-  }
-  EXPECT_EQ(this->Read("g.stl"), "good");
-  hasp::PendingFile nothing(this->Path("h.stl"));
-  EXPECT_THROW(nothing.Keep(), hasp::Failure);
+  fs::permissions(this->folder / "x", fs::perms::owner_read | fs::perms::owner_write);
+  hasp::WriteFile(this->Path("x"), "new");
+  EXPECT_EQ(fs::status(this->folder / "x").permissions(), // as open as the old one, not more
+    fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(this->Count(), 1);
 }
 
@@ -86,6 +70,9 @@ TEST_F(Files, FoldersAreTakenOutOfTexts)
     "cannot open head.mha: no");
   EXPECT_EQ(
     hasp::WithoutFolders("in " + fs::absolute(given).string() + "!", { given }), "in head.mha!");
+  EXPECT_EQ(
+    hasp::WithoutFolders("in /a/Erika/x.stl", { "/a/head.mha", "/a/Erika/x.stl" }), "in x.stl");
+  EXPECT_EQ(hasp::WithoutFolders("in /a/Erika/x.stl", { "--surface=/a/Erika/x.stl" }), "in x.stl");
   EXPECT_EQ(hasp::WithoutFolders("a / b", { "/", "--json", "" }), "a / b");
 }
 

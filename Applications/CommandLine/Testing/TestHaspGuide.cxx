@@ -63,6 +63,7 @@ TEST_F(HaspGuide, BadRecipesAreTwoAndLeaveNothing)
   json recipe = Recipe();
   recipe["gapMm"] = -1;
   ExpectFailure(this->Guide(recipe), 2, "gapMm");
+  ExpectFailure(this->Guide(Recipe(), { "--check", "--least-share", "nan" }), 1, "least-share");
   recipe = Recipe();
   recipe["landmarks"][1] = { 900, 900, 900 };
   ExpectFailure(this->Guide(recipe), 2, "landmark");
@@ -91,7 +92,9 @@ TEST_F(HaspGuide, AGuideThatDoesNotHoldIsThreeAndNotKept)
   this->FinePhantom();
   this->WriteText("guide.stl", "old");
   // Nothing on a grid of 0.7 mm is within 0.2 mm everywhere.
-  ExpectFailure(this->Guide(Recipe(), { "--check", "--least-share", "1" }), 3, "was not kept");
+  const HaspRun run = this->Guide(Recipe(), { "--check", "--json", "--least-share", "1" });
+  ExpectFailure(run, 3, "was not kept");
+  EXPECT_EQ(json::parse(run.out).at("certificate").at("faults").size(), 1u);
   EXPECT_EQ(ReadBytes(this->Path("guide.stl")), "old");
   EXPECT_EQ(this->Names().size(), 3u);
 }

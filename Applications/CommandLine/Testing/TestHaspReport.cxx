@@ -22,11 +22,11 @@ TEST_F(HaspReport, WrongUseIsOne)
 
 TEST_F(HaspReport, WritesWhatItMeasured)
 {
-  const HaspRun run = RunHasp({ "report", "stereo", "--quick", "--seed", "7", "--json",
+  const HaspRun run = RunHasp({ "report", "stereo", "stereo", "--quick", "--seed", "7", "--json",
     this->Path("s.json"), "--html", this->Path("s.html") });
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const auto report = nlohmann::json::parse(ReadBytes(this->Path("s.json")));
-  EXPECT_EQ(report.at("report"), "stereo");
+  EXPECT_EQ(report.at("report"), "stereo"); // once, though named twice
   EXPECT_EQ(report.at("seed"), 7);
   EXPECT_EQ(report.at("quick"), true);
   for (const auto& row : report.at("rows"))

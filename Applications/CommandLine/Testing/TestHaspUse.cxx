@@ -22,7 +22,8 @@ TEST_F(HaspUse, AValueOutOfRangeIsOne)
   for (const std::vector<std::string>& bad :
     std::vector<std::vector<std::string>>{ { "--stereo", "quad" }, { "--mapper", "splats" },
       { "--resolution", "0,10" }, { "--resolution", "10" }, { "--color", "2,0,0" },
-      { "--zoom", "0" }, { "--view", "inside" }, { "--eye-angle", "91" },
+      { "--zoom", "0" }, { "--zoom", "nan" }, { "--eye-angle", "nan" }, { "--color", "nan,0,0" },
+      { "--background", "0,nan,0" }, { "--view", "inside" }, { "--eye-angle", "91" },
       { "--view", "left", "--camera-direction", "1,0,0" } })
   {
     std::vector<std::string> words{ "render", "head.mha", "--isovalue", "1", "--output", out };
@@ -30,6 +31,15 @@ TEST_F(HaspUse, AValueOutOfRangeIsOne)
     ExpectFailure(RunHasp(words), 1, bad.front());
   }
   EXPECT_TRUE(this->Names().empty());
+}
+
+TEST_F(HaspUse, WhatCannotBePrintedIsOne)
+{
+  const std::string volume = this->Phantom();
+  for (const std::vector<std::string>& words :
+    std::vector<std::vector<std::string>>{ { "info", volume }, { "info", volume, "--json" },
+      { "info", volume, "--explain" }, { "--version" }, { "--help" } })
+    ExpectFailure(RunHasp(words, "/dev/full"), 1, "standard output cannot be written to");
 }
 
 TEST_F(HaspUse, EveryVerbHelpsWithExamplesAndExitCodes)

@@ -1,5 +1,6 @@
 #include "AtomicFile.h"
 #include "VolumeFormat.h"
+#include "vtkHaspOutputFile.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -34,7 +35,9 @@ AtomicFile::AtomicFile(const std::filesystem::path& file) : Target(file)
   do
   {
     std::ostringstream unique;
-    unique << '.' << file.filename().string() << '.' << getpid() << '-' << counter++ << ".tmp";
+    // Cut: with what is added, a name as long as may be would be too long.
+    unique << '.' << file.filename().string().substr(0, 200) << '.' << getpid() << '-' << counter++
+           << ".tmp";
     name = FolderOf(file) / unique.str();
     this->Descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (this->Descriptor < 0 && errno == EEXIST);
@@ -98,6 +101,13 @@ void AtomicFile::Commit()
     if (failed)
       this->Throw("is written but may not survive a power cut");
   }
+}
+
+void WriteBytes(std::string_view bytes, const std::string& path)
+{
+  AtomicFile output(std::filesystem::u8path(path));
+  output.Write(bytes.data(), bytes.size());
+  output.Commit();
 }
 
 } // namespace hasp

@@ -57,12 +57,13 @@ void Append(const TriangleMesh& mesh, const glm::uvec3& triangle, std::vector<ch
 
 } // namespace
 
-void WriteSurface(vtkPolyData* surface, const std::string& path)
+void WriteSurface(vtkPolyData* surface, const std::string& path,
+  const std::function<void(const std::string&)>& inspect)
 {
   const TriangleMesh mesh = MakeTriangleMesh(surface);
   CheckMesh(surface, mesh);
   const std::filesystem::path file = std::filesystem::u8path(path);
-  if (file.extension() != ".stl")
+  if (LowerExtension(file) != ".stl")
     ThrowFileError(file, "surfaces are written as .stl; give the name this ending");
   AtomicFile output(file);
   std::string header = "Hasp " HASP_VERSION " SPACE=LPS; UNIT=mm";
@@ -81,6 +82,8 @@ void WriteSurface(vtkPolyData* surface, const std::string& path)
     }
   }
   output.Write(piece.data(), piece.size());
+  if (inspect)
+    inspect(output.TemporaryName().string());
   output.Commit();
 }
 

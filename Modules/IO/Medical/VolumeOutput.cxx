@@ -80,7 +80,7 @@ void WriteVolume(vtkImageData* image, const std::string& path)
 {
   const AnyGridView grid = ViewImage(image); // refuses what no reader of ours would take
   const std::filesystem::path file = std::filesystem::u8path(path);
-  const std::string extension = file.extension().string();
+  const std::string extension = LowerExtension(file);
   if (extension == ".vti")
     WriteXML(file, image);
   else if (extension == ".mha")

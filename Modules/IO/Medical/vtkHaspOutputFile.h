@@ -3,7 +3,9 @@
 
 #include "vtkHaspIOMedicalModule.h" // for export macro
 
-#include <string> // for paths
+#include <functional>  // for inspection
+#include <string>      // for paths
+#include <string_view> // for bytes
 
 class vtkImageData;
 class vtkPolyData;
@@ -22,7 +24,13 @@ VTKHASPIOMEDICAL_EXPORT void WriteVolume(vtkImageData* image, const std::string&
 /// Binary STL, world millimetres in LPS, float32, normals from the triangles' corners; the 80-byte
 /// header says "Hasp <version> SPACE=LPS; UNIT=mm". Refused: no triangles, polygons or strips (run
 /// vtkTriangleFilter), points that are not finite in float32, more than 2^32 - 1 triangles.
-VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::string& path);
+/// `inspect` is given the name of the whole file before it is put in place: if it throws, the file
+/// is gone and the earlier one as it was.
+VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::string& path,
+  const std::function<void(const std::string& pendingFile)>& inspect = {});
+
+/// These bytes, whatever the file's ending.
+VTKHASPIOMEDICAL_EXPORT void WriteBytes(std::string_view bytes, const std::string& path);
 
 } // namespace hasp
 

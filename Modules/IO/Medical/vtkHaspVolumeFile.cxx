@@ -7,7 +7,6 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -23,8 +22,9 @@ void CheckSettings(const VolumeReadSettings& s)
   if (s.series < 0)
     throw std::invalid_argument("series is " + std::to_string(s.series) + ", must be >= 0");
   for (const double seconds : { s.decoderSilenceSeconds, s.decoderTotalSeconds })
-    if (!(seconds > 0.0 && std::isfinite(seconds)))
-      throw std::invalid_argument("decoder time limit is " + Text(seconds) + " s, must be > 0");
+    if (!(seconds > 0.0 && seconds <= 1e6))
+      throw std::invalid_argument(
+        "decoder time limit is " + Text(seconds) + " s, must be in (0, 1000000]");
 }
 
 bool IsOneDicomFile(const std::filesystem::path& file)
@@ -108,9 +108,7 @@ OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSetti
     return OpenDicomFolder(file, settings, progress);
   if (!std::filesystem::is_regular_file(status))
     ThrowFileError(file, "is neither a file nor a folder");
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = LowerExtension(file);
   if (extension == ".inv3")
     return OpenInvesalius(file, settings);
   if (extension == ".mha" || extension == ".mhd")
@@ -133,6 +131,9 @@ OpenedVolume OpenVolume(
     throw std::invalid_argument("no file or folder is named");
   const std::filesystem::path file = std::filesystem::u8path(path);
   OpenedVolume opened = OpenByKind(file, settings, progress);
+  if (settings.series > opened.passport.seriesFound)
+    ThrowFileError(file, "series " + std::to_string(settings.series) +
+                           " was asked for, but only a folder of DICOM slices has several");
   opened.baseName = BaseName(file);
   return opened;
 }

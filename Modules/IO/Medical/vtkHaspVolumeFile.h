@@ -44,8 +44,9 @@ struct VolumeReadSettings
   std::size_t memoryLimitBytes = std::size_t(4)
                                  << 30; ///< of the samples; checked before any is taken
   std::size_t decoderMemoryBytes = std::size_t(2) << 30; ///< of the DICOM child process, all in all
-  double decoderSilenceSeconds = 30.0; ///< the child is ended after so long without an answer, > 0
-  double decoderTotalSeconds = 600.0;  ///< or after so long in all, > 0
+  double decoderSilenceSeconds = 30.0; ///< the child is ended after so long without an answer,
+                                       ///< in (0, 1e6]
+  double decoderTotalSeconds = 600.0;  ///< or after so long in all, in (0, 1e6]
 };
 
 /// A file whose header has been read and found good. `load` decodes the samples.

@@ -90,8 +90,13 @@ TEST_F(VolumeReader, BadSettingsAreRefused)
   hasp::VolumeReadSettings settings;
   settings.series = -1;
   EXPECT_THROW(hasp::OpenVolume(file, settings), std::invalid_argument);
+  settings.series = 2; // the file has one
+  this->ExpectRefused(file, { "a.mha: series 2" }, settings);
   settings = {};
   settings.decoderSilenceSeconds = 0.0;
+  EXPECT_THROW(hasp::OpenVolume(file, settings), std::invalid_argument);
+  settings.decoderSilenceSeconds = 30.0;
+  settings.decoderTotalSeconds = 1e300; // no processor limit holds so many
   EXPECT_THROW(hasp::OpenVolume(file, settings), std::invalid_argument);
   settings = {};
   settings.memoryLimitBytes = 100;

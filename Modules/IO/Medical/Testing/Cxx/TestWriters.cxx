@@ -111,6 +111,45 @@ TEST_F(Writers, UnwritableNamesAreErrors)
   EXPECT_EQ(this->FilesThere(), 1U);
 }
 
+TEST_F(Writers, EndingsMayBeInCapitalsAsForReaders)
+{
+  const auto image = hasp::MakeImage(this->Truth(), Samples(this->Truth()));
+  for (const char* name : { "A.MHA", "A.Vti" })
+  {
+    hasp::WriteVolume(image, (this->Folder / name).string());
+    ExpectSame(Read(this->Folder / name), this->Truth(), Samples(this->Truth()));
+  }
+  hasp::WriteSurface(Surface(), (this->Folder / "A.STL").string());
+  EXPECT_EQ(ReadBytes(this->Folder / "A.STL").size(), 84U + 60 * 50);
+}
+
+TEST_F(Writers, WhatFailsItsInspectionIsNotPutInPlace)
+{
+  const auto file = this->Folder / "a.stl";
+  WriteBytes(file, "the old file");
+  const auto refuse = [](const std::string&) { throw std::domain_error("no"); };
+  EXPECT_THROW(hasp::WriteSurface(Surface(), file.string(), refuse), std::domain_error);
+  EXPECT_EQ(ReadBytes(file), "the old file");
+  std::string inspected;
+  hasp::WriteSurface(Surface(), file.string(),
+    [&](const std::string& pending)
+    {
+      inspected = ReadBytes(pending);
+      EXPECT_EQ(ReadBytes(file), "the old file");
+    });
+  EXPECT_EQ(inspected.size(), 84U + 60 * 50);
+  EXPECT_EQ(ReadBytes(file), inspected);
+  EXPECT_EQ(this->FilesThere(), 1U);
+}
+
+TEST_F(Writers, NamesMayBeAsLongAsTheFileSystemAllows)
+{
+  const auto file = this->Folder / std::string(255, 'a');
+  hasp::WriteBytes("text", file.string());
+  EXPECT_EQ(ReadBytes(file), "text");
+  EXPECT_EQ(this->FilesThere(), 1U);
+}
+
 TEST_F(Writers, BadSurfacesAreRefusedAndTheOldFileSurvives)
 {
   const auto file = (this->Folder / "a.stl").string();
