@@ -98,7 +98,7 @@ void AddRenderVerb(CLI::App& app, Session& session)
   verb
     ->add_option("--ignore-below", choices->ignoreBelowMm3,
       "Leave out connected pieces smaller than this, mm3: specks, head-rests")
-    ->check(CLI::NonNegativeNumber);
+    ->check(Within(0.0, 1e9));
   choices->render.mapper = SurfaceMappers().front();
   verb->add_option("--mapper", choices->render.mapper, "cells: exact, no mesh; mesh: Flying Edges")
     ->check(CLI::IsMember(SurfaceMappers()))

@@ -22,9 +22,9 @@ TEST_F(HaspUse, AValueOutOfRangeIsOne)
   for (const std::vector<std::string>& bad :
     std::vector<std::vector<std::string>>{ { "--stereo", "quad" }, { "--mapper", "splats" },
       { "--resolution", "0,10" }, { "--resolution", "10" }, { "--color", "2,0,0" },
-      { "--zoom", "0" }, { "--zoom", "nan" }, { "--eye-angle", "nan" }, { "--color", "nan,0,0" },
-      { "--background", "0,nan,0" }, { "--view", "inside" }, { "--eye-angle", "91" },
-      { "--view", "left", "--camera-direction", "1,0,0" } })
+      { "--zoom", "0" }, { "--zoom", "nan" }, { "--ignore-below", "nan" }, { "--eye-angle", "nan" },
+      { "--color", "nan,0,0" }, { "--background", "0,nan,0" }, { "--view", "inside" },
+      { "--eye-angle", "91" }, { "--view", "left", "--camera-direction", "1,0,0" } })
   {
     std::vector<std::string> words{ "render", "head.mha", "--isovalue", "1", "--output", out };
     words.insert(words.end(), bad.begin(), bad.end());
