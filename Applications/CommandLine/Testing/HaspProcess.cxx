@@ -29,6 +29,21 @@ std::vector<char*> Environment()
   return kept;
 }
 
+pid_t Spawn(const std::vector<std::string>& arguments, const posix_spawn_file_actions_t& actions)
+{
+  std::vector<std::string> words{ HASP_PROGRAM };
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+    pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawn(&child, HASP_PROGRAM, &actions, nullptr, pointers.data(), Environment().data()) !=
+      0)
+    throw std::runtime_error("cannot run " HASP_PROGRAM);
+  return child;
+}
+
 std::string TakeFile(const fs::path& path)
 {
   const std::string text = ReadBytes(path.string());
@@ -44,6 +59,16 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
+pid_t StartHasp(const std::vector<std::string>& arguments, int errorPipe)
+{
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, errorPipe, STDERR_FILENO);
+  const pid_t child = Spawn(arguments, actions);
+  posix_spawn_file_actions_destroy(&actions);
+  return child;
+}
+
 HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device)
 {
   const fs::path base = fs::temp_directory_path() / ("hasp-run-" + std::to_string(getpid()));
@@ -54,18 +79,8 @@ HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& de
   posix_spawn_file_actions_addopen(
     &actions, STDOUT_FILENO, device.empty() ? out.c_str() : device.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
-  std::vector<std::string> words{ HASP_PROGRAM };
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words)
-    pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  pid_t child = 0;
-  const int failed =
-    posix_spawn(&child, HASP_PROGRAM, &actions, nullptr, pointers.data(), Environment().data());
+  const pid_t child = Spawn(arguments, actions);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed)
-    throw std::runtime_error("cannot run " HASP_PROGRAM);
   int status = 0;
   waitpid(child, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -1,6 +1,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +18,9 @@ struct HaspRun
 /// Runs bin/hasp with these arguments, without a display, its output caught; or, where a device is
 /// named, its standard output sent there.
 HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device = {});
+
+/// Starts bin/hasp, its standard error a pipe's end. To be waited for.
+pid_t StartHasp(const std::vector<std::string>& arguments, int errorPipe);
 
 /// A folder of its own for a test, removed afterwards. Its name is a canary: no text may show it.
 class HaspTest : public testing::Test

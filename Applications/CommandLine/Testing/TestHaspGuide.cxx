@@ -5,7 +5,14 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
 
 namespace
 {
@@ -97,6 +104,35 @@ TEST_F(HaspGuide, AGuideThatDoesNotHoldIsThreeAndNotKept)
   EXPECT_EQ(json::parse(run.out).at("certificate").at("faults").size(), 1u);
   EXPECT_EQ(ReadBytes(this->Path("guide.stl")), "old");
   EXPECT_EQ(this->Names().size(), 3u);
+}
+
+TEST_F(HaspGuide, AnInterruptedCheckLeavesNothing)
+{
+  this->FinePhantom();
+  this->WriteText("recipe.json", Recipe().dump());
+  // A pipe with room for the first two steps only: hasp waits in the middle of the third.
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  const int capacity = fcntl(ends[1], F_SETPIPE_SZ, 4096);
+  ASSERT_GT(capacity, 0);
+  const std::string steps = "hasp: reading head.mha\nhasp: making the guide\nhasp: ";
+  const std::string full(static_cast<std::size_t>(capacity) - steps.size(), '.');
+  ASSERT_EQ(write(ends[1], full.data(), full.size()), static_cast<ssize_t>(full.size()));
+  const pid_t child =
+    StartHasp({ "guide", this->Path("head.mha"), "--recipe", this->Path("recipe.json"), "--output",
+                this->Path("guide.stl"), "--check" },
+      ends[1]);
+  close(ends[1]);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (this->Names().size() < 3 && std::chrono::steady_clock::now() < end)
+    std::this_thread::yield();
+  EXPECT_EQ(this->Names().size(), 3u); // head.mha, recipe.json and the guide under way
+  kill(child, SIGTERM);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  close(ends[0]);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
+  EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "recipe.json" }));
 }
 
 TEST_F(HaspGuide, WithoutACheckNoneIsPaidFor)

@@ -28,6 +28,7 @@ private:
 
   std::filesystem::path Target, Temporary;
   int Descriptor = -1;
+  int Noted = -1; ///< where RemovePendingFiles finds the temporary name; -1: nowhere
 };
 
 } // namespace hasp

@@ -32,6 +32,11 @@ VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::strin
 /// These bytes, whatever the file's ending.
 VTKHASPIOMEDICAL_EXPORT void WriteBytes(std::string_view bytes, const std::string& path);
 
+/// Removes the temporary files of all writes under way (of sixteen at most): for the handler of a
+/// signal that ends the program. Those writes can then no longer succeed. Safe in a signal handler,
+/// any thread.
+VTKHASPIOMEDICAL_EXPORT void RemovePendingFiles() noexcept;
+
 } // namespace hasp
 
 #endif

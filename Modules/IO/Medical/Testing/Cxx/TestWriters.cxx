@@ -142,6 +142,24 @@ TEST_F(Writers, WhatFailsItsInspectionIsNotPutInPlace)
   EXPECT_EQ(this->FilesThere(), 1U);
 }
 
+TEST_F(Writers, ASignalHandlerCanRemoveWhatIsUnderWay)
+{
+  const auto file = this->Folder / "a.stl";
+  WriteBytes(file, "the old file");
+  const auto remove = [&](const std::string&)
+  {
+    EXPECT_EQ(this->FilesThere(), 2U);
+    hasp::RemovePendingFiles();
+    EXPECT_EQ(this->FilesThere(), 1U);
+  };
+  EXPECT_THROW(hasp::WriteSurface(Surface(), file.string(), remove), std::runtime_error);
+  EXPECT_EQ(ReadBytes(file), "the old file");
+  for (int n = 0; n < 40; ++n) // more than are noted at once: each is forgotten again
+    hasp::WriteSurface(Surface(), file.string());
+  hasp::RemovePendingFiles();
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
 TEST_F(Writers, NamesMayBeAsLongAsTheFileSystemAllows)
 {
   const auto file = this->Folder / std::string(255, 'a');
