@@ -1,6 +1,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace hasp
 {
@@ -22,5 +23,14 @@ public:
   Failure(ExitCode exitCode, const std::string& text) : std::runtime_error(text), code(exitCode) {}
   ExitCode code;
 };
+
+/// A failed check and its reasons, a line each.
+inline Failure FailedCheck(const std::string& what, const std::vector<std::string>& faults)
+{
+  std::string text = what + ":";
+  for (const std::string& fault : faults)
+    text += "\n  " + fault;
+  return { ExitCode::FailedCheck, text };
+}
 
 } // namespace hasp

@@ -54,13 +54,13 @@ void AddCommonOptions(CLI::App& verb, Session& session)
 
 CLI::Validator Within(double least, double most)
 {
-  const std::string range = Text(least) + " to " + Text(most);
+  const std::string range =
+    "in [" + Text(least) + " - " + Text(most) + "]"; // as CLI::Range says it
   return { [least, most, range](std::string& given)
     {
       double value = 0.0;
       const bool number = CLI::detail::lexical_cast(given, value);
-      return number && value >= least && value <= most ? std::string()
-                                                       : given + " is not in " + range;
+      return number && value >= least && value <= most ? std::string() : given + " is not " + range;
     },
     range };
 }

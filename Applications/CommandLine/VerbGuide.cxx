@@ -94,10 +94,7 @@ void Check(const std::string& stl, vtkImageData* volume, const GuideRecipe& reci
   session.result["certificate"]["faults"] = faults;
   if (faults.empty())
     return;
-  std::string text = "the guide does not hold and was not kept:";
-  for (const std::string& fault : faults)
-    text += "\n  " + fault;
-  throw Failure(ExitCode::FailedCheck, text);
+  throw FailedCheck("the guide does not hold and was not kept", faults);
 }
 
 void Run(const GuideOptions& options, Session& session)

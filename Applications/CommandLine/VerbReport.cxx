@@ -89,10 +89,7 @@ void Deliver(const ReportOptions& options, const std::vector<Report>& reports)
     WriteFile(options.json, ReportJson(reports));
   if (faults.empty())
     return;
-  std::string all = "the report does not hold:";
-  for (const std::string& fault : faults)
-    all += "\n  " + fault;
-  throw Failure(ExitCode::FailedCheck, all);
+  throw FailedCheck("the report does not hold", faults);
 }
 
 void Run(const ReportOptions& options, Session& session)

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <new>
 #include <stdexcept>
 
 namespace hasp
@@ -56,6 +57,10 @@ LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
   catch (const std::invalid_argument& error)
   {
     throw Failure(ExitCode::WrongUse, error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the file; the caller says what to do
   }
   catch (const std::exception& error)
   {
