@@ -1,5 +1,8 @@
 #include "HaspProcess.h"
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 
@@ -76,6 +79,28 @@ TEST_F(HaspRender, IgnoringSmallPiecesKeepsTheOthersAndRefusesToKeepNone)
   EXPECT_EQ(ReadBytes(this->Path("all.png")), ReadBytes(this->Path("large.png")));
   ExpectFailure(this->Render({ "--ignore-below", "1e9" }, "none.png"), 2, "lower --ignore-below");
   EXPECT_EQ(this->Names(), (Words{ "all.png", "head.mha", "large.png" }));
+}
+
+TEST_F(HaspRender, BrokenSurfacesAreTwoNotInvisible)
+{
+  this->Phantom();
+  const auto stl = [](std::uint32_t declared, float wild)
+  {
+    const std::array<float, 12> triangle{ 0, 0, 1, 0, 0, 0, 9, 0, 0, 0, wild, 0 };
+    std::string bytes(80, ' ');
+    bytes.append(reinterpret_cast<const char*>(&declared), 4);
+    bytes.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle).append(2, '\0');
+    return bytes;
+  };
+  this->WriteText("s.stl", stl(1, 9));
+  EXPECT_EQ(this->Render({ "--surface", this->Path("s.stl") }).exitCode, 0);
+  for (const auto& [bytes, words] : std::vector<std::pair<std::string, std::string>>{
+         { stl(2, 9), "too short" }, { stl(4000000000, 9), "too short" },
+         { stl(1, std::nanf("")), "no number" }, { stl(1, 3e38F), "kilometre" } })
+  {
+    this->WriteText("s.stl", bytes);
+    ExpectFailure(this->Render({ "--surface", this->Path("s.stl") }), 2, words);
+  }
 }
 
 TEST_F(HaspRender, CameraVectorsMustSpanAView)
