@@ -7,6 +7,8 @@
 #include "GuideField.h"
 #include "GuideFrame.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -25,6 +27,18 @@ ProgressFunction Part(const ProgressFunction& progress, double from, double to)
 {
   return [&progress, from, to](double share)
   { return !progress || progress(from + share * (to - from)); };
+}
+
+/// Directions are unit within 1e-3 only, as people write them. A hole's axis that long off would
+/// narrow the hole far from its point.
+GuideRecipe WithUnitDirections(GuideRecipe recipe)
+{
+  recipe.withdrawal = glm::normalize(recipe.withdrawal);
+  for (GuideSlot& slot : recipe.slots)
+    slot.normal = glm::normalize(slot.normal);
+  for (GuideHole& hole : recipe.holes)
+    hole.axis = glm::normalize(hole.axis);
+  return recipe;
 }
 
 void CheckLandmarksInVolume(const GridGeometry& volume, const GuideRecipe& recipe)
@@ -80,14 +94,15 @@ TriangleMesh OnePiece(const TriangleMesh& mesh)
 } // namespace
 
 TriangleMesh BuildGuide(
-  const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress)
+  const AnyGridView& ct, const GuideRecipe& given, const ProgressFunction& progress)
 {
-  ValidateGuideRecipe(recipe);
+  ValidateGuideRecipe(given);
+  const GuideRecipe recipe = WithUnitDirections(given);
   GeometryOf(ct).Validate();
   CheckLandmarksInVolume(GeometryOf(ct), recipe);
-  const GuideFrame frame(recipe);
   const std::vector<std::uint8_t> keep =
     KeepLargePieces(ct, recipe.isovalue, recipe.ignoreBelowMm3, Part(progress, 0.0, 0.2));
+  const GuideFrame frame(recipe, GeometryOf(ct), keep);
   std::vector<float> field;
   {
     CoverageSettings settings;

@@ -28,11 +28,31 @@ glm::dmat3 AxesAlong(const glm::dvec3& z)
   const glm::dvec3 x = glm::normalize(glm::cross(least, z));
   return { x, glm::cross(z, x), z };
 }
+
+/// How far along the third axis marked samples go inside the polygon or within `reach` of it; at
+/// least `low`.
+double Highest(const GridGeometry& ct, std::span<const std::uint8_t> marked, const glm::dmat3& axes,
+  std::span<const glm::dvec2> polygon, double reach, double low)
+{
+  const glm::dmat3 step = glm::transpose(axes) * ct.IndexToWorldMatrix();
+  const glm::dvec3 first = ct.origin * axes;
+  std::size_t n = 0;
+  for (int k = 0; k < ct.dims.z; ++k)
+    for (int j = 0; j < ct.dims.y; ++j)
+      for (int i = 0; i < ct.dims.x; ++i, ++n)
+        if (marked[n])
+          if (const glm::dvec3 p = first + step * glm::dvec3(i, j, k);
+              p.z > low && PolygonDistance(glm::dvec2(p), polygon) <= reach)
+            low = p.z;
+  return low;
+}
 } // namespace
 
-GuideFrame::GuideFrame(const GuideRecipe& recipe) : Recipe(recipe)
+GuideFrame::GuideFrame(
+  const GuideRecipe& recipe, const GridGeometry& ct, std::span<const std::uint8_t> keep)
+  : Recipe(recipe)
 {
-  const glm::dmat3 axes = AxesAlong(glm::normalize(recipe.withdrawal));
+  const glm::dmat3 axes = AxesAlong(recipe.withdrawal);
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const glm::dvec3& p : recipe.landmarks)
   {
@@ -45,11 +65,11 @@ GuideFrame::GuideFrame(const GuideRecipe& recipe) : Recipe(recipe)
   // Everything the guide's distance to bone can depend on, and a rim that stays outside.
   const double margin =
     0.5 * recipe.widthMm + recipe.gapMm + recipe.thicknessMm + 3.0 * recipe.spacingMm;
-  glm::dvec3 above(margin);
   if (recipe.outline == GuideOutline::Filled) // bone may bulge between the landmarks
-    above.z += 0.25 * glm::length(glm::dvec2(high - low));
+    high.z = Highest(ct, keep, axes, this->Polygon, 0.5 * recipe.widthMm, high.z) +
+             glm::length(ct.spacing); // its surface is less than a cell beyond its samples
   low -= margin;
-  high += above;
+  high += margin;
   const glm::dvec3 count = glm::ceil((high - low) / recipe.spacingMm) + 1.0;
   if (!(count.x * count.y * count.z <= MostVoxels))
     throw std::invalid_argument("guide: the working grid would have " +

@@ -4,6 +4,8 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hasp
@@ -14,8 +16,10 @@ namespace hasp
 class GuideFrame
 {
 public:
-  /// The recipe must be valid. Throws std::invalid_argument if the grid would exceed 2e8 voxels.
-  explicit GuideFrame(const GuideRecipe& recipe);
+  /// The recipe must be valid, and its directions unit. `keep` marks the samples of `ct` that are
+  /// bone: the grid of a filled outline reaches as high as bone does inside it. Throws
+  /// std::invalid_argument if the grid would exceed 2e8 voxels.
+  GuideFrame(const GuideRecipe& recipe, const GridGeometry& ct, std::span<const std::uint8_t> keep);
 
   const GridGeometry& Grid() const { return this->Working; }
 
