@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -47,6 +48,10 @@ AnyGridView ViewImage(vtkImageData* image)
     throw std::invalid_argument("image: scalars have " +
                                 std::to_string(scalars->GetNumberOfComponents()) +
                                 " components, must have 1");
+  if (static_cast<std::size_t>(scalars->GetNumberOfTuples()) != geometry.Size())
+    throw std::invalid_argument("image: " + std::to_string(scalars->GetNumberOfTuples()) +
+                                " scalars for " + std::to_string(geometry.Size()) +
+                                " points, must be the same");
   void* data = scalars->GetVoidPointer(0);
   switch (scalars->GetDataType())
   {
@@ -144,6 +149,13 @@ TriangleMesh MakeTriangleMesh(vtkPolyData* polyData)
 {
   if (!polyData)
     throw std::invalid_argument("polydata: there is none");
+  if (polyData->GetNumberOfStrips() > 0)
+    throw std::invalid_argument("polydata: " + std::to_string(polyData->GetNumberOfStrips()) +
+                                " triangle strips; run vtkTriangleFilter first");
+  constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max();
+  if (polyData->GetNumberOfPoints() > most)
+    throw std::invalid_argument("polydata: " + std::to_string(polyData->GetNumberOfPoints()) +
+                                " points, at most " + std::to_string(most) + " can be read");
   TriangleMesh mesh;
   mesh.points.resize(polyData->GetNumberOfPoints());
   for (std::size_t p = 0; p < mesh.points.size(); ++p)

@@ -22,9 +22,9 @@ namespace hasp
 VTKHASPCOMMONVOLUME_EXPORT GridGeometry ImageGeometry(vtkImageData* image);
 
 /// The active scalars of an image, without a copy; the image must outlive the view.
-/// Throws std::invalid_argument if there are none, if they have more than one component, or if
-/// their type is not short, unsigned short, unsigned char or float (signed char counts as neither:
-/// convert it first).
+/// Throws std::invalid_argument if there are none, if they have more than one component or are not
+/// one for each point, or if their type is not short, unsigned short, unsigned char or float
+/// (signed char counts as neither: convert it first).
 VTKHASPCOMMONVOLUME_EXPORT AnyGridView ViewImage(vtkImageData* image);
 
 /// Samples and geometry as a new image; the samples are copied once. T as in AnyGridView.
@@ -35,8 +35,9 @@ vtkSmartPointer<vtkImageData> MakeImage(
 /// Points become double precision, so that nothing is lost before a file is written.
 VTKHASPCOMMONVOLUME_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(const TriangleMesh& mesh);
 
-/// Triangles of a polydata. Throws std::invalid_argument on polygons with more than three corners
-/// (run vtkTriangleFilter first). Verts and lines are ignored.
+/// Triangles of a polydata. Throws std::invalid_argument on strips and on polygons with more than
+/// three corners (run vtkTriangleFilter first), and above 2^32 - 1 points. Verts and lines are
+/// ignored.
 VTKHASPCOMMONVOLUME_EXPORT TriangleMesh MakeTriangleMesh(vtkPolyData* polyData);
 
 } // namespace hasp

@@ -3,6 +3,7 @@
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <glm/geometric.hpp>
@@ -51,6 +52,22 @@ TEST(VolumeView, WhatKernelsCannotReadIsRefused)
   EXPECT_THROW(hasp::ViewImage(image), std::invalid_argument);
   image->AllocateScalars(VTK_FLOAT, 3);
   EXPECT_THROW(hasp::ViewImage(image), std::invalid_argument);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->SetDimensions(2, 2, 3); // the extent grows, the scalars do not
+  EXPECT_THROW(hasp::ViewImage(image), std::invalid_argument);
+}
+
+TEST(VolumeView, StripsAreRefusedNotDropped)
+{
+  vtkNew<vtkPoints> points;
+  for (int n = 0; n < 4; ++n)
+    points->InsertNextPoint(n & 1, n >> 1, 0);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2, 3 });
+  vtkNew<vtkPolyData> polyData;
+  polyData->SetPoints(points);
+  polyData->SetStrips(strips);
+  EXPECT_THROW(hasp::MakeTriangleMesh(polyData), std::invalid_argument);
 }
 
 TEST(VolumeView, MeshesKeepDoublePrecision)
