@@ -12,12 +12,22 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 struct vtkHaspEGLRenderWindow::Internals
 {
   hasp::EGLContextHandle Context;
   bool Failed = false; ///< said once why there is no context, not once a frame
   int ScreenSize[2] = { 1920, 1080 };
+
+  /// What was current before a PushContext; somebody else's context may have surfaces.
+  struct Current
+  {
+    EGLDisplay Display = eglGetCurrentDisplay();
+    EGLSurface Drawn = eglGetCurrentSurface(EGL_DRAW), Read = eglGetCurrentSurface(EGL_READ);
+    EGLContext Context = eglGetCurrentContext();
+  };
+  std::vector<Current> Pushed;
 };
 
 vtkStandardNewMacro(vtkHaspEGLRenderWindow);
@@ -178,6 +188,23 @@ void vtkHaspEGLRenderWindow::ReleaseCurrent()
 bool vtkHaspEGLRenderWindow::IsCurrent()
 {
   return this->Impl->Context.IsCurrent();
+}
+
+void vtkHaspEGLRenderWindow::PushContext()
+{
+  eglBindAPI(EGL_OPENGL_API);
+  this->Impl->Pushed.push_back({});
+  this->MakeCurrent();
+}
+
+void vtkHaspEGLRenderWindow::PopContext()
+{
+  if (this->Impl->Pushed.empty())
+    return;
+  const Internals::Current last = this->Impl->Pushed.back();
+  this->Impl->Pushed.pop_back();
+  if (last.Context != EGL_NO_CONTEXT && last.Context != eglGetCurrentContext())
+    eglMakeCurrent(last.Display, last.Drawn, last.Read, last.Context);
 }
 
 void* vtkHaspEGLRenderWindow::GetGenericContext()

@@ -40,6 +40,10 @@ public:
   void MakeCurrent() override;
   void ReleaseCurrent() override;
   bool IsCurrent() override;
+  /// Makes this window's context current until PopContext brings back what was: VTK's mappers free
+  /// their buffers in between, while another window draws.
+  void PushContext() override;
+  void PopContext() override;
   int SupportsOpenGL() override;
   /// Of what is drawn into: VTK's own frame buffer, for there is no default one to ask about.
   /// Hardware selection refuses windows with less than 8 bits.

@@ -125,6 +125,22 @@ TEST(EGLRenderWindow, WindowsComeGoAndTakeTurns)
   }
 }
 
+TEST(EGLRenderWindow, ContextsAreBorrowedAndComeBack)
+{
+  vtkNew<vtkHaspEGLRenderWindow> first, second;
+  EXPECT_EQ(DrawPlain(first), backgroundColour);
+  EXPECT_EQ(DrawPlain(second), backgroundColour);
+  first->PushContext();
+  EXPECT_TRUE(first->IsCurrent());
+  first->PushContext();
+  first->PopContext();
+  EXPECT_TRUE(first->IsCurrent());
+  first->PopContext();
+  EXPECT_TRUE(second->IsCurrent());
+  first->PopContext(); // one too many does nothing
+  EXPECT_TRUE(second->IsCurrent());
+}
+
 TEST(EGLRenderWindow, SharesObjectsWithAnother)
 {
   vtkNew<vtkHaspEGLRenderWindow> first, second;
