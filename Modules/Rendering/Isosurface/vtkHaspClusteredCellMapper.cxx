@@ -9,6 +9,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
 
 #include <chrono>
 #include <stdexcept>
@@ -27,7 +28,8 @@ double MillisecondsSince(std::chrono::steady_clock::time_point start)
 struct vtkHaspClusteredCellMapper::Internals
 {
   hasp::MinMaxBlocks Blocks;
-  vtkMTimeType BlocksOf = 0; ///< MTime of the image they were made from
+  vtkWeakPointer<vtkImageData> Image; ///< they were made from, and
+  vtkMTimeType ImageTime = 0;         ///< when: images that share their samples share MTimes, too
   double BlocksMilliseconds = 0.0;
 
   hasp::ClusteredCells Cells;
@@ -41,9 +43,10 @@ struct vtkHaspClusteredCellMapper::Internals
     const auto start = std::chrono::steady_clock::now();
     this->Cells = {};
     this->Blocks = {};
-    this->BlocksOf = 0;
+    this->Image = nullptr;
     this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
-    this->BlocksOf = image->GetMTime();
+    this->Image = image;
+    this->ImageTime = image->GetMTime();
     this->BlocksMilliseconds = MillisecondsSince(start);
   }
 };
@@ -83,7 +86,7 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
   this->GetInputAlgorithm()->Update();
   vtkImageData* image = this->GetImage();
   Internals& in = *this->Internal;
-  const bool newImage = !image || image->GetMTime() != in.BlocksOf;
+  const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
   if (!newImage && in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue)
     return true;
   try

@@ -19,8 +19,8 @@
  * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity (VTK's
  * order-independent translucency and depth peeling); lights; clipping planes (not capped); hardware
  * selection (cell ids are active cells: GetCellIndex gives the voxel); stereo and off-axis cameras
- * (the eye comes from the full matrix). Inside is sample >= isovalue. Cells with a NaN corner are
- * left out.
+ * (the eye comes from the full matrix). Inside is sample >= isovalue. Cells with a NaN or
+ * infinite corner are left out.
  *
  * Limit: texture, scalar colouring, edges and representation are ignored.
  *

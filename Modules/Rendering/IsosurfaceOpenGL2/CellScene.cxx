@@ -49,13 +49,15 @@ void AddLight(CellScene& scene, vtkLight* light, const glm::dmat4& worldToView)
   light->GetTransformedFocalPoint(to);
   light->GetAttenuationValues(factors);
   const glm::dvec3 way = glm::make_vec3(to) - glm::make_vec3(from);
+  const double length = glm::length(way); // 0: a positional light without a direction
   const bool positional = light->GetPositional();
   const bool spot = positional && light->GetConeAngle() < 90.0;
   scene.positionalLights |= positional;
   scene.lightColor.emplace_back(
     glm::dvec3(glm::make_vec3(light->GetDiffuseColor())) * light->GetIntensity());
   scene.lightPosition.emplace_back(worldToView * glm::dvec4(glm::make_vec3(from), 1.0));
-  scene.lightDirection.emplace_back(glm::normalize(glm::dmat3(worldToView) * way));
+  scene.lightDirection.emplace_back(
+    glm::dmat3(worldToView) * (length > 0.0 ? way / length : glm::dvec3(0.0)));
   scene.lightAttenuation.emplace_back(factors[0], factors[1], factors[2]);
   scene.lightCone.emplace_back(spot ? std::cos(glm::radians(light->GetConeAngle())) : -1.0,
     spot ? light->GetExponent() : 0.0, positional ? 1.0 : 0.0);
@@ -101,22 +103,24 @@ CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, 
       this->planes.push_back(PlaneInIndex(clipping->GetItem(p), indexToWorld));
 
   vtkProperty* property = actor->GetProperty();
-  const bool lit = property->GetLighting(); // unlit properties show their colour as it is
+  if (property->GetLighting())
+  {
+    vtkLightCollection* lights = renderer->GetLights();
+    vtkCollectionSimpleIterator next;
+    lights->InitTraversal(next);
+    while (vtkLight* light = lights->GetNextLight(next))
+      if (light->GetSwitch())
+        AddLight(*this, light, worldToView);
+  }
   const auto color = [](const double* rgb, double share)
   { return glm::vec3(glm::make_vec3(rgb) * share); };
-  this->ambientColor = lit ? color(property->GetAmbientColor(), property->GetAmbient())
-                           : color(property->GetDiffuseColor(), 1.0);
+  this->ambientColor = color(property->GetAmbientColor(), property->GetAmbient());
   this->diffuseColor = color(property->GetDiffuseColor(), property->GetDiffuse());
+  if (this->lightColor.empty()) // unlit: VTK then shows both as they are
+    this->ambientColor += this->diffuseColor;
   this->specularColor = color(property->GetSpecularColor(), property->GetSpecular());
   this->specularPower = static_cast<float>(property->GetSpecularPower());
   this->opacity = static_cast<float>(property->GetOpacity());
-
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator next;
-  lights->InitTraversal(next);
-  while (vtkLight* light = lights->GetNextLight(next))
-    if (lit && light->GetSwitch())
-      AddLight(*this, light, worldToView);
 }
 
 std::string CellScene::Defines() const

@@ -13,6 +13,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
 
 #include <chrono>
 #include <stdexcept>
@@ -63,7 +64,26 @@ struct vtkHaspOpenGLClusteredCellMapper::OpenGL
   CellProgram Program;
   vtkMTimeType CellsTime = 0; ///< of what is uploaded
   double UploadMilliseconds = 0.0;
-  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkMTimeType Context = 0; ///< creation time, unique, of the window's context all this lives in
+
+  bool LivesIn(vtkOpenGLRenderWindow* window) const
+  {
+    return window && window->GetContextCreationTime() == this->Context;
+  }
+
+  /// Back to nothing. What died with its context is forgotten, for its names may be others' by now.
+  void Free(vtkOpenGLRenderWindow* window)
+  {
+    if (this->LivesIn(window))
+    {
+      window->PushContext();
+      if (window->IsCurrent())
+        this->Buffers.Release();
+      window->PopContext();
+    }
+    *this = {};
+  }
 
   void Upload(const hasp::ClusteredCells& cells, vtkMTimeType time)
   {
@@ -79,24 +99,28 @@ struct vtkHaspOpenGLClusteredCellMapper::OpenGL
   void Draw(vtkShaderProgram* program, const hasp::VisibleCells& visible) const
   {
     const auto setFirstCell = [&](int first) { program->SetUniformi("firstCell", first); };
+    const bool sized = glIsEnabled(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_PROGRAM_POINT_SIZE);
     program->SetUniformi("points", 1);
     this->Buffers.Draw(visible.points, GL_POINTS, 1, setFirstCell);
-    glDisable(GL_PROGRAM_POINT_SIZE);
+    if (!sized)
+      glDisable(GL_PROGRAM_POINT_SIZE);
     program->SetUniformi("points", 0);
     this->Buffers.Draw(visible.rectangles, GL_TRIANGLES, 6, setFirstCell);
   }
 };
 
 vtkHaspOpenGLClusteredCellMapper::vtkHaspOpenGLClusteredCellMapper() : GL(new OpenGL) {}
-vtkHaspOpenGLClusteredCellMapper::~vtkHaspOpenGLClusteredCellMapper() = default;
+vtkHaspOpenGLClusteredCellMapper::~vtkHaspOpenGLClusteredCellMapper()
+{
+  this->GL->Free(this->GL->Window);
+}
 
 void vtkHaspOpenGLClusteredCellMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->GL->Window && this->GL->Window == window)
-    this->GL->Window->MakeCurrent();
-  this->GL->Buffers.Release();
-  *this->GL = {};
+  // A window that is being deleted is no longer behind the weak pointer, but still releases.
+  auto* releasing = vtkOpenGLRenderWindow::SafeDownCast(window);
+  this->GL->Free(this->GL->LivesIn(releasing) ? releasing : this->GL->Window.Get());
 }
 
 void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* actor)
@@ -104,9 +128,13 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->UpdateCells())
     return;
-  if (this->GL->Window && this->GL->Window != window)
-    this->ReleaseGraphicsResources(this->GL->Window); // a mapper draws in one window at a time
-  this->GL->Window = window;
+  if (!this->GL->LivesIn(window)) // a mapper draws in one window at a time
+  {
+    this->GL->Free(this->GL->Window);
+    window->MakeCurrent(); // not every window brings the last context back
+    this->GL->Window = window;
+    this->GL->Context = window->GetContextCreationTime();
+  }
   try
   {
     this->GL->Upload(this->GetCells(), this->GetCellsTime());
