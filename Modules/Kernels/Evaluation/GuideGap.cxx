@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace hasp
@@ -36,7 +37,13 @@ GuideGap MeasureGuideGap(const AnyGridView& volume, const TriangleMesh& guide,
   std::vector<glm::dvec3> centers;
   centers.reserve(guide.triangles.size());
   for (const glm::uvec3& t : guide.triangles)
+  {
+    if (std::max({ t.x, t.y, t.z }) >= guide.points.size())
+      throw std::invalid_argument("guide gap: a triangle names point " +
+                                  std::to_string(std::max({ t.x, t.y, t.z })) + " of " +
+                                  std::to_string(guide.points.size()));
     centers.push_back((guide.points[t.x] + guide.points[t.y] + guide.points[t.z]) / 3.0);
+  }
   const auto nearest = DistanceToIsosurface(volume, s.isovalue, centers, s.nearMm, progress);
 
   GuideGap gap;

@@ -30,7 +30,8 @@ struct GuideGap
 /// The inner wall is chosen by geometry alone: triangles whose outward normal points at the bone
 /// (against the isosurface's outward normal at the nearest point, cosine >= facing) and whose
 /// centre lies within nearMm of it. Distances are DistanceToIsosurface at triangle centres.
-/// Throws std::invalid_argument on settings out of range or a bad volume; Cancelled. Any thread;
+/// Throws std::invalid_argument on settings out of range, a bad volume or a triangle whose points
+/// are not there; Cancelled. Any thread;
 /// all cores.
 GuideGap MeasureGuideGap(const AnyGridView& volume, const TriangleMesh& guide,
   const GuideGapSettings& settings, const ProgressFunction& progress = {});

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -120,6 +120,11 @@ MeshCheck CheckMesh(const TriangleMesh& mesh)
 
 TriangleMesh WeldPoints(const TriangleMesh& mesh)
 {
+  for (std::size_t n = 0; n < mesh.points.size(); ++n)
+    if (const glm::dvec3& p = mesh.points[n];
+        !(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
+      throw std::invalid_argument(
+        "mesh: point " + std::to_string(n) + " is not finite, and has no place in an order");
   const auto less = [&](std::uint32_t a, std::uint32_t b)
   {
     const glm::dvec3 &p = mesh.points[a], &q = mesh.points[b];

@@ -38,6 +38,7 @@ MeshCheck CheckMesh(const TriangleMesh& mesh);
 
 /// The mesh with points of equal coordinates made one, as after reading an STL file, which repeats
 /// the corners of every triangle. Triangles that collapse are kept, for CheckMesh to count.
+/// Throws std::invalid_argument, naming the point, on coordinates that are not finite.
 TriangleMesh WeldPoints(const TriangleMesh& mesh);
 
 } // namespace hasp

@@ -58,6 +58,10 @@ public:
   {
     const GridGeometry& g = this->Volume.geometry;
     const glm::dvec3 index = g.WorldToIndex(world), p = index * g.spacing;
+    const glm::dvec3 low = glm::dvec3(this->First) * g.spacing - reach;
+    const glm::dvec3 high = glm::dvec3(this->First + this->Count) * g.spacing + reach;
+    if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high)))
+      return std::nullopt; // so far away that cells have no int
     std::vector<Candidate> candidates;
     const double least = this->FindCandidates(p, reach, candidates);
     Candidate best{ std::numeric_limits<double>::infinity(), {}, {} };

@@ -87,6 +87,8 @@ TEST(GuideGap, SettingsOutOfRangeThrow)
   s = {};
   s.gapMm = std::nan("");
   EXPECT_THROW(hasp::MeasureGuideGap(bone.ct, {}, s), std::invalid_argument);
+  const hasp::TriangleMesh broken{ { { 0, 0, 0 } }, { { 0, 0, 1000000 } } };
+  EXPECT_THROW(hasp::MeasureGuideGap(bone.ct, broken, {}), std::invalid_argument);
 }
 
 } // namespace

@@ -82,6 +82,9 @@ TEST(MeshCheck, EmptyIsNotSoundAndBadIndicesThrow)
   auto bad = Tetrahedron();
   bad.triangles[0].x = 9;
   EXPECT_THROW(hasp::CheckMesh(bad), std::invalid_argument);
+  bad = Tetrahedron();
+  bad.points[2].y = std::nan("");
+  EXPECT_THROW(hasp::WeldPoints(bad), std::invalid_argument);
 }
 
 } // namespace

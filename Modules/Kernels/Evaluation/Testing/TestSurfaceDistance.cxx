@@ -115,9 +115,10 @@ TEST(SurfaceDistance, ReachNaNAndEmptyVolumes)
     hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 10), grid, 100, 226);
   const hasp::GridView<const std::int16_t> ct{ samples.data(), grid };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<glm::dvec3> points{ { 0, 0, 0 }, { nan, 0, 0 }, { 0, 0, 11 }, { 900, 0, 0 } };
+  const std::vector<glm::dvec3> points{ { 0, 0, 0 }, { nan, 0, 0 }, { 0, 0, 11 }, { 900, 0, 0 },
+    { 1e300, -1e12, 0 } };
   const auto found = hasp::DistanceToIsosurface(ct, 226, points, 2);
-  EXPECT_FALSE(found[0] || found[1] || found[3]);
+  EXPECT_FALSE(found[0] || found[1] || found[3] || found[4]);
   ASSERT_TRUE(found[2]);
   EXPECT_NEAR(found[2]->distance, 1, 0.1); // R = 10: h^2 / (8 R) of 1.5 mm voxels, twice
   EXPECT_FALSE(hasp::DistanceToIsosurface(ct, 9999, points, 2)[2]);
