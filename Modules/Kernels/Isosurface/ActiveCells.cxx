@@ -41,10 +41,10 @@ void AppendCorners(const GridView<const T>& grid, const glm::ivec3& cell, Cluste
   }
 }
 
-/// One bit per sample of a row: which are inside, and which are no number.
+/// One bit per sample of a row: which are inside, and which are NaN or infinite.
 struct RowBits
 {
-  std::uint32_t inside = 0, notANumber = 0;
+  std::uint32_t inside = 0, notFinite = 0;
 };
 
 template <typename T>
@@ -55,17 +55,17 @@ RowBits ReadRow(const T* row, int count, float isovalue)
   {
     bits.inside |= static_cast<std::uint32_t>(static_cast<float>(row[i]) >= isovalue) << i;
     if constexpr (std::is_same_v<T, float>)
-      bits.notANumber |= static_cast<std::uint32_t>(std::isnan(row[i])) << i;
+      bits.notFinite |= static_cast<std::uint32_t>(!std::isfinite(row[i])) << i;
   }
   return bits;
 }
 
-/// One bit per cell of the row between four sample rows: corners on both sides, and all numbers.
+/// One bit per cell of the row between four sample rows: corners on both sides, and all finite.
 std::uint32_t ActiveInRow(const RowBits& a, const RowBits& b, const RowBits& c, const RowBits& d)
 {
   const std::uint32_t any = a.inside | b.inside | c.inside | d.inside;
   const std::uint32_t all = a.inside & b.inside & c.inside & d.inside;
-  const std::uint32_t bad = a.notANumber | b.notANumber | c.notANumber | d.notANumber;
+  const std::uint32_t bad = a.notFinite | b.notFinite | c.notFinite | d.notFinite;
   return (any | any >> 1) & ~(all & all >> 1) & ~(bad | bad >> 1);
 }
 

@@ -7,7 +7,8 @@ namespace hasp
 {
 
 /// The active cells of an isosurface: those with corners on both sides of the isovalue, where
-/// inside is sample >= isovalue. A cell with a NaN corner is not active.
+/// inside is sample >= isovalue. A cell with a NaN or infinite corner has no polynomial and is not
+/// active.
 ///
 /// blocks    of the same grid; whole blocks without surface are never touched
 /// isovalue  finite. It is rounded to float first: the same number decides here and in the shader.

@@ -118,8 +118,7 @@ std::optional<CellHit> WalkCells(const GridView<const T>& grid, float isovalue,
     }
     float s;
     const glm::vec4 b = glsl::HaspRayBernstein(low, high, glm::vec3(entry), glm::vec3(exit));
-    if (glsl::HaspFirstRoot(
-          b, s)) // never for NaN corners: no comparison holds, so all have one sign
+    if (glsl::HaspFirstRoot(b, s)) // never if a corner is not finite
       return CellHit{ cell, glm::mix(entry, exit, double(s)),
         walk.EnterT() + s * (exitT - walk.EnterT()) };
 

@@ -84,14 +84,17 @@ TEST(ActiveCellsOf, AMillionHundredsOfTheRangeEdgesAreExact)
   EXPECT_EQ(Extract(samples, g, 32768).Count(), 0U);
 }
 
-TEST(ActiveCellsOf, NotANumberIsNeverActive)
+TEST(ActiveCellsOf, WhatIsNotFiniteIsNeverActive)
 {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const hasp::GridGeometry g{ { 3, 2, 2 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
-  std::vector<float> samples{ -1, 1, nan, -1, 1, 1, -1, 1, 1, -1, 1, 1 };
-  const auto cells = Extract(samples, g, 0);
-  ASSERT_EQ(cells.Count(), 1U);
-  EXPECT_EQ(cells.Cell(0), glm::ivec3(0, 0, 0));
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const float bad : { std::numeric_limits<float>::quiet_NaN(), infinity, -infinity })
+  {
+    const std::vector<float> samples{ -1, 1, bad, -1, 1, 1, -1, 1, 1, -1, 1, 1 };
+    const auto cells = Extract(samples, g, 0);
+    ASSERT_EQ(cells.Count(), 1U) << bad;
+    EXPECT_EQ(cells.Cell(0), glm::ivec3(0, 0, 0)) << bad;
+  }
 }
 
 TEST(ActiveCellsOf, WrongInputIsRefused)

@@ -49,6 +49,23 @@ TEST(RayRootExtreme, NotANumberIsNoSurface)
   EXPECT_FALSE(HaspFirstRoot(glm::vec4(nan), s));
 }
 
+TEST(RayRootExtreme, InfiniteCornersAreNoSurfaceEither)
+{
+  const float infinity = std::numeric_limits<float>::infinity();
+  const hasp::GridGeometry g{ { 2, 2, 2 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  for (const float bad : { infinity, -infinity })
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      std::vector<float> samples{ -1, 1, -1, 1, -1, 1, -1, 1 };
+      samples[corner] = bad;
+      const hasp::AnyGridView grid = hasp::GridView<const float>{ samples.data(), g };
+      const hasp::MinMaxBlocks blocks(grid);
+      const hasp::RayCaster caster(grid, blocks, 0.0);
+      EXPECT_FALSE(caster.Cast({ -1, 0.3, 0.4 }, { 1, 0, 0 })) << bad << " at " << corner;
+      EXPECT_FALSE(caster.Cast({ -1, -0.5, 0.1 }, { 1, 0.7, 0.4 })) << bad << " at " << corner;
+    }
+}
+
 /// A slab of 8 x 8 x 8 samples with value 10 (k - 3.5) along z, spacing 0.3 x 0.3 x 3 mm.
 struct Ramp
 {

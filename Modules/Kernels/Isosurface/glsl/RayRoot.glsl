@@ -72,14 +72,18 @@ HASP_FUNCTION float HaspMonotoneRoot(vec4 c, float from, float to, float valueFr
   return s;
 }
 
-// The smallest root of the cubic with Bernstein coefficients c in [0,1]; false if there is none.
+// The smallest root of the cubic with Bernstein coefficients c in [0,1]; false if there is none, or if
+// the coefficients are not finite.
 HASP_FUNCTION bool HaspFirstRoot(vec4 c, HASP_OUT(float) s)
 {
   s = 0.0f;
   bool inside = c.x >= 0.0f;
   if ((c.y >= 0.0f) == inside && (c.z >= 0.0f) == inside && (c.w >= 0.0f) == inside)
     return false;
-  c = c * (1.0f / max(max(abs(c.x), abs(c.y)), max(abs(c.z), abs(c.w)))); // no square may over- or underflow
+  float largest = max(max(abs(c.x), abs(c.y)), max(abs(c.z), abs(c.w)));
+  if (!(largest <= 3.4e38f)) // infinite corners: no polynomial
+    return false;
+  c = c * (1.0f / largest); // no square may over- or underflow
 
   // Roots of the derivative: quadratic A s^2 + B s + C, by the form that does not cancel.
   float d0 = c.y - c.x, d1 = c.z - c.y, d2 = c.w - c.z;
