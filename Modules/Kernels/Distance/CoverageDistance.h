@@ -17,7 +17,8 @@ namespace hasp
 /// voxel the nearest; within four voxels the distance is to the surface that the elements around
 /// the foot point span together (implicit moving least squares), farther out to the nearest
 /// element's disc. Error on smooth surfaces: about 0.01 voxel rms within three voxels, against 0.24
-/// of a binary transform; at sharp edges up to half a voxel, like every sampled distance. Throws as
+/// of a binary transform, and where voxels of length h lie along a surface of radius R, h^2 / (8
+/// R); at sharp edges up to half a voxel, like every sampled distance. Throws as
 /// ExtractSurfaceElements; Cancelled. Any thread; all cores; O(voxels), 21 bytes a voxel.
 std::vector<float> CoverageDistance(const GridGeometry& geometry, std::span<const float> coverage,
   const ProgressFunction& progress = {});

@@ -61,15 +61,18 @@ std::vector<std::uint8_t> KeepLargePieces(
   const double voxel = geometry.spacing.x * geometry.spacing.y * geometry.spacing.z;
   std::vector<std::size_t> piece;
   std::vector<std::uint8_t> result(mark.size(), 0);
+  const std::size_t step = mark.size() / 50 + 1; // samples between two reports
   for (std::size_t p = 0; p < mark.size(); ++p)
-    if (mark[p] == Unseen)
-    {
-      Flood(geometry.dims, mark, p, piece);
-      if (double(piece.size()) * voxel >= leastMm3)
-        for (const std::size_t q : piece)
-          result[q] = 1;
+  {
+    if (p % step == 0) // not at every piece: noise has millions
       ReportProgress(progress, 0.2 + 0.8 * double(p) / double(mark.size()));
-    }
+    if (mark[p] != Unseen)
+      continue;
+    Flood(geometry.dims, mark, p, piece);
+    if (double(piece.size()) * voxel >= leastMm3)
+      for (const std::size_t q : piece)
+        result[q] = 1;
+  }
   ReportProgress(progress, 1.0);
   return result;
 }

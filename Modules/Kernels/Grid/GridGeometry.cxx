@@ -61,6 +61,9 @@ void GridGeometry::Validate() const
               << ", must be orthonormal. ";
     }
   }
+  if (double(dims.x) * dims.y * dims.z > 0x1p62)
+    fault << "dims are " << dims.x << " x " << dims.y << " x " << dims.z
+          << ", more samples than 64 bits can count. ";
   if (!fault.str().empty())
     throw std::invalid_argument("volume geometry: " + fault.str());
 }

@@ -41,8 +41,9 @@ struct GridGeometry
   /// (inverse transpose of IndexToWorldMatrix).
   glm::dvec3 GradientToWorld(const glm::dvec3& perIndexStep) const;
 
-  /// Throws std::invalid_argument, with the value found and the legal range, unless dims >= 1,
-  /// spacing is finite and > 0, origin is finite, and direction is orthonormal within 1e-4.
+  /// Throws std::invalid_argument, with the value found and the legal range, unless dims >= 1
+  /// and their product fits 62 bits, spacing is finite and > 0, origin is finite, and direction is
+  /// orthonormal within 1e-4.
   void Validate() const;
 };
 

@@ -102,6 +102,28 @@ TEST(Coverage, SpecksAreLeftOut)
     EXPECT_EQ(with[ct.Offset(i, 5, 5)], without[ct.Offset(i, 5, 5)]);
 }
 
+TEST(Coverage, SpecksByTheThousandReportProgressNowAndThen)
+{
+  const hasp::GridGeometry grid{ { 60, 60, 60 }, {}, glm::dvec3(1), glm::dmat3(1) };
+  std::vector<std::uint8_t> samples(grid.Size(), 0);
+  for (int n = 0; n < 27000; ++n) // every other sample on each axis: 27,000 pieces
+    samples[(n / 900 * 2 * 60 + n / 30 % 30 * 2) * 60 + n % 30 * 2] = 200;
+  int calls = 0;
+  double last = 0.0;
+  const auto keep =
+    hasp::KeepLargePieces(hasp::GridView<const std::uint8_t>{ samples.data(), grid }, 100, 2.0,
+      [&](double share)
+      {
+        EXPECT_GE(share, last);
+        last = share;
+        return ++calls > 0;
+      });
+  EXPECT_EQ(std::accumulate(keep.begin(), keep.end(), 0), 0);
+  EXPECT_GE(calls, 10);
+  EXPECT_LE(calls, 100);
+  EXPECT_EQ(last, 1.0);
+}
+
 TEST(Coverage, DiagonalNeighboursAreOnePiece)
 {
   const hasp::GridGeometry grid{ glm::ivec3(4), {}, glm::dvec3(1), glm::dmat3(1) };

@@ -85,6 +85,27 @@ TEST(CoverageDistance, StretchedAndTurnedVoxelsKeepMillimetres)
   EXPECT_LT(hasp::ErrorOf(distance, shape, grid, 3).rms, 0.015);
 }
 
+TEST(CoverageDistance, TenTimesLongerVoxelsStillGiveASphere)
+{
+  const hasp::GridGeometry grid{ { 130, 130, 17 }, glm::dvec3(-19.5, -19.5, -24), { 0.3, 0.3, 3 },
+    glm::dmat3(1) };
+  const auto shape = hasp::AnalyticSphere({ 0.2, 0.1, -0.3 }, 15);
+  const auto distance = hasp::CoverageDistance(grid, hasp::AnalyticCoverage(shape, grid));
+  // At the poles a slice of 3 mm hides h^2 / (8 R), 0.075 mm or a quarter of the smallest spacing,
+  // of curvature; beside them it shows.
+  EXPECT_LT(hasp::ErrorOf(distance, shape, grid, 3).rms, 0.25);
+}
+
+TEST(CoverageDistance, ASingleSliceGivesTheDistanceInThePlane)
+{
+  const hasp::GridGeometry grid{ { 60, 60, 1 }, glm::dvec3(-29.5, -29.5, 0), glm::dvec3(1),
+    glm::dmat3(1) };
+  const hasp::AnalyticVolume disc{ "disc",
+    [](const glm::dvec3& p) { return 14.3 - std::hypot(p.x - 0.3, p.y + 0.2); }, 1 };
+  const auto distance = hasp::CoverageDistance(grid, hasp::AnalyticCoverage(disc, grid));
+  EXPECT_LT(hasp::ErrorOf(distance, disc, grid, 3).rms, 0.01);
+}
+
 TEST(CoverageDistance, FlatSlicesStillGiveAPlane)
 {
   const hasp::GridGeometry grid{ { 30, 30, 9 }, {}, { 0.3, 0.3, 3 }, glm::dmat3(1) };

@@ -74,8 +74,10 @@ TEST(GridGeometry, ValidateNamesTheFault)
 
 TEST(GridGeometry, SizeIsComputedIn64Bits)
 {
-  const hasp::GridGeometry g{ { 4096, 4096, 4096 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  hasp::GridGeometry g{ { 4096, 4096, 4096 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
   EXPECT_EQ(g.Size(), std::size_t{ 1 } << 36);
+  g.dims = glm::ivec3(1 << 22); // 2^66 would wrap round to a small volume
+  EXPECT_THROW(g.Validate(), std::invalid_argument);
 }
 
 } // namespace
