@@ -82,13 +82,15 @@ std::string NameOutputs(std::string& fragment)
 /// What is to be written in this pass; see vtkHardwareSelector::PassTypes.
 void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* selector)
 {
+  const int pass = selector->GetCurrentPass();
   int shift = -1;
-  if (selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_LOW24)
+  if (pass == vtkHardwareSelector::CELL_ID_LOW24)
     shift = 0;
-  if (selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_HIGH24)
+  if (pass == vtkHardwareSelector::CELL_ID_HIGH24)
     shift = 24;
-  float color[3];
-  selector->GetPropColorValue(color);
+  float color[3] = { 0, 0, 0 }; // no id: there are no points
+  if (pass != vtkHardwareSelector::POINT_ID_LOW24 && pass != vtkHardwareSelector::POINT_ID_HIGH24)
+    selector->GetPropColorValue(color);
   program->SetUniformi("selectionShift", shift);
   program->SetUniform3f("selectionColor", color);
 }

@@ -24,6 +24,11 @@ double HalfTangent(double degrees)
 void SetCameraToEye(vtkCamera* camera, const StereoRig& rig, StereoEye eye)
 {
   const EyeView view = ViewOfEye(rig, eye);
+  constexpr double widest = 179.0; // vtkCamera clamps there: the picture would be wrong
+  if (view.viewAngleDegrees > widest)
+    throw std::invalid_argument(
+      "stereo: the screen's height fills " + std::to_string(view.viewAngleDegrees) +
+      " degrees of the eye's view, VTK allows " + std::to_string(widest) + "; move the eye back");
   camera->SetUseOffAxisProjection(false);
   camera->SetParallelProjection(false);
   camera->SetUseHorizontalViewAngle(false);

@@ -13,7 +13,8 @@ namespace hasp
 /// Makes `camera` the given eye: sets position, focal point, view up, angle and window centre, and
 /// switches off what would add to them (VTK's off-axis projection, shear, parallel projection).
 /// The clipping range stays: reset it afterwards. The viewport's aspect must be the screen's
-/// width / height. Throws std::invalid_argument like ValidateStereoRig.
+/// width / height. Throws std::invalid_argument like ValidateStereoRig, and if the eye is so near
+/// that the screen's height fills more than VTK's 179 degrees.
 VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToEye(
   vtkCamera* camera, const StereoRig& rig, StereoEye eye);
 

@@ -76,6 +76,20 @@ TEST_F(CellPicking, GivesTheCellAndTheActor)
   EXPECT_LE(differ, 1); // a hit on the face between two cells
 }
 
+TEST_F(CellPicking, APickOfPointsNamesTheActorAndNoPoint)
+{
+  PickScene s;
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(s.scene.Renderer);
+  selector->SetArea(0, 0, 239, 199);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  ASSERT_TRUE(selector->CaptureBuffers());
+  const unsigned pixel[2] = { 120, 100 };
+  const auto picked = selector->GetPixelInformation(pixel);
+  EXPECT_EQ(picked.Prop, s.scene.Actor.GetPointer());
+  EXPECT_LE(picked.AttributeID, 0) << "a surface of cells has no points";
+}
+
 TEST_F(CellPicking, WorldPointPickerGivesThePointOnTheSurface)
 {
   PickScene s;

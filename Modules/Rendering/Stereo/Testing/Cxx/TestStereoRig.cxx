@@ -180,6 +180,19 @@ TEST(StereoRig, TheEyeIsTheCamerasPosition)
     EXPECT_NEAR(inverse->GetElement(axis, 3), position[axis], 1e-9);
 }
 
+TEST(StereoRig, AnEyeTooNearForVtksCameraIsRefused)
+{
+  StereoRig rig;
+  rig.head.eyeSeparationMm = 0.0;
+  vtkNew<vtkCamera> camera;
+  rig.head.position.z = 1.5; // 2 atan(162.5 / 1.5) = 178.94 degrees
+  hasp::SetCameraToEye(camera, rig, StereoEye::Left);
+  EXPECT_EQ(camera->GetViewAngle(), hasp::ViewOfEye(rig, StereoEye::Left).viewAngleDegrees);
+  rig.head.position.z = 0.5; // 179.65
+  EXPECT_THROW(hasp::SetCameraToEye(camera, rig, StereoEye::Left), std::invalid_argument);
+  EXPECT_EQ(camera->GetPosition()[2], 1.5); // untouched
+}
+
 TEST(StereoRig, WorldAndRoomSeeTheSame)
 {
   const StereoRig room = SkewRig();
