@@ -8,9 +8,11 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -62,6 +64,18 @@ public:
     camera->SetFocalPoint(at.x, at.y, at.z);
     camera->SetViewUp(0.1, 0.2, 1);
     camera->SetClippingRange(nearest, farthest);
+  }
+
+  /// From now on the actor shows VTK's own mesh of the mapper's image and isovalue.
+  void ShowMesh()
+  {
+    vtkNew<vtkFlyingEdges3D> mesh;
+    mesh->SetInputData(this->Mapper->GetImage());
+    mesh->SetValue(0, this->Mapper->GetIsoValue());
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(mesh->GetOutputPort());
+    mapper->ScalarVisibilityOff();
+    this->Actor->SetMapper(mapper);
   }
 
   /// Draws, and keeps depth and matrix for Point and Ray.

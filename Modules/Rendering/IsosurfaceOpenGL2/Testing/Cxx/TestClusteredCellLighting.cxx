@@ -2,9 +2,7 @@
 // matrix.
 #include "CellTestScene.h"
 
-#include "vtkFlyingEdges3D.h"
 #include "vtkLight.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -43,13 +41,7 @@ protected:
     change(scene);
     const auto ours = Pixels(scene);
 
-    vtkNew<vtkFlyingEdges3D> mesh;
-    mesh->SetInputData(image);
-    mesh->SetValue(0, 0.0);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(mesh->GetOutputPort());
-    mapper->ScalarVisibilityOff();
-    scene.Actor->SetMapper(mapper);
+    scene.ShowMesh();
     meshOnly(scene);
     const auto theirs = Pixels(scene);
 

@@ -1,8 +1,6 @@
 // A translucent isosurface blends as VTK's own mesh of the same surface does, layer by layer.
 #include "CellTestScene.h"
 
-#include "vtkFlyingEdges3D.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -41,13 +39,7 @@ double Difference(bool depthPeeling)
   scene.Renderer->SetOcclusionRatio(0.0);
   const auto ours = Pixels(scene);
 
-  vtkNew<vtkFlyingEdges3D> mesh;
-  mesh->SetInputData(image);
-  mesh->SetValue(0, 0.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(mesh->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  scene.Actor->SetMapper(mapper);
+  scene.ShowMesh();
   const auto theirs = Pixels(scene);
 
   double sum = 0.0;
