@@ -19,6 +19,7 @@ function (hasp_add_kernel noun)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME haspKernel${noun}
     VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+  set_property(GLOBAL APPEND PROPERTY HASP_KERNELS ${target}) # for the messages of find_package(Hasp)
   install(TARGETS ${target} EXPORT Hasp
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   foreach (header IN LISTS arg_HEADERS)
