@@ -102,3 +102,19 @@ function (hasp_add_render_test module)
   set_tests_properties(${arg_NAME} PROPERTIES LABELS "${labels}" TIMEOUT 120
     FAIL_REGULAR_EXPRESSION "ERR\\|;ERROR: In ;GL_INVALID_")
 endfunction ()
+
+# hasp_add_example(DrawIsosurface MODULES targets…)
+#
+# The program <module>/Examples/DrawIsosurface.cxx, built with the tests and run by Testing/Examples. Left out
+# where one of its modules is.
+function (hasp_add_example name)
+  cmake_parse_arguments(arg "" "" "MODULES" ${ARGN})
+  foreach (module IN LISTS arg_MODULES)
+    if (NOT TARGET ${module})
+      return()
+    endif ()
+  endforeach ()
+  add_executable(${name} ${name}.cxx)
+  target_link_libraries(${name} PRIVATE ${arg_MODULES})
+  vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
+endfunction ()

@@ -36,7 +36,7 @@ OUTSIDE = [  # first match wins
 ]
 FREE_OF_VTK = ("Kernels/", "Devices", "Studies")
 NEVER_BELOW = {"vtk", "gl", "egl", "qt"}
-TEST_FOLDERS = {"Testing", "Benchmark", "Examples", "Fuzz"}
+TEST_FOLDERS = {"Testing", "Benchmark", "Fuzz"}
 SOURCES = {".h", ".cxx", ".cpp", ".hxx", ".txx", ".glsl", ".cu"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 SLOT = re.compile(r"^//Hasp::(\w+)\s*$", re.MULTILINE)
@@ -95,10 +95,15 @@ class Tree:
         return None
 
 
-def may_include(layers, unit, is_test):
+def may_include(layers, unit, parts):
+    """(our units, outside libraries) for a file of the unit whose path has these parts."""
     ours, outside = layers[unit]
-    if is_test:
+    extra = None
+    if TEST_FOLDERS & set(parts):
         extra = layers["+kernels" if unit.startswith(FREE_OF_VTK) else "+modules"]
+    elif "Examples" in parts:
+        extra = layers["+examples"]
+    if extra:
         ours, outside = ours | extra[0], outside | extra[1]
     return ours | {unit}, outside | {"std", "glm"}
 
@@ -113,7 +118,7 @@ def check(root, layers):
     wrong += [f"{folder}: is not in layers.txt" for folder in sorted(tree.unlisted)]
     for unit, path in tree.files:
         name = path.relative_to(root).as_posix()
-        ours, outside = may_include(layers, unit, bool(TEST_FOLDERS & set(path.parts)))
+        ours, outside = may_include(layers, unit, path.relative_to(root).parts)
         text = path.read_text(encoding="utf-8")
         slots = [s + ".glsl" for s in SLOT.findall(text)] if path.suffix == ".glsl" else []
         for header in INCLUDE.findall(text) + [s for s in slots if s in tree.owners]:
@@ -143,6 +148,8 @@ def self_test(layers):
         "Modules/Rendering/Stereo/vtkHaspEyes.cxx":
             '#include "vtkHaspView.h"\n#include "vtkRenderer.h"\n// #include "Haptics/Force.h"',
         "Modules/Rendering/Stereo/Testing/Cxx/TestEyes.cxx": '#include "HaspRenderTest.h"',
+        "Modules/Rendering/Stereo/Examples/DrawEyes.cxx":
+            '#include "vtkHaspView.h"\n#include "Haptics/Force.h"\n#include "vtkNew.h"',
         "Testing/ImageComparison/HaspRenderTest.h": "",
         "Applications/CommandLine/main.cxx": '#include "Haptics/Force.h"\n#include <CLI/CLI.hpp>',
     }
@@ -157,6 +164,7 @@ def self_test(layers):
         ("Modules/Common/Volume/A.cxx", '#include "Haptics/Force.h"', "of Kernels/Haptics"),
         ("Modules/Rendering/Stereo/A.cxx", '#include <QWidget>', "(qt), which Rendering/Stereo"),
         ("Modules/Rendering/Stereo/A.cxx", '#include "HaspRenderTest.h"', "of Testing/Image"),
+        ("Modules/Common/Volume/Examples/A.cxx", "#include <GL/gl.h>", "(gl), which Common/Volume"),
         ("Modules/Rendering/Stereo/glsl/AVS.glsl", "//Hasp::RayRoot", "of Kernels/Isosurface"),
         ("Modules/Common/Volume/A.cxx", '#include "Nowhere/A.h"', "known to nobody"),
         ("Modules/Attic/A.cxx", "", "Attic: is not in layers.txt"),

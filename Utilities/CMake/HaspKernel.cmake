@@ -19,10 +19,35 @@ function (hasp_add_kernel noun)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME haspKernel${noun}
     VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+  set_property(GLOBAL APPEND PROPERTY HASP_KERNELS ${target}) # for the messages of find_package(Hasp)
   install(TARGETS ${target} EXPORT Hasp
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   foreach (header IN LISTS arg_HEADERS)
     cmake_path(GET header PARENT_PATH folder)
     install(FILES "${header}" DESTINATION "${HASP_HEADER_DIR}/Kernels/${arg_FOLDER}/${folder}")
   endforeach ()
+endfunction ()
+
+# hasp_add_needed_kernels()
+#
+# Adds each kernel that some target links and that is not there yet. So a build of single modules
+# (HASP_BUILD_ALL_MODULES OFF) has their kernels and no others. Call it when all targets are there.
+function (hasp_add_needed_kernels)
+  set(folders "${PROJECT_SOURCE_DIR}")
+  while (folders)
+    list(POP_FRONT folders folder)
+    get_property(below DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)
+    list(APPEND folders ${below})
+    get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
+    foreach (target IN LISTS targets)
+      get_target_property(links ${target} LINK_LIBRARIES)
+      foreach (kernel IN LISTS links)
+        if (kernel MATCHES "^Hasp::Kernel(.+)$" AND NOT TARGET ${kernel})
+          add_subdirectory("${PROJECT_SOURCE_DIR}/Modules/Kernels/${CMAKE_MATCH_1}"
+            "${PROJECT_BINARY_DIR}/Modules/Kernels/${CMAKE_MATCH_1}")
+          list(APPEND folders "${PROJECT_SOURCE_DIR}/Modules/Kernels/${CMAKE_MATCH_1}")
+        endif ()
+      endforeach ()
+    endforeach ()
+  endwhile ()
 endfunction ()

@@ -22,6 +22,11 @@ hasp_optional(CGAL "Check meshes: closed, manifold, no self-intersection (GPL)" 
 hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
 hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)
 hasp_optional(CLI11 "The hasp command line" CLI11 CONFIG)
+# VTK's wrappers are of the system's Python, not of whichever python3 comes first in PATH (a pyenv shim).
+if (EXISTS "/usr/bin/python3")
+  set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that VTK was wrapped for")
+endif ()
+hasp_optional(PYTHON "import hasp" VTK 9.1 COMPONENTS Python WrappingPythonCore)
 
 # Modules not named by VTK_MODULE_ENABLE_Hasp_<Module>=YES are built only when this is ON.
 option(HASP_BUILD_ALL_MODULES "Build every VTK module whose dependencies are there" ON)
@@ -38,4 +43,4 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   RenderingCore RenderingOpenGL2
   OPTIONAL_COMPONENTS glew opengl glad
   IOImage IOGeometry IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
-  RenderingVolume RenderingVolumeOpenGL2 TestingRendering Python WrappingPythonCore)
+  RenderingVolume RenderingVolumeOpenGL2 TestingRendering)

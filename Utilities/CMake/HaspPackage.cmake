@@ -1,5 +1,10 @@
 # The installed package: find_package(Hasp COMPONENTS RenderingIsosurfaceOpenGL2 KernelGrid …).
 include(CMakePackageConfigHelpers)
+get_property(kernels GLOBAL PROPERTY HASP_KERNELS)
+list(TRANSFORM HASP_MODULES REPLACE "^Hasp::" "" OUTPUT_VARIABLE modules)
+list(JOIN kernels " " HASP_COMPONENTS)
+list(JOIN modules " " modules)
+string(APPEND HASP_COMPONENTS " ${modules}")
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/HaspConfig.cmake.in"
   "${CMAKE_BINARY_DIR}/${HASP_PACKAGE_DIR}/HaspConfig.cmake"
   INSTALL_DESTINATION "${HASP_PACKAGE_DIR}")

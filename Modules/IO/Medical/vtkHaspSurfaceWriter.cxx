@@ -15,6 +15,13 @@ vtkHaspSurfaceWriter::~vtkHaspSurfaceWriter()
   this->SetFileName(nullptr);
 }
 
+int vtkHaspSurfaceWriter::Write()
+{
+  this->SetErrorCode(
+    vtkErrorCode::UserError); // stays where the input fails: WriteData is not reached
+  return this->Superclass::Write();
+}
+
 void vtkHaspSurfaceWriter::WriteData()
 {
   if (!this->FileName || !*this->FileName)

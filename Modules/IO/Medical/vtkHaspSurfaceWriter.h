@@ -25,6 +25,9 @@ public:
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
 
+  /// 1 if the file has been written; 0 also where the input failed.
+  int Write() override;
+
 protected:
   vtkHaspSurfaceWriter() = default;
   ~vtkHaspSurfaceWriter() override;

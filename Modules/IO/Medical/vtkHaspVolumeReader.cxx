@@ -2,6 +2,7 @@
 #include "vtkHaspVolumeFile.h"
 
 #include "vtkDataObject.h"
+#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -64,6 +65,7 @@ int vtkHaspVolumeReader::RequestInformation(
   Internals& inside = *this->Inside;
   inside.opened = {};
   inside.passport = {};
+  this->SetErrorCode(vtkErrorCode::NoError);
   this->AbortExecute = 0; // VTK clears it before RequestData only
   const auto progress = [this](double share)
   {
@@ -78,6 +80,7 @@ int vtkHaspVolumeReader::RequestInformation(
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::UserError);
     this->GetOutput()->Initialize(); // nothing of an earlier file may stay
     return 0;
   }
@@ -113,6 +116,7 @@ int vtkHaspVolumeReader::RequestData(
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::UserError);
     output->Initialize();
     return 0;
   }

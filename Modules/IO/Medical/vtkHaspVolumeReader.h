@@ -8,9 +8,9 @@
  * and why: see hasp::OpenVolume.
  *
  * Threads: as any VTK filter, one at a time (RENDER or WORKER). Errors: vtkErrorMacro with the
- * file's base name, what is wrong and what to do; the output is then empty. AbortExecute cancels;
- * progress runs from 0 to 1 twice, over headers and over samples. Cost: about one pass over the
- * file; DICOM headers are parsed twice (once to check, once to decode).
+ * file's base name, what is wrong and what to do; the output is then empty and GetErrorCode is not
+ * 0. AbortExecute cancels; progress runs from 0 to 1 twice, over headers and over samples. Cost:
+ * about one pass over the file; DICOM headers are parsed twice (once to check, once to decode).
  */
 #ifndef vtkHaspVolumeReader_h
 #define vtkHaspVolumeReader_h

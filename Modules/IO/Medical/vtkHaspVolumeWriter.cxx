@@ -15,6 +15,13 @@ vtkHaspVolumeWriter::~vtkHaspVolumeWriter()
   this->SetFileName(nullptr);
 }
 
+int vtkHaspVolumeWriter::Write()
+{
+  this->SetErrorCode(
+    vtkErrorCode::UserError); // stays where the input fails: WriteData is not reached
+  return this->Superclass::Write();
+}
+
 void vtkHaspVolumeWriter::WriteData()
 {
   if (!this->FileName || !*this->FileName)

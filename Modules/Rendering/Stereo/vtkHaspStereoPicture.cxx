@@ -170,6 +170,15 @@ void vtkHaspStereoPicture::ClearRig()
   this->Modified();
 }
 
+bool vtkHaspStereoPicture::RenderInto(vtkImageData* picture)
+{
+  const auto rendered = this->Render();
+  picture->Initialize();
+  if (rendered)
+    picture->ShallowCopy(rendered);
+  return rendered;
+}
+
 vtkSmartPointer<vtkImageData> vtkHaspStereoPicture::Render()
 {
   Internals& self = *this->Self;

@@ -63,10 +63,14 @@ public:
   vtkSetClampMacro(EyeAngle, double, 0.0, 90.0);
   vtkGetMacro(EyeAngle, double);
 
-  /** Draws and composes. RGB bytes of hasp::ComposedSize pixels; null after an error. */
-  vtkSmartPointer<vtkImageData> Render();
+  /** Draws and composes. True: `picture` holds RGB bytes of hasp::ComposedSize pixels. False: it is
+   * empty, after an error. */
+  bool RenderInto(vtkImageData* picture);
 
 #ifndef __VTK_WRAP__
+  /** The same with a picture of its own; null after an error. VTK 9.1 does not wrap the type. */
+  vtkSmartPointer<vtkImageData> Render();
+
   /** The "second eye" of the last Render: bytes of its picture and milliseconds of its frame, both
    * 0 where none was drawn. */
   void ListResources(hasp::ResourceList& resources) const;

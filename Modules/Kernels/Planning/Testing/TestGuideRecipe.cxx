@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -122,7 +124,8 @@ TEST(GuideRecipe, RangesAreNamed)
 TEST(GuideRecipe, AFileIsReplacedWholeOrNotAtAll)
 {
   const auto folder = std::filesystem::path(testing::TempDir());
-  const std::string path = (folder / "TestGuideRecipe.json").string();
+  const std::string path =
+    (folder / ("TestGuideRecipe" + std::to_string(getpid()) + ".json")).string();
   hasp::WriteGuideRecipe(path, Good());
   auto bad = Good();
   bad.gapMm = -1;

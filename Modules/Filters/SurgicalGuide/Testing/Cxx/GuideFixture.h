@@ -18,6 +18,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -73,7 +75,8 @@ inline hasp::GuideRecipe Band()
 /// The guide as it comes back from a binary STL file.
 inline hasp::TriangleMesh ThroughFile(vtkPolyData* guide)
 {
-  const std::string path = testing::TempDir() + "TestGuideFilter.stl";
+  // CTest runs cases at the same time, each in a process of its own.
+  const std::string path = testing::TempDir() + "TestGuide" + std::to_string(getpid()) + ".stl";
   vtkNew<vtkSTLWriter> writer;
   writer->SetInputData(guide);
   writer->SetFileName(path.c_str());

@@ -40,6 +40,7 @@ TEST_F(VolumeReader, NoFileNameIsAnError)
 {
   this->Reader->Update();
   EXPECT_EQ(this->Errors, 1);
+  EXPECT_NE(this->Reader->GetErrorCode(), 0u);
 }
 
 TEST_F(VolumeReader, PassportIsThereBeforeSamplesAndCompleteAfter)
@@ -54,6 +55,7 @@ TEST_F(VolumeReader, PassportIsThereBeforeSamplesAndCompleteAfter)
   ExpectSame({ this->Reader->GetPassport(), this->Reader->GetOutput() }, this->Truth(),
     Samples(this->Truth()));
   EXPECT_EQ(this->Errors, 0);
+  EXPECT_EQ(this->Reader->GetErrorCode(), 0u);
 }
 
 TEST_F(VolumeReader, FailureLeavesNothingOfAnEarlierFile)
@@ -67,6 +69,7 @@ TEST_F(VolumeReader, FailureLeavesNothingOfAnEarlierFile)
   EXPECT_GE(this->Errors, 1);
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(this->Reader->GetPassport().format.empty());
+  EXPECT_NE(this->Reader->GetErrorCode(), 0u);
 }
 
 TEST_F(VolumeReader, AbortLeavesNothingAndIsNotForEver)

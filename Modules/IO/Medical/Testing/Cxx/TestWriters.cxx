@@ -2,12 +2,14 @@
 
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspSurfaceWriter.h"
+#include "vtkHaspVolumeReader.h"
 #include "vtkHaspVolumeView.h"
 #include "vtkHaspVolumeWriter.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -250,6 +252,31 @@ TEST_F(Writers, VTKClassesReportByErrorCodeAndMacro)
   EXPECT_EQ(writer->Write(), 1);
   EXPECT_EQ(errors, 2);
   ExpectSame(Read(this->Folder / "a.vti"), this->Truth(), Samples(this->Truth()));
+}
+
+TEST_F(Writers, AFailedInputIsAFailedWrite)
+{
+  vtkNew<vtkCallbackCommand> silent;
+  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  vtkNew<vtkHaspVolumeReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, silent);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
+  reader->SetFileName((this->Folder / "absent.mha").c_str());
+  vtkNew<vtkHaspVolumeWriter> volume;
+  volume->SetInputConnection(reader->GetOutputPort());
+  volume->SetFileName((this->Folder / "a.vti").c_str());
+  EXPECT_EQ(volume->Write(), 0);
+  vtkNew<vtkSTLReader> mesh;
+  mesh->AddObserver(vtkCommand::ErrorEvent, silent);
+  mesh->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
+  mesh->SetFileName((this->Folder / "absent.stl").c_str());
+  vtkNew<vtkHaspSurfaceWriter> surface;
+  surface->AddObserver(vtkCommand::ErrorEvent, silent);
+  surface->SetInputConnection(mesh->GetOutputPort());
+  surface->SetFileName((this->Folder / "a.stl").c_str());
+  EXPECT_EQ(surface->Write(), 0);
+  EXPECT_NE(surface->GetErrorCode(), 0u);
+  EXPECT_EQ(this->FilesThere(), 0u);
 }
 
 } // namespace

@@ -110,10 +110,15 @@ TEST_F(StereoPicture, SaysWhyThereIsNone)
   this->camera->SetParallelProjection(true);
   EXPECT_EQ(this->picture->Render(), nullptr);
   EXPECT_EQ(this->errors, 4);
+  vtkNew<vtkImageData> earlier;
+  earlier->SetDimensions(2, 2, 1);
+  EXPECT_FALSE(this->picture->RenderInto(earlier));
+  EXPECT_EQ(earlier->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->errors, 5);
   this->picture->SetLayoutName("anaglyph");
   this->picture->SetLayoutName("quad");
   EXPECT_EQ(this->picture->GetLayoutName(), "anaglyph");
-  EXPECT_EQ(this->errors, 5);
+  EXPECT_EQ(this->errors, 6);
 }
 
 TEST_F(StereoPicture, PointsAreWhereGeometryPutsThemInBothEyes)

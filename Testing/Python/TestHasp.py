@@ -1,0 +1,188 @@
+"""import hasp, as its users meet it. Arguments: test cases, as for unittest; PYTHONPATH says which hasp."""
+import array
+import math
+import os
+import pathlib
+import tempfile
+import unittest
+
+import hasp
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+
+RADIUS = 9.0  # mm
+HEIGHT = 200  # pixels
+PARALLEL_SCALE = 12.0  # mm, half the height of the view
+
+
+def ball():
+    """Radius minus distance from the origin, 25^3 samples of 1 mm: inside is >= 0."""
+    side = range(-12, 13)
+    values = array.array("f", (RADIUS - math.sqrt(x * x + y * y + z * z)
+                               for z in side for y in side for x in side))
+    scalars = vtkFloatArray()
+    scalars.SetNumberOfValues(len(values))
+    for i, value in enumerate(values):
+        scalars.SetValue(i, value)
+    image = vtkImageData()
+    image.SetExtent(0, 24, 0, 24, 0, 24)
+    image.SetOrigin(-12, -12, -12)
+    image.GetPointData().SetScalars(scalars)
+    return image
+
+
+def errors_of(algorithm):
+    """What it reports from now on. The executive reports for a filter without input."""
+    said = []
+
+    def keep(_caller, _event, text):
+        said.append(text)
+    keep.CallDataType = "string0"
+    algorithm.AddObserver("ErrorEvent", keep)
+    return said
+
+
+def scene(mapper):
+    """A window of the mapper seen in parallel, white on black."""
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(1.0)  # lit everywhere
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetPosition(0, 0, 50)
+    camera.SetParallelScale(PARALLEL_SCALE)
+    camera.SetClippingRange(10, 90)
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(HEIGHT, HEIGHT)
+    window.AddRenderer(renderer)
+    return window, renderer
+
+
+def lit_pixels(window):
+    window.Render()
+    pixels = vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, HEIGHT - 1, HEIGHT - 1, 1, pixels, 0)
+    return sum(pixels.GetValue(i) > 0 for i in range(0, 3 * HEIGHT * HEIGHT, 3))
+
+
+class Package(unittest.TestCase):
+    def test_is_the_one_on_the_path(self):
+        self.assertEqual(pathlib.Path(hasp.__file__).resolve().parents[1],
+                         pathlib.Path(os.environ["PYTHONPATH"]).resolve())
+
+    def test_has_each_class_of_the_build(self):
+        expected = os.environ["HASP_CLASSES"].split(",")
+        self.assertEqual([c for c in expected if not hasattr(hasp, c)], [])
+
+    def test_leaves_windows_alone_where_there_is_a_display(self):
+        os.environ["DISPLAY"] = ":77"
+        try:
+            self.assertFalse(hasp.UseHeadlessWindows())
+        finally:
+            del os.environ["DISPLAY"]
+
+
+class WithoutHeadlessWindows(unittest.TestCase):
+    def test_says_so(self):
+        with self.assertRaisesRegex(RuntimeError, "HASP_ENABLE_EGL"):
+            hasp.UseHeadlessWindows()
+
+
+class Isosurface(unittest.TestCase):
+    def test_without_a_volume_is_an_error_and_draws_nothing(self):
+        self.assertTrue(hasp.UseHeadlessWindows())
+        mapper = hasp.vtkHaspClusteredCellMapper()
+        said = errors_of(mapper)
+        window, _ = scene(mapper)
+        self.assertEqual(lit_pixels(window), 0)
+        self.assertFalse(mapper.UpdateCells())
+        self.assertTrue(said)
+
+    def test_of_a_ball_fills_a_disc(self):
+        hasp.UseHeadlessWindows()
+        mapper = hasp.vtkHaspClusteredCellMapper()
+        self.assertEqual(type(mapper).__name__, "vtkHaspOpenGLClusteredCellMapper")
+        mapper.SetInputData(ball())
+        window, _ = scene(mapper)
+        pixels_per_mm = HEIGHT / (2 * PARALLEL_SCALE)
+        disc = math.pi * (RADIUS * pixels_per_mm) ** 2
+        # Trilinear cells of 1 mm cut at most h^2/4r = 0.03 mm off the ball: 0.6 % of the area. The
+        # rim is 2 pi 75 pixels long, each on the right side of its centre.
+        self.assertAlmostEqual(lit_pixels(window) / disc, 1.0, delta=0.008)
+        mapper.SetIsoValue(100.0)  # outside the range: nothing, and no error
+        said = errors_of(mapper)
+        self.assertEqual(lit_pixels(window), 0)
+        self.assertEqual(said, [])
+
+
+class Files(unittest.TestCase):
+    def test_a_missing_file_is_an_error(self):
+        reader = hasp.vtkHaspVolumeReader()
+        reader.SetFileName("/nonexistent/head.mha")
+        said = errors_of(reader)
+        reader.Update()
+        self.assertIn("head.mha", "".join(said))
+        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_a_volume_comes_back_as_written(self):
+        image = ball()
+        image.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ball.mha")
+            writer = hasp.vtkHaspVolumeWriter()
+            writer.SetInputData(image)
+            writer.SetFileName(path)
+            self.assertEqual(writer.Write(), 1)
+            reader = hasp.vtkHaspVolumeReader()
+            reader.SetFileName(path)
+            reader.Update()
+        back = reader.GetOutput()
+        self.assertEqual(back.GetDimensions(), image.GetDimensions())
+        self.assertEqual([back.GetDirectionMatrix().GetElement(0, c) for c in range(3)], [0, -1, 0])
+        for p in (0, 7812, 15624):
+            self.assertEqual(back.GetPointData().GetScalars().GetValue(p),
+                             image.GetPointData().GetScalars().GetValue(p))
+
+
+class Stereo(unittest.TestCase):
+    def test_an_unknown_layout_is_an_error_and_changes_nothing(self):
+        picture = hasp.vtkHaspStereoPicture()
+        said = errors_of(picture)
+        picture.SetLayoutName("sideways")
+        self.assertIn("side-by-side", "".join(said))
+        self.assertEqual(picture.GetLayoutName(), "side-by-side")
+
+    def test_eyes_stand_side_by_side(self):
+        hasp.UseHeadlessWindows()
+        mapper = hasp.vtkHaspClusteredCellMapper()
+        mapper.SetInputData(ball())
+        _window, renderer = scene(mapper)
+        renderer.GetActiveCamera().ParallelProjectionOff()
+        picture = hasp.vtkHaspStereoPicture()
+        picture.SetRenderer(renderer)
+        image = vtkImageData()
+        self.assertTrue(picture.RenderInto(image))
+        self.assertEqual(image.GetDimensions(), (2 * HEIGHT, HEIGHT, 1))
+        said = errors_of(picture)
+        renderer.GetActiveCamera().ParallelProjectionOn()  # no eye
+        self.assertFalse(picture.RenderInto(image))
+        self.assertTrue(said)
+        self.assertEqual(image.GetNumberOfPoints(), 0)
+
+
+class Guide(unittest.TestCase):
+    def test_reads_recipes_and_reports_those_that_are_none(self):
+        guide = hasp.vtkHaspGuideFilter()
+        said = errors_of(guide)
+        self.assertFalse(guide.ReadRecipe("/nonexistent/recipe.json"))
+        self.assertIn("recipe.json", "".join(said))
+        recipe = pathlib.Path(__file__).parents[2] / "Data/cranium-guide.json"
+        self.assertTrue(guide.ReadRecipe(str(recipe)))
+
+
+if __name__ == "__main__":
+    unittest.main()
