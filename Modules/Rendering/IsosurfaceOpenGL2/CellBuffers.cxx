@@ -10,8 +10,8 @@ namespace
 {
 unsigned int MakeBuffer(const void* data, std::size_t bytes)
 {
-  while (glGetError() != GL_NO_ERROR) // somebody else's
-  {
+  for (int old = 0; old < 32 && glGetError() != GL_NO_ERROR; ++old) // somebody else's; a lost
+  {                                                                 // context has no end of them
   }
   GLuint buffer = 0;
   glGenBuffers(1, &buffer);
