@@ -105,13 +105,13 @@ std::string CertificateText(const GuideCertificate& certificate)
          Line("2-manifold          %s\n", YesNo(mesh.TwoManifold())) +
          Line("outward             %s\n", YesNo(mesh.Outward())) + "self-intersections  " + meets +
          "\n" +
-         Line("gap asked           %.3f mm, inner wall %.1f mm2\n", certificate.gapAskedMm,
-           gap.innerWallMm2) +
-         Line("gap p5 p50 p95      %.3f  %.3f  %.3f mm, least %.3f, most %.3f\n", gap.p5, gap.p50,
-           gap.p95, gap.least, gap.most) +
+         Line("gap asked           %.3f mm; inner wall, what faces bone: %.1f mm2\n",
+           certificate.gapAskedMm, gap.innerWallMm2) +
+         Line("gap p5 p50 p95      %.3f  %.3f  %.3f mm by area, least %.3f, most %.3f\n", gap.p5,
+           gap.p50, gap.p95, gap.least, gap.most) +
          Line("within %.2f mm      %.2f %% of the inner wall\n", certificate.toleranceMm,
            100.0 * gap.share) +
-         Line("nearest of all      %.3f mm\n", gap.leastAnywhere);
+         Line("nearest of all      %.3f mm, whichever way the wall faces\n", gap.leastAnywhere);
 }
 
 nlohmann::ordered_json CertificateJson(const GuideCertificate& certificate)

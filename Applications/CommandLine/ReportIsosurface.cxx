@@ -134,8 +134,7 @@ void RunRealVolume(ReportContext& context, int pixels)
     ReportRow row;
     row.id = "isosurface.frame.mesh@cranium";
     row.rival = "all methods on a real CT";
-    row.absent =
-      "no Cranium.inv3 at hand: Utilities/Scripts/cranium installs it, --volume names it";
+    row.absent = "no real CT there: give --volume the path that Utilities/Scripts/cranium prints";
     context.report.rows.push_back(row);
     return;
   }

@@ -3,6 +3,7 @@
 #include "GuideCertificate.h"
 #include "Session.h"
 #include "Verbs.h"
+#include "Version.h"
 #include "VolumeInput.h"
 #include "VtkMessages.h"
 #include "vtkHaspGuideFilter.h"
@@ -89,9 +90,16 @@ void Check(const std::string& stl, vtkImageData* volume, const GuideRecipe& reci
   const std::vector<std::string> faults = FaultsOf(certificate, leastShare);
   session.progress.Wipe();
   if (!session.json)
-    std::cout << CertificateText(certificate);
-  session.result["certificate"] = CertificateJson(certificate);
-  session.result["certificate"]["faults"] = faults;
+    std::cout << CertificateText(certificate) << "verdict             "
+              << (faults.empty() ? "holds" : "DOES NOT HOLD") << "; at least " << 100.0 * leastShare
+              << " % of the inner wall must be within\n";
+  nlohmann::ordered_json& json = session.result["certificate"];
+  json = { { "passed", faults.empty() }, { "least_share", leastShare },
+    { "isovalue", recipe.isovalue } };
+  json.update(CertificateJson(certificate));
+  json["faults"] = faults;
+  json["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
+  json["intended_use"] = "research use only, not a medical device";
   if (faults.empty())
     return;
   throw FailedCheck("the guide does not hold and was not kept", faults);
@@ -102,6 +110,7 @@ void Run(const GuideOptions& options, Session& session)
   RequireWritable(options.output, { ".stl" });
   const GuideRecipe recipe = ReadRecipe(options.recipe);
   const LoadedVolume volume = ReadVolume(options.input, options.series, session);
+  SayWarnings(volume.passport, session);
   const auto guide = MakeGuide(volume.image, recipe, session);
   const auto inspect = [&](const std::string& pendingFile)
   {

@@ -30,6 +30,7 @@ void Run(const Choices& choices, Session& session)
 {
   RequireWritable(choices.output, { ".png" });
   const LoadedVolume volume = ReadVolume(choices.input, choices.series, session);
+  SayWarnings(volume.passport, session);
   RequireIsoValue(choices.render.isoValue, volume.passport);
   vtkSmartPointer<vtkImageData> image = volume.image;
   if (choices.ignoreBelowMm3 > 0.0)

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <iostream>
 #include <new>
 #include <stdexcept>
 
@@ -66,6 +67,14 @@ LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
   {
     throw Failure(ExitCode::BadInput, error.what());
   }
+}
+
+void SayWarnings(const Passport& passport, Session& session)
+{
+  session.progress.Wipe();
+  if (!session.quiet)
+    for (const std::string& warning : passport.warnings)
+      std::cerr << "hasp: warning: " << warning << std::endl;
 }
 
 void RequireIsoValue(double isoValue, const Passport& passport)

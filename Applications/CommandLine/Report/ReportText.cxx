@@ -53,8 +53,11 @@ std::string FigureText(const std::optional<double>& value, const std::string& un
 
 std::string ReportText(const Report& report)
 {
-  std::string text = "report " + report.name + (report.quick ? " (quick)" : "") + ", seed " +
-                     std::to_string(report.seed) + "\n";
+  std::string text =
+    "report " + report.name + (report.quick ? " (quick)" : "") + ", seed " +
+    std::to_string(report.seed) + "\n" +
+    "ratio: ours / rival, below 1 is better for us (ids with speedup, simd, speed or rays: "
+    "above 1). error, time, CPU: of ours in a ratio, else of the method measured.\n";
   for (const ReportRow& row : report.rows)
     text += RowText(row);
   for (const StabilityRow& row : report.stability)
