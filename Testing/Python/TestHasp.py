@@ -125,7 +125,7 @@ class Files(unittest.TestCase):
         reader.SetFileName("/nonexistent/head.mha")
         said = errors_of(reader)
         reader.Update()
-        self.assertIn("head.mha", "".join(said))
+        self.assertIn("the .mha file: there is no such file", "".join(said))
         self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 0)
 
     def test_a_volume_comes_back_as_written(self):

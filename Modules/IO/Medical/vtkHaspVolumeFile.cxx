@@ -1,5 +1,5 @@
 #include "vtkHaspVolumeFile.h"
-#include "VolumeFormat.h"
+#include "Volumes/VolumeFormat.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/ParallelFor.h"
@@ -73,7 +73,8 @@ std::vector<SliceRange> RangesOf(const GridView<const T>& grid)
   return ranges;
 }
 
-void CompletePassport(const std::string& baseName, const AnyGridView& grid, Passport& passport)
+void CompletePassport(
+  const std::filesystem::path& file, const AnyGridView& grid, Passport& passport)
 {
   const auto ranges = std::visit([](const auto& view) { return RangesOf(view); }, grid);
   const int rowLength = GeometryOf(grid).dims.x;
@@ -92,9 +93,9 @@ void CompletePassport(const std::string& baseName, const AnyGridView& grid, Pass
     passport.maximum = std::max(passport.maximum, range.maximum);
   }
   if (notFinite > 0)
-    ThrowFileError(baseName, "holds " + std::to_string(notFinite) +
-                               " samples that are NaN or infinite, the first at index (" + first +
-                               "); replace them by numbers before opening it");
+    ThrowFileError(file, "holds " + std::to_string(notFinite) +
+                           " samples that are NaN or infinite, the first at index (" + first +
+                           "); replace them by numbers before opening it");
 }
 
 OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSettings& settings,
@@ -134,7 +135,7 @@ OpenedVolume OpenVolume(
   if (settings.series > opened.passport.seriesFound)
     ThrowFileError(file, "series " + std::to_string(settings.series) +
                            " was asked for, but only a folder of DICOM slices has several");
-  opened.baseName = BaseName(file);
+  opened.file = path;
   return opened;
 }
 
@@ -143,7 +144,7 @@ LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& prog
   LoadedVolume volume{ opened.passport, opened.load(progress) };
   const AnyGridView grid = ViewImage(volume.image);
   volume.passport.sampleType = SampleTypeName(volume.image->GetScalarType());
-  CompletePassport(opened.baseName, grid, volume.passport);
+  CompletePassport(std::filesystem::u8path(opened.file), grid, volume.passport);
   ReportProgress(progress, 1.0);
   return volume;
 }

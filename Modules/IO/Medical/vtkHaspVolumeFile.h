@@ -52,7 +52,7 @@ struct VolumeReadSettings
 /// A file whose header has been read and found good. `load` decodes the samples.
 struct OpenedVolume
 {
-  std::string baseName; ///< of the file or folder: begins the errors of LoadVolume
+  std::string file; ///< the path that was opened
   Passport passport;
   std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&)> load;
 };

@@ -1,5 +1,6 @@
 #include "IOFixture.h"
 
+#include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
@@ -14,6 +15,7 @@
 
 IOFixture::IOFixture()
 {
+  hasp::ShowFileNames(true); // most tests hold that the right file is named
   std::string pattern = (std::filesystem::temp_directory_path() / "hasp-io-XXXXXX").string();
   if (!mkdtemp(pattern.data()))
     throw std::runtime_error("no temporary folder");

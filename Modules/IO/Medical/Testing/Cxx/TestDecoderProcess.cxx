@@ -1,5 +1,5 @@
+#include "Dicom/DicomWire.h"
 #include "DicomFixture.h"
-#include "DicomWire.h"
 
 #include <sys/wait.h>
 

@@ -93,7 +93,7 @@ TEST_F(Invesalius, UntrustworthyArchivesAreRefused)
   this->ExpectRefused(this->Pack({ list, data, data }), { "two entries" });
   this->ExpectRefused(this->Pack({ list, data, { "u/other", "x" } }), { "top folder" });
   this->ExpectRefused(this->Pack({ { "t/notes", "x" } }), { "no main.plist" });
-  this->ExpectRefused(this->Pack({ list }), { "no such file" });
+  this->ExpectRefused(this->Pack({ list }), { "lacks the file of samples" });
   this->ExpectRefused(
     this->Pack({ { "t/main.plist", std::string(2 << 20, ' ') }, data }), { "property list" });
   std::vector<Entry> many{ list, data };
@@ -188,7 +188,7 @@ TEST_F(Invesalius, BadPropertyListsAreRefused)
   this->ExpectListRefused("<integer>8</integer>", "", "three numbers");
   this->ExpectListRefused("<real>0.5</real>", "<real>0</real>", "spacing");
   this->ExpectListRefused("<real>0.5</real>", "<real>nan</real>", "no number");
-  this->ExpectListRefused("matrix.dat", "../matrix.dat", "no such file");
+  this->ExpectListRefused("matrix.dat", "../matrix.dat", "lacks the file of samples");
 }
 
 TEST_F(Invesalius, ProjectIsExactAndRightHandedInLPS)

@@ -73,7 +73,7 @@ TEST_F(MetaImage, BadHeadersAreRefused)
   this->ExpectHeaderRefused("ElementType", "MET_DOUBLE", "MET_SHORT");
   this->ExpectHeaderRefused("ElementDataFile", "../../etc/passwd", "beside it");
   this->ExpectHeaderRefused("ElementDataFile", "LIST", "beside it");
-  this->ExpectHeaderRefused("ElementDataFile", "gone.raw", "gone.raw is not there");
+  this->ExpectHeaderRefused("ElementDataFile", "gone.raw", "is not there");
   this->ExpectHeaderRefused("ElementDataFile", "", "no MetaImage");
   this->ExpectHeaderRefused("CompressedData", "True", "damaged");
   this->ExpectHeaderRefused("CompressedData", "TRUE", "damaged");

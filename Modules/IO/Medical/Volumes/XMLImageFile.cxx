@@ -1,4 +1,4 @@
-#include "VolumeFormat.h"
+#include "Volumes/VolumeFormat.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkCallbackCommand.h"

@@ -1,5 +1,5 @@
-#include "AtomicFile.h"
-#include "VolumeFormat.h"
+#include "Files/AtomicFile.h"
+#include "Volumes/VolumeFormat.h"
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeView.h"
 

@@ -1,4 +1,4 @@
-#include "DecoderProcess.h"
+#include "Dicom/DecoderProcess.h"
 
 #include <dlfcn.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
-#include "DecoderProcess.h"
-#include "VolumeFormat.h"
+#include "Dicom/DecoderProcess.h"
+#include "Volumes/VolumeFormat.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -139,8 +139,10 @@ int DecoderProcess::Reap()
 
 std::string DecoderProcess::AtFile() const
 {
-  return this->Next < this->Files.size() ? " at " + BaseName(this->Files[this->Next])
-                                         : std::string();
+  return this->Next < this->Files.size()
+           ? " at " + (FileNamesShown() ? FileLabel(this->Files[this->Next])
+                                        : "file " + std::to_string(this->Next + 1))
+           : std::string();
 }
 
 std::size_t DecoderProcess::ReadSome(void* into, std::size_t size, const ProgressFunction& progress)
@@ -225,8 +227,9 @@ void DecoderProcess::Check(const SliceRecord& r) const
     this->ThrowGarbage("status");
   if (r.rows > 65535 || r.columns > 65535)
     this->ThrowGarbage("size");
-  if (!Ended(r.modality, sizeof(r.modality)) || !Ended(r.compression, sizeof(r.compression)) ||
-      !Ended(r.series, sizeof(r.series)) || !Ended(r.frame, sizeof(r.frame)))
+  if (!Ended(r.modality, sizeof(r.modality)) || !Ended(r.photometric, sizeof(r.photometric)) ||
+      !Ended(r.transferSyntax, sizeof(r.transferSyntax)) || !Ended(r.series, sizeof(r.series)) ||
+      !Ended(r.frame, sizeof(r.frame)))
     this->ThrowGarbage("text");
   const bool pixels =
     this->Doing == Mode::Decode && r.status == static_cast<std::uint32_t>(SliceStatus::Image);

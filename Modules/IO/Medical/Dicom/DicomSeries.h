@@ -1,5 +1,5 @@
 #pragma once
-#include "DicomWire.h"
+#include "Dicom/DicomWire.h"
 #include "vtkHaspVolumeFile.h"
 
 #include <filesystem>
@@ -12,6 +12,7 @@ namespace hasp
 struct DicomSlice
 {
   std::filesystem::path file;
+  int number = 0; ///< in the folder, from 1, in the order of the paths
   std::uint64_t fileBytes = 0;
   SliceRecord record{};
 };
@@ -28,7 +29,7 @@ struct DicomStack
 DicomStack StackSeries(const std::filesystem::path& folder, std::vector<DicomSlice> files,
   const VolumeReadSettings& settings);
 
-/// "IM0007 (instance 7)": how errors speak of a slice.
+/// "file 7 (instance 7)", or its name where names are shown: how errors speak of a slice.
 std::string SliceName(const DicomSlice& slice);
 
 } // namespace hasp

@@ -1,4 +1,4 @@
-#include "VolumeFormat.h"
+#include "Volumes/VolumeFormat.h"
 
 #include "vtkImageData.h"
 #include "vtkType.h"
@@ -185,7 +185,7 @@ void FindData(
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(meta.dataFile, error);
   if (error)
-    ThrowFileError(file, "its samples' file " + BaseName(meta.dataFile) + " is not there");
+    ThrowFileError(file, "the file beside it that ElementDataFile names is not there");
   if (const auto skip = Numbers(file, keys, { "HeaderSize" }, 1); !skip.empty() && skip[0] != 0.0)
   {
     const bool fromEnd = skip[0] == -1.0 && !meta.compressed && size >= meta.totalBytes;

@@ -1,6 +1,6 @@
-#include "DicomSeries.h"
-#include "DicomChecks.h"
-#include "VolumeFormat.h"
+#include "Dicom/DicomSeries.h"
+#include "Dicom/DicomChecks.h"
+#include "Volumes/VolumeFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +28,8 @@ Series Group(const std::filesystem::path& folder, std::vector<DicomSlice>& files
   for (DicomSlice& slice : files)
   {
     if (Is(slice, SliceStatus::Damaged) || Is(slice, SliceStatus::CutOff))
-      ThrowFileError(
-        folder, BaseName(slice.file) +
-                  " is damaged or cut off; copy it again, or take it out of the folder");
+      ThrowFileError(folder,
+        SliceName(slice) + " is damaged or cut off; copy it again, or take it out of the folder");
     if (Is(slice, SliceStatus::NotDicom) || Is(slice, SliceStatus::NoImage))
       ++skipped;
     else
@@ -100,7 +99,8 @@ void Describe(const std::vector<DicomSlice>& slices, Passport& passport)
   passport.format = "DICOM";
   passport.modality = SafeText(first.modality);
   passport.hounsfield = passport.modality == "CT" && all(HasRescale | RescaleIsHU);
-  passport.compression = SafeText(first.compression);
+  if (first.flags & Packed)
+    passport.compression = SafeText(first.transferSyntax);
   passport.sampleType = CertainlyInt16(slices) ? "int16" : "int16 or float32";
   if (passport.modality == "CT" && !passport.hounsfield)
     passport.warnings.push_back(
@@ -118,7 +118,8 @@ void Describe(const std::vector<DicomSlice>& slices, Passport& passport)
 
 std::string SliceName(const DicomSlice& slice)
 {
-  std::string name = BaseName(slice.file);
+  std::string name =
+    FileNamesShown() ? FileLabel(slice.file) : "file " + std::to_string(slice.number);
   if (slice.record.flags & HasInstance)
     name += " (instance " + std::to_string(slice.record.instance) + ")";
   return name;

@@ -2,7 +2,7 @@
 // file can harm nothing. See DicomWire.h for what goes in and out. It limits its own memory and
 // time before it opens the first file, and opens no other files than those it is told (and DCMTK's
 // dictionary).
-#include "DicomWire.h"
+#include "Dicom/DicomWire.h"
 
 #include <dcmtk/config/osconfig.h>
 
@@ -95,6 +95,8 @@ void DescribeGeometry(DcmItem& data, SliceRecord& record)
     record.flags |= hasp::HasPosition;
   if (Numbers(data, DCM_ImageOrientationPatient, record.orientation, 6))
     record.flags |= hasp::HasOrientation;
+  if (Numbers(data, DCM_GantryDetectorTilt, &record.gantryTilt, 1))
+    record.flags |= hasp::HasGantryTilt;
   record.slope = 1.0;
   const bool slope = Numbers(data, DCM_RescaleSlope, &record.slope, 1);
   const bool intercept = Numbers(data, DCM_RescaleIntercept, &record.intercept, 1);
@@ -130,6 +132,11 @@ void Describe(DcmDataset& data, SliceRecord& record)
     record.flags |= hasp::Monochrome1;
   if (photometric == "MONOCHROME2")
     record.flags |= hasp::Monochrome2;
+  CopyText(data, DCM_PhotometricInterpretation, record.photometric, sizeof(record.photometric));
+  OFString burnedIn;
+  data.findAndGetOFString(DCM_BurnedInAnnotation, burnedIn);
+  if (burnedIn == "YES" || burnedIn == "NO")
+    record.flags |= burnedIn == "YES" ? hasp::SaysBurnedIn : hasp::SaysNotBurnedIn;
   DescribeGeometry(data, record);
   CopyText(data, DCM_Modality, record.modality, sizeof(record.modality));
   CopyText(data, DCM_SeriesInstanceUID, record.series, sizeof(record.series));
@@ -137,10 +144,8 @@ void Describe(DcmDataset& data, SliceRecord& record)
   const E_TransferSyntax syntax = data.getOriginalXfer();
   const DcmXfer transfer(syntax);
   if (transfer.isEncapsulated() || syntax == EXS_DeflatedLittleEndianExplicit)
-  {
     record.flags |= hasp::Packed;
-    std::strncpy(record.compression, transfer.getXferName(), sizeof(record.compression) - 1);
-  }
+  std::strncpy(record.transferSyntax, transfer.getXferName(), sizeof(record.transferSyntax) - 1);
   const bool image = record.rows > 0 && record.columns > 0;
   record.status = static_cast<std::uint32_t>(!image              ? SliceStatus::NoImage
                                              : CanDecode(syntax) ? SliceStatus::Image

@@ -1,5 +1,5 @@
 #pragma once
-#include "DicomSeries.h"
+#include "Dicom/DicomSeries.h"
 
 #include <filesystem>
 #include <vector>

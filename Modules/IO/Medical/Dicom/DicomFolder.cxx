@@ -1,6 +1,6 @@
-#include "DecoderProcess.h"
-#include "DicomSeries.h"
-#include "VolumeFormat.h"
+#include "Dicom/DecoderProcess.h"
+#include "Dicom/DicomSeries.h"
+#include "Volumes/VolumeFormat.h"
 
 #include "Grid/ParallelFor.h"
 
@@ -33,12 +33,14 @@ std::vector<DicomSlice> ListFiles(const std::filesystem::path& folder)
     if (files.size() == FileLimit)
       ThrowFileError(folder,
         "holds more than " + std::to_string(FileLimit) + " files; open the folder of one series");
-    files.push_back({ at->path(), at->file_size(unreadable), {} });
+    files.push_back({ at->path(), 0, at->file_size(unreadable), {} });
   }
   if (error)
     ThrowFileError(folder, "cannot be listed: " + error.message());
   std::sort(files.begin(), files.end(),
     [](const DicomSlice& a, const DicomSlice& b) { return a.file < b.file; });
+  for (std::size_t n = 0; n < files.size(); ++n)
+    files[n].number = static_cast<int>(n) + 1;
   return files;
 }
 

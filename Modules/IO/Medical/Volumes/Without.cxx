@@ -1,4 +1,4 @@
-#include "VolumeFormat.h"
+#include "Volumes/VolumeFormat.h"
 
 // The formats this build was made without: they are named, so that the error says what to do.
 namespace hasp

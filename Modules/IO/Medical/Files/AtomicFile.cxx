@@ -1,5 +1,5 @@
-#include "AtomicFile.h"
-#include "VolumeFormat.h"
+#include "Files/AtomicFile.h"
+#include "Volumes/VolumeFormat.h"
 #include "vtkHaspOutputFile.h"
 
 #include <fcntl.h>
@@ -72,9 +72,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& file) : Target(file)
   do
   {
     std::ostringstream unique;
-    // Cut: with what is added, a name as long as may be would be too long.
-    unique << '.' << file.filename().string().substr(0, 200) << '.' << getpid() << '-' << counter++
-           << ".tmp";
+    unique << ".hasp-" << getpid() << '-' << counter++ << ".tmp"; // names may name a patient
     name = FolderOf(file) / unique.str();
     this->Descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (this->Descriptor < 0 && errno == EEXIST);

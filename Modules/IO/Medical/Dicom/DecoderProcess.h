@@ -1,5 +1,5 @@
 #pragma once
-#include "DicomWire.h"
+#include "Dicom/DicomWire.h"
 #include "vtkHaspVolumeFile.h"
 
 #include <chrono>

@@ -33,7 +33,10 @@ enum SliceFlags : std::uint32_t
   Monochrome1 = 64,
   Monochrome2 = 128,
   HasInstance = 256,
-  AllFlags = 511
+  SaysBurnedIn = 512,     ///< Burned In Annotation (0028,0301) is YES
+  SaysNotBurnedIn = 1024, ///< it is NO; neither flag: the file does not say
+  HasGantryTilt = 2048,
+  AllFlags = 4095
 };
 
 struct SliceRecord
@@ -52,13 +55,15 @@ struct SliceRecord
   double position[3];     ///< of the first pixel, LPS mm; NaN if it is no number
   double orientation[6];  ///< direction of a row, direction of a column
   double slope, intercept;
+  double gantryTilt;        ///< degrees, as the file says (0018,1120); the stack itself is measured
   std::uint64_t pixelBytes; ///< that follow
   char modality[24];        ///< NUL-ended texts
-  char compression[72];
+  char photometric[24];
+  char transferSyntax[72]; ///< DCMTK's name for it
   char series[72];
   char frame[72]; ///< frame of reference
 };
 static_assert(std::is_trivially_copyable_v<SliceRecord>);
-static_assert(sizeof(SliceRecord) == 56 + 13 * 8 + 8 + 24 + 3 * 72);
+static_assert(sizeof(SliceRecord) == 56 + 14 * 8 + 8 + 2 * 24 + 3 * 72);
 
 } // namespace hasp

@@ -1,4 +1,4 @@
-#include "VolumeFormat.h"
+#include "Volumes/VolumeFormat.h"
 
 #include "vtkImageData.h"
 #include "vtkType.h"
@@ -12,31 +12,12 @@
 namespace hasp
 {
 
-std::string BaseName(const std::filesystem::path& path)
-{
-  const auto name = path.filename().empty() ? path.parent_path().filename() : path.filename();
-  return name.string();
-}
-
-std::string LowerExtension(const std::filesystem::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 std::string SafeText(const std::string& text)
 {
   std::string safe = text;
   std::replace_if(
     safe.begin(), safe.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return safe;
-}
-
-void ThrowFileError(const std::filesystem::path& file, const std::string& what)
-{
-  throw std::runtime_error(BaseName(file) + ": " + what);
 }
 
 std::size_t CheckSampleBytes(const std::filesystem::path& file, std::int64_t x, std::int64_t y,
@@ -85,15 +66,6 @@ std::string SampleTypeName(int vtkType)
     default:
       return {};
   }
-}
-
-std::string Text(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(6);
-  text << value;
-  return text.str();
 }
 
 } // namespace hasp

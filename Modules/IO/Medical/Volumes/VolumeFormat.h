@@ -1,4 +1,5 @@
 #pragma once
+#include "Files/FileError.h"
 #include "vtkHaspVolumeFile.h"
 
 #include <cstdint>
@@ -14,17 +15,8 @@ OpenedVolume OpenInvesalius(const std::filesystem::path& file, const VolumeReadS
 OpenedVolume OpenMetaImage(const std::filesystem::path& file, const VolumeReadSettings& settings);
 OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSettings& settings);
 
-/// The last part of a path: all that errors may say of it.
-std::string BaseName(const std::filesystem::path& path);
-
-/// The name's ending in lower case, with its dot: readers and writers go by it.
-std::string LowerExtension(const std::filesystem::path& path);
-
 /// Text of a file that may be shown: what is not printable ASCII becomes "?".
 std::string SafeText(const std::string& text);
-
-/// A std::runtime_error that begins with the file's base name.
-[[noreturn]] void ThrowFileError(const std::filesystem::path& file, const std::string& what);
 
 /// Bytes of x*y*z samples. Throws like ThrowFileError if a size is below 1 or above INT_MAX, or the
 /// bytes are above the limit. Call before taking memory.
@@ -36,8 +28,5 @@ vtkSmartPointer<vtkImageData> NewImage(const GridGeometry& geometry, int vtkType
 
 /// "int16" for VTK_SHORT and so on; empty for a type that no kernel reads.
 std::string SampleTypeName(int vtkType);
-
-/// Shortest text that reads well: "12.5", "0.001".
-std::string Text(double value);
 
 } // namespace hasp

@@ -1,5 +1,5 @@
-#include "SafeArchive.h"
-#include "VolumeFormat.h"
+#include "Files/SafeArchive.h"
+#include "Volumes/VolumeFormat.h"
 
 #include <archive.h>
 #include <archive_entry.h>

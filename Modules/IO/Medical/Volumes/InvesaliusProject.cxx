@@ -1,5 +1,5 @@
-#include "SafeArchive.h"
-#include "VolumeFormat.h"
+#include "Files/SafeArchive.h"
+#include "Volumes/VolumeFormat.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -161,8 +161,7 @@ vtkSmartPointer<vtkImageData> LoadMatrix(const std::filesystem::path& file,
       return true;
     });
   if (!image)
-    ThrowFileError(file, "main.plist names " + BaseName(matrix.fileName) +
-                           " as the samples, the archive has no such file");
+    ThrowFileError(file, "the archive lacks the file of samples that main.plist names");
   return image;
 }
 

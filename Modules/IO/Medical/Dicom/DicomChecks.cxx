@@ -1,5 +1,5 @@
-#include "DicomChecks.h"
-#include "VolumeFormat.h"
+#include "Dicom/DicomChecks.h"
+#include "Volumes/VolumeFormat.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -117,7 +117,7 @@ void CheckSlice(const std::filesystem::path& folder, const DicomSlice& slice)
   const auto fail = [&](const std::string& what)
   { ThrowFileError(folder, SliceName(slice) + " " + what); };
   if (r.status == static_cast<std::uint32_t>(SliceStatus::Undecodable))
-    fail("is compressed as \"" + std::string(r.compression) +
+    fail("is compressed as \"" + std::string(r.transferSyntax) +
          "\", for which there is no decoder; convert the series first, say with gdcmconv --raw");
   if (r.frames != 1)
     fail("holds " + std::to_string(r.frames) +

@@ -1,0 +1,73 @@
+#include "Files/FileError.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+
+namespace hasp
+{
+namespace
+{
+
+std::atomic<bool> NamesShown{ false };
+
+/// Endings that say what a file is. Any other could be a part of a name.
+constexpr const char* KnownEndings[] = { ".dcm", ".html", ".inv3", ".json", ".mha", ".mhd", ".nhdr",
+  ".nii", ".nii.gz", ".nrrd", ".obj", ".ply", ".png", ".seg.nrrd", ".stl", ".vti", ".vtp" };
+
+} // namespace
+
+void ShowFileNames(bool shown)
+{
+  NamesShown = shown;
+}
+
+bool FileNamesShown()
+{
+  return NamesShown;
+}
+
+std::string FileLabel(const std::filesystem::path& path)
+{
+  if (NamesShown)
+  {
+    const auto whole = path.lexically_normal();
+    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+  }
+  const std::string ending = LowerExtension(path);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    return "the folder";
+  if (std::find(std::begin(KnownEndings), std::end(KnownEndings), ending) != std::end(KnownEndings))
+    return "the " + ending + " file";
+  return "the file";
+}
+
+std::string LowerExtension(const std::filesystem::path& path)
+{
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const std::string two : { ".nii.gz", ".seg.nrrd" })
+    if (name.size() > two.size() && name.ends_with(two))
+      return two;
+  return std::filesystem::path(name).extension().string();
+}
+
+void ThrowFileError(const std::filesystem::path& file, const std::string& what)
+{
+  throw std::runtime_error(FileLabel(file) + ": " + what);
+}
+
+std::string Text(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
+} // namespace hasp
