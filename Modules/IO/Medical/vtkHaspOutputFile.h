@@ -17,9 +17,16 @@ class vtkPolyData;
 namespace hasp
 {
 
-/// .vti (LZ4) or .mha (raw), by the extension. What ViewImage takes is written, with its
-/// direction. MetaImage has no extent: there, sample (0,0,0) is the first of the image's extent.
-VTKHASPIOMEDICAL_EXPORT void WriteVolume(vtkImageData* image, const std::string& path);
+struct VolumeWriteSettings
+{
+  bool compress = false; ///< .nrrd with gzip; .nii.gz and .vti always are compressed, others never
+};
+
+/// .vti (LZ4), .mha, .nrrd (raw, or gzip), .nii (raw) or .nii.gz, by the ending. What ViewImage
+/// takes is written, with its direction; none but .vti has an extent: there, sample (0,0,0) is the
+/// first of the image's extent. What VolumeSlabWriter says of its files is true of these.
+VTKHASPIOMEDICAL_EXPORT void WriteVolume(
+  vtkImageData* image, const std::string& path, const VolumeWriteSettings& settings = {});
 
 /// Binary STL, world millimetres in LPS, float32, normals from the triangles' corners; the 80-byte
 /// header says "Hasp <version> SPACE=LPS; UNIT=mm". Refused: no triangles, polygons or strips (run

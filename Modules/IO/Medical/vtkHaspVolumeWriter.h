@@ -1,6 +1,6 @@
 /**
  * @class   vtkHaspVolumeWriter
- * @brief   Writes a volume as .vti or .mha, atomically, with its direction matrix.
+ * @brief   Writes a volume as .vti, .mha, .nrrd, .nii or .nii.gz, atomically, with its direction.
  *
  * The file appears whole or not at all; on failure the earlier file is as it was. See
  * hasp::WriteVolume for what is written and what is refused.
@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkHaspVolumeWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Ends in .vti or .mha. UTF-8.
+  /// Ends in .vti, .mha, .nrrd, .nii or .nii.gz. UTF-8.
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
 

@@ -1,6 +1,7 @@
 #include "Files/AtomicFile.h"
 #include "Volumes/VolumeFormat.h"
 #include "vtkHaspOutputFile.h"
+#include "vtkHaspVolumeSlabs.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkCallbackCommand.h"
@@ -10,9 +11,7 @@
 #include "vtkNew.h"
 #include "vtkXMLImageDataWriter.h"
 
-#include <cmath>
-#include <limits>
-#include <sstream>
+#include <span>
 
 namespace hasp
 {
@@ -41,52 +40,23 @@ void WriteXML(const std::filesystem::path& file, vtkImageData* image)
   output.Commit();
 }
 
-const char* MetaType(const AnyGridView& grid)
-{
-  const char* const names[] = { "MET_SHORT", "MET_USHORT", "MET_UCHAR", "MET_FLOAT" };
-  return names[grid.index()];
-}
-
-void WriteMeta(const std::filesystem::path& file, const AnyGridView& grid)
-{
-  const GridGeometry& g = GeometryOf(grid);
-  std::ostringstream header;
-  header.imbue(std::locale::classic());
-  header.precision(std::numeric_limits<double>::max_digits10); // reads back bit by bit
-  const auto three = [&](const char* key, const auto& v)
-  { header << key << " = " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
-  header << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
-            "CompressedData = False\nTransformMatrix =";
-  for (int a = 0; a < 3; ++a)
-    for (int row = 0; row < 3; ++row)
-      header << " " << g.direction[a][row];
-  header << "\n";
-  three("Offset", g.origin);
-  three("ElementSpacing", g.spacing);
-  three("DimSize", g.dims);
-  header << "ElementType = " << MetaType(grid) << "\nElementDataFile = LOCAL\n";
-  AtomicFile output(file);
-  const std::string text = header.str();
-  output.Write(text.data(), text.size());
-  std::visit([&](const auto& view)
-    { output.Write(view.data, view.geometry.Size() * sizeof(*view.data)); },
-    grid);
-  output.Commit();
-}
-
 } // namespace
 
-void WriteVolume(vtkImageData* image, const std::string& path)
+void WriteVolume(vtkImageData* image, const std::string& path, const VolumeWriteSettings& settings)
 {
   const AnyGridView grid = ViewImage(image); // refuses what no reader of ours would take
   const std::filesystem::path file = std::filesystem::u8path(path);
-  const std::string extension = LowerExtension(file);
-  if (extension == ".vti")
-    WriteXML(file, image);
-  else if (extension == ".mha")
-    WriteMeta(file, grid);
-  else
-    ThrowFileError(file, "volumes are written as .vti or .mha; give the name one of these endings");
+  if (LowerExtension(file) == ".vti")
+    return WriteXML(file, image);
+  std::visit(
+    [&](const auto& view)
+    {
+      VolumeSlabWriter writer(
+        path, view.geometry, static_cast<SampleType>(grid.index()), settings.compress);
+      writer.Append(std::span(view.data, view.geometry.Size()));
+      writer.Commit();
+    },
+    grid);
 }
 
 } // namespace hasp

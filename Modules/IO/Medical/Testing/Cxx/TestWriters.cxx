@@ -101,7 +101,7 @@ TEST_F(Writers, UnwritableNamesAreErrors)
 {
   const auto g = this->Truth();
   const auto image = hasp::MakeImage(g, Samples(g));
-  for (const char* name : { "absent/a.mha", "absent/a.vti", "a.nii", "a", "" })
+  for (const char* name : { "absent/a.mha", "absent/a.vti", "a.hdr", "a", "" })
   {
     SCOPED_TRACE(name);
     EXPECT_THROW(hasp::WriteVolume(image, (this->Folder / name).string()), std::runtime_error);
