@@ -1,8 +1,8 @@
 #pragma once
 #include "Dicom/DicomWire.h"
+#include "Sandbox/ChildProcess.h"
 #include "vtkHaspVolumeFile.h"
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,7 +25,6 @@ public:
   };
   DecoderProcess(
     Mode mode, const std::vector<std::filesystem::path>& files, const VolumeReadSettings& settings);
-  ~DecoderProcess();
   DecoderProcess(const DecoderProcess&) = delete;
   DecoderProcess& operator=(const DecoderProcess&) = delete;
 
@@ -40,26 +39,14 @@ public:
   void Finish(const ProgressFunction& progress);
 
 private:
-  using Clock = std::chrono::steady_clock;
-  std::size_t ReadSome(void* into, std::size_t size, const ProgressFunction& progress);
-  void ReadAll(void* into, std::size_t size, const ProgressFunction& progress);
+  ChildProcess::Beat BeatOf(const ProgressFunction& progress) const;
   void Check(const SliceRecord& record) const;
-  [[noreturn]] void ThrowEnded();
-  [[noreturn]] void ThrowGarbage(const std::string& what) const;
   std::string AtFile() const;
-  int Reap(); ///< wait status, once the child has closed its output
 
   Mode Doing;
   const std::vector<std::filesystem::path> Files;
-  const VolumeReadSettings Settings;
-  Clock::time_point Started;
   std::size_t Next = 0; ///< the file whose answer is awaited
-  int Output = -1;      ///< our end of the child's standard output
-  int Child = -1;       ///< its process id; -1 once reaped
+  ChildProcess Process;
 };
-
-/// Where hasp-dicom-decode is: HASP_DICOM_DECODER, else beside this library. Throws
-/// std::runtime_error if it is nowhere.
-std::filesystem::path FindDecoder();
 
 } // namespace hasp

@@ -3,6 +3,7 @@
 // time before it opens the first file, and opens no other files than those it is told (and DCMTK's
 // dictionary).
 #include "Dicom/DicomWire.h"
+#include "Sandbox/LimitSelf.h"
 
 #include <dcmtk/config/osconfig.h>
 
@@ -12,8 +13,6 @@
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
 #include <dcmtk/oflog/oflog.h>
-
-#include <sys/resource.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -31,19 +30,6 @@ namespace
 
 using hasp::SliceRecord;
 using hasp::SliceStatus;
-
-bool LimitSelf(rlim_t memoryBytes, rlim_t seconds)
-{
-  const auto limit = [](auto what, rlim_t most)
-  {
-    const rlimit both{ most, most };
-    return setrlimit(what, &both) == 0;
-  };
-#if defined(__SANITIZE_ADDRESS__)
-  memoryBytes = RLIM_INFINITY; // AddressSanitizer reserves terabytes of addresses for itself
-#endif
-  return limit(RLIMIT_AS, memoryBytes) && limit(RLIMIT_CPU, seconds) && limit(RLIMIT_CORE, 0);
-}
 
 void CopyText(DcmItem& from, const DcmTagKey& tag, char* into, std::size_t room)
 {
@@ -240,7 +226,7 @@ int main(int argc, char** argv)
       stderr);
     return 2;
   }
-  if (!LimitSelf(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10)))
+  if (!hasp::LimitSelf(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10)))
     return 4;
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   if (!dcmDataDict.isDictionaryLoaded())
