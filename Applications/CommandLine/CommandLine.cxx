@@ -1,8 +1,8 @@
 #include "CommandLine.h"
 
 #include "Failure.h"
-#include "Files.h"
 #include "Session.h"
+#include "UseText.h"
 #include "Verbs.h"
 #include "Version.h"
 #include "VtkMessages.h"
@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -29,7 +30,7 @@ std::string VersionText()
 void Describe(CLI::App& app)
 {
   app.description(std::string("Haptics-assisted surgery planning. ") + Notice);
-  app.footer("hasp VERB --help says more, with examples.\n\n"
+  app.footer("hasp VERB --help, or hasp help VERB, says more, with examples.\n\n"
              "Exit codes: 0 done; 1 wrong use (options, output place); 2 bad input (missing or "
              "broken file);\n            3 a check failed; 4 cannot draw (no OpenGL).");
   app.set_version_flag("--version", VersionText(), "Version and commit");
@@ -37,26 +38,22 @@ void Describe(CLI::App& app)
   app.require_subcommand(1);
 }
 
-/// CLI11 calls an unknown verb an unexpected argument; say what it is.
-std::string UseText(
-  const CLI::App& app, const std::vector<std::string>& words, const CLI::Error& error)
+/// "help render" is "render --help".
+std::vector<std::string> Words(int count, char** arguments)
 {
-  if (words.empty() || words.front().starts_with("-"))
-    return std::string(error.what()) + "; see hasp --help";
-  std::string known;
-  for (const CLI::App* verb : app.get_subcommands(nullptr))
-  {
-    if (verb->get_name() == words.front())
-      return std::string(error.what()) + "; see hasp " + words.front() + " --help";
-    known += (known.empty() ? "" : ", ") + verb->get_name();
-  }
-  return "unknown verb '" + BaseName(words.front()) + "'; known are " + known;
+  std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
+  if (words.empty() || words.front() != "help")
+    return words;
+  words.erase(words.begin());
+  words.resize(std::min<std::size_t>(words.size(), 1));
+  words.push_back("--help");
+  return words;
 }
 
 int Complain(Session& session, ExitCode code, const std::string& text)
 {
   session.progress.Wipe();
-  std::cerr << "hasp: " << WithoutFolders(text, session.words) << "\n";
+  std::cerr << "hasp: " << text << "\n";
   return static_cast<int>(code);
 }
 
@@ -86,7 +83,7 @@ int Run(Session& session)
   }
   catch (const std::exception& error)
   {
-    return Complain(session, ExitCode::BadInput, error.what());
+    return Complain(session, ExitCode::BadInput, SafeText(error));
   }
 }
 
@@ -95,14 +92,17 @@ int Run(Session& session)
 int RunCommandLine(int count, char** arguments)
 {
   Session session;
-  session.words.assign(arguments + 1, arguments + count);
+  const std::vector<std::string> words = Words(count, arguments);
   CaptureVtkMessages();
   CLI::App app("", "hasp");
   Describe(app);
   AddVerbs(app, session);
+  if (const std::string complaint = UnknownVerb(app, words); !complaint.empty())
+    return Complain(session, ExitCode::WrongUse, complaint);
   try
   {
-    app.parse(count, arguments);
+    app.parse(
+      std::vector<std::string>(words.rbegin(), words.rend())); // it takes them from the back
   }
   catch (const CLI::Success& help) // --help, --version
   {
@@ -110,7 +110,7 @@ int RunCommandLine(int count, char** arguments)
   }
   catch (const CLI::Error& error)
   {
-    return Complain(session, ExitCode::WrongUse, UseText(app, session.words, error));
+    return Complain(session, ExitCode::WrongUse, UseText(app, words, error));
   }
   return Printed(session, Run(session));
 }

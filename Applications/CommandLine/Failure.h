@@ -16,13 +16,17 @@ enum class ExitCode
   CannotDraw = 4   ///< no OpenGL
 };
 
-/// Ends a verb. The text says what, where (a file's name, never its folder) and what to do.
+/// Ends a verb. The text says what, where (hasp::FileLabel, never a name) and what to do.
 class Failure : public std::runtime_error
 {
 public:
   Failure(ExitCode exitCode, const std::string& text) : std::runtime_error(text), code(exitCode) {}
   ExitCode code;
 };
+
+/// What an exception says, without what the library it comes from would say of names or contents of
+/// files.
+std::string SafeText(const std::exception& error);
 
 /// A failed check and its reasons, a line each.
 inline Failure FailedCheck(const std::string& what, const std::vector<std::string>& faults)

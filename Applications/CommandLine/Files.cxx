@@ -1,14 +1,16 @@
 #include "Files.h"
 
 #include "Failure.h"
+#include "vtkHaspFileNames.h"
 #include "vtkHaspOutputFile.h"
+
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -18,14 +20,6 @@ namespace hasp
 {
 namespace
 {
-
-struct LongestFirst
-{
-  bool operator()(const std::string& a, const std::string& b) const
-  {
-    return a.size() != b.size() ? a.size() > b.size() : a < b;
-  }
-};
 
 std::string Lower(std::string text)
 {
@@ -40,15 +34,10 @@ fs::path FolderOf(const std::string& path)
   return folder.empty() ? fs::path(".") : folder;
 }
 
-fs::path WithoutLastSlash(const fs::path& path)
-{
-  return path.has_filename() ? path : path.parent_path();
-}
-
 Failure CannotWrite(const std::string& path, const std::string& reason)
 {
-  return Failure(
-    ExitCode::WrongUse, "cannot write " + BaseName(path) + ": " + reason + "; nothing was written");
+  return Failure(ExitCode::WrongUse,
+    "cannot write " + FileLabel(path) + ": " + reason + "; nothing was written");
 }
 
 void RequireEnding(const std::string& path, const std::vector<std::string>& endings)
@@ -64,28 +53,13 @@ void RequireEnding(const std::string& path, const std::vector<std::string>& endi
 
 } // namespace
 
-std::string BaseName(const std::string& path)
+std::string SafeText(const std::exception& error)
 {
-  return WithoutLastSlash(fs::path(path).lexically_normal()).filename().string();
-}
-
-std::string WithoutFolders(std::string text, const std::vector<std::string>& words)
-{
-  std::set<std::string, LongestFirst> folders; // else /a/ takes its part of /a/b/ and b/ is shown
-  for (const std::string& word : words)
-    for (const std::string& path : { word, word.substr(word.find('=') + 1) }) // --output=here/x.png
-    {
-      const fs::path given = WithoutLastSlash(path);
-      std::error_code ignored; // an absolute form that cannot be made cannot be shown either
-      folders.insert(fs::absolute(given, ignored).lexically_normal().parent_path().string() + "/");
-      folders.insert(given.parent_path().string() + "/");
-    }
-  folders.erase("/");
-  folders.erase("//");
-  for (const std::string& folder : folders)
-    for (auto at = text.find(folder); at != text.npos; at = text.find(folder, at))
-      text.erase(at, folder.size());
-  return text;
+  if (const auto* system = dynamic_cast<const std::system_error*>(&error)) // holds paths
+    return "the system refuses: " + system->code().message();
+  if (dynamic_cast<const nlohmann::json::exception*>(&error)) // quotes the file
+    return "no valid JSON";
+  return error.what();
 }
 
 void RequireWritable(const std::string& path, const std::vector<std::string>& endings)
@@ -112,19 +86,19 @@ void WriteFile(const std::string& path, std::string_view bytes)
   }
   catch (const std::runtime_error& error)
   {
-    throw Failure(ExitCode::WrongUse, error.what());
+    throw Failure(ExitCode::WrongUse, SafeText(error));
   }
 }
 
 void RequireInput(const std::string& path)
 {
   std::error_code error;
-  const std::string name = BaseName(path);
+  const std::string name = FileLabel(path);
   if (!fs::exists(path, error))
     throw Failure(ExitCode::BadInput, name + ": no such file or folder; check the path");
   if (fs::is_directory(path, error) && fs::is_empty(path, error))
     throw Failure(
-      ExitCode::BadInput, name + ": the folder is empty; give the one that holds the slices");
+      ExitCode::BadInput, name + ": it is empty; give the folder that holds the slices");
 }
 
 } // namespace hasp

@@ -3,15 +3,9 @@
 #include <string_view>
 #include <vector>
 
+/// Files of the command line. Errors call them by hasp::FileLabel.
 namespace hasp
 {
-
-/// A path's last part, which is all that texts may show: folders carry patients' names.
-std::string BaseName(const std::string& path);
-
-/// `text` without the folders of the command line's words, as given and made absolute. A word is a
-/// path or --option=path.
-std::string WithoutFolders(std::string text, const std::vector<std::string>& words);
 
 /// Call before the work begins. Throws Failure: WrongUse unless the path's ending is one of
 /// `endings` (lower case, with the dot; empty: any), its folder exists and can be written to, and

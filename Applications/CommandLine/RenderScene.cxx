@@ -80,7 +80,8 @@ RenderScene::RenderScene(vtkImageData* image, const RenderOptions& options, Sess
   self.renderer->SetBackground(options.background.data());
   self.Add(MakeIsosurface(image, options.isoValue, options.mapper, session), options.color);
   for (std::size_t k = 0; k < options.surfaces.size(); ++k)
-    self.Add(MakeSurface(options.surfaces[k], session), SurfaceColors[k % SurfaceColors.size()]);
+    self.Add(
+      MakeSurface(options.surfaces[k], k + 1, session), SurfaceColors[k % SurfaceColors.size()]);
   if (options.surfaces.empty())
     session.resources.push_back({ "surfaces", 0, 0.0, "no --surface was given" });
   PlaceCamera(self.renderer, options.camera);

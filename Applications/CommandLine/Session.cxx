@@ -2,6 +2,7 @@
 
 #include "Explain.h"
 #include "Failure.h"
+#include "vtkHaspFileNames.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -44,9 +45,16 @@ void PrintResult(Session& session)
 
 Session::Session() : progress(std::cerr) {}
 
-void AddCommonOptions(CLI::App& verb, Session& session)
+void AddTextOptions(CLI::App& verb, Session& session)
 {
   verb.add_flag("--quiet", session.quiet, "No progress; errors are still said");
+  verb.add_flag("--show-names", session.showNames,
+    "Say files' names in texts and results; they may hold a patient's");
+}
+
+void AddCommonOptions(CLI::App& verb, Session& session)
+{
+  AddTextOptions(verb, session);
   verb.add_flag("--explain", session.explain,
     "List what was built and what was skipped, with bytes and milliseconds");
   verb.add_flag("--json", session.json, "Print results (and --explain) as one JSON document");
@@ -80,6 +88,7 @@ void ShowProgress(Session& session, vtkAlgorithm* algorithm)
 
 void RunSession(Session& session)
 {
+  ShowFileNames(session.showNames);
   session.progress.SetStyle(session.quiet ? ProgressLine::Style::Quiet : StyleOfStderr());
   try
   {

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace CLI
 {
@@ -26,14 +25,17 @@ struct Session
   bool quiet = false;
   bool explain = false;
   bool json = false;
+  bool showNames = false; ///< of files; folders are never shown
   ProgressLine progress;
-  std::vector<std::string> words;     ///< of the command line: texts never show their folders
   ResourceList resources;             ///< built and skipped, in the order of making
   nlohmann::ordered_json result = {}; ///< printed as one document by --json
   std::function<void()> run;          ///< the verb, once the command line is understood
 };
 
-/// Adds --quiet, --explain and --json to a verb.
+/// Adds --quiet and --show-names to a verb.
+void AddTextOptions(CLI::App& verb, Session& session);
+
+/// Adds these, --explain and --json.
 void AddCommonOptions(CLI::App& verb, Session& session);
 
 /// Refuses what is no number in [least, most]. CLI::Range lets NaN through.

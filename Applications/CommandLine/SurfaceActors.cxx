@@ -4,6 +4,7 @@
 #include "Files.h"
 #include "Session.h"
 #include "VtkMessages.h"
+#include "vtkHaspFileNames.h"
 
 #if HASP_WITH_CELLS
 #include "vtkHaspClusteredCellMapper.h"
@@ -75,7 +76,7 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
 }
 
 /// VTK's reader takes what is there of a binary STL file that is cut off, without a word.
-void RequireWholeStl(const std::string& path)
+void RequireWholeStl(const std::string& path, const std::string& name)
 {
   std::array<char, 84> start{}; // text, and the number of triangles
   std::ifstream file(path, std::ios::binary);
@@ -87,7 +88,7 @@ void RequireWholeStl(const std::string& path)
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error || bytes < start.size() + std::uintmax_t(50) * count)
-    throw Failure(ExitCode::BadInput, BaseName(path) + ": declares " + std::to_string(count) +
+    throw Failure(ExitCode::BadInput, name + ": declares " + std::to_string(count) +
                                         " triangles, the file is too short for them: it is cut "
                                         "off or no STL. Copy it again");
 }
@@ -147,15 +148,16 @@ SurfaceActor MakeIsosurface(
   throw Failure(ExitCode::WrongUse, "this build has no mapper '" + mapper + "'");
 }
 
-SurfaceActor MakeSurface(const std::string& path, Session& session)
+SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session)
 {
   RequireInput(path);
-  const std::string name = BaseName(path);
+  const std::string name =
+    "surface " + std::to_string(number) + (FileNamesShown() ? ", " + FileLabel(path) : "");
   session.progress.Step("reading " + name);
-  RequireWholeStl(path);
+  RequireWholeStl(path, name);
   vtkNew<vtkSTLReader> reader;
   reader->SetFileName(path.c_str());
-  const ResourceUse read = UpdateMesh(reader, "surface " + name, "--surface", session);
+  const ResourceUse read = UpdateMesh(reader, name, "--surface", session);
   ThrowVtkError(ExitCode::BadInput, name + ": cannot be read as STL");
   if (reader->GetOutput()->GetNumberOfPolys() == 0)
     throw Failure(ExitCode::BadInput, name + ": no triangles in it; give an STL file");

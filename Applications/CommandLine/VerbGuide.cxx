@@ -6,6 +6,7 @@
 #include "Version.h"
 #include "VolumeInput.h"
 #include "VtkMessages.h"
+#include "vtkHaspFileNames.h"
 #include "vtkHaspGuideFilter.h"
 #include "vtkHaspOutputFile.h"
 
@@ -44,7 +45,7 @@ GuideRecipe ReadRecipe(const std::string& path)
   }
   catch (const std::exception& error)
   {
-    throw Failure(ExitCode::BadInput, BaseName(path) + ": " + error.what());
+    throw Failure(ExitCode::BadInput, FileLabel(path) + ": " + SafeText(error));
   }
 }
 
@@ -74,7 +75,7 @@ GuideCertificate Certify(const std::string& stl, vtkImageData* volume, const Gui
   }
   catch (const std::exception& error) // what cannot be measured does not hold
   {
-    throw Failure(ExitCode::FailedCheck, error.what());
+    throw Failure(ExitCode::FailedCheck, SafeText(error));
   }
 }
 
@@ -129,9 +130,9 @@ void Run(const GuideOptions& options, Session& session)
   }
   catch (const std::exception& error)
   {
-    throw Failure(ExitCode::WrongUse, error.what());
+    throw Failure(ExitCode::WrongUse, SafeText(error));
   }
-  session.result["output"] = BaseName(options.output);
+  session.result["output"] = FileLabel(options.output);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "Files.h"
 #include "Session.h"
 #include "Verbs.h"
+#include "vtkHaspFileNames.h"
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeView.h"
 
@@ -51,22 +52,22 @@ void Run(const PhantomOptions& options, Session& session)
   }
   catch (const std::invalid_argument& error)
   {
-    throw Failure(ExitCode::WrongUse, error.what());
+    throw Failure(ExitCode::WrongUse, SafeText(error));
   }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back(
     { "volume", static_cast<std::size_t>(image->GetNumberOfPoints()) * sizeof(std::int16_t),
       spent.count(), "phantom, int16" });
-  session.progress.Step("writing " + BaseName(options.output));
+  session.progress.Step("writing " + FileLabel(options.output));
   try
   {
     WriteVolume(image, options.output);
   }
   catch (const std::exception& error)
   {
-    throw Failure(ExitCode::WrongUse, error.what());
+    throw Failure(ExitCode::WrongUse, SafeText(error));
   }
-  session.result["output"] = BaseName(options.output);
+  session.result["output"] = FileLabel(options.output);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "SurfaceActors.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
+#include "vtkHaspFileNames.h"
 
 #include <CLI/CLI.hpp>
 
@@ -40,7 +41,7 @@ void Run(const Choices& choices, Session& session)
       { "volume without small pieces", 0, 0.0, "no --ignore-below was given" });
   RenderScene scene(image, choices.render, session);
   WriteFile(choices.output, scene.DrawPng());
-  session.result["output"] = BaseName(choices.output);
+  session.result["output"] = FileLabel(choices.output);
 }
 
 void AddCameraOptions(CLI::App& verb, CameraOptions& camera)

@@ -5,6 +5,7 @@
 #include "ReportRegistry.h"
 #include "ReportText.h"
 #include "Session.h"
+#include "UseText.h"
 #include "Verbs.h"
 #include "Version.h"
 
@@ -50,8 +51,9 @@ std::vector<const ReportEntry*> Chosen(const std::vector<std::string>& names)
   }
   for (const std::string& name : names)
     if (!known.contains(name))
-      throw Failure(
-        ExitCode::WrongUse, "unknown report '" + name + "'; known are " + KnownReports());
+      throw Failure(ExitCode::WrongUse, "unknown report" +
+                                          DidYouMean(name, { known.begin(), known.end() }) +
+                                          "; known are " + KnownReports());
   return chosen;
 }
 
@@ -127,7 +129,7 @@ void AddReportVerb(CLI::App& app, Session& session)
     ->capture_default_str();
   verb->add_option("--json", options->json, "Write the figures to this .json file");
   verb->add_option("--html", options->html, "Write tables and charts to this .html file");
-  verb->add_flag("--quiet", session.quiet, "No progress; errors are still said");
+  AddTextOptions(*verb, session);
   verb->footer("Example: hasp report stereo --quick --html stereo.html\n"
                "Exit code 3: a time without its error, a method without a rival, an id twice.");
   verb->callback(

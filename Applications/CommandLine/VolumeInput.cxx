@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "Session.h"
+#include "vtkHaspFileNames.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -37,7 +38,7 @@ std::size_t Bytes(vtkImageData* image)
 LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
 {
   RequireInput(path);
-  session.progress.Step("reading " + BaseName(path));
+  session.progress.Step("reading " + FileLabel(path));
   const ProgressFunction progress = [&session](double share)
   {
     session.progress.Share(share);
@@ -57,7 +58,7 @@ LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
   }
   catch (const std::invalid_argument& error)
   {
-    throw Failure(ExitCode::WrongUse, error.what());
+    throw Failure(ExitCode::WrongUse, SafeText(error));
   }
   catch (const std::bad_alloc&)
   {
@@ -65,7 +66,7 @@ LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
   }
   catch (const std::exception& error)
   {
-    throw Failure(ExitCode::BadInput, error.what());
+    throw Failure(ExitCode::BadInput, SafeText(error));
   }
 }
 

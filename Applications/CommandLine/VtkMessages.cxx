@@ -35,12 +35,20 @@ public:
 };
 vtkStandardNewMacro(Collector);
 
-/// "ERROR: In file, line 1\nvtkFoo (0x55): text\n\n" becomes "text".
+/// "ERROR: In file, line 1\nvtkHaspFoo (0x55): text\n\n" becomes "text".
 std::string Message(const std::string& text)
 {
+  if (text.empty())
+    return text;
   const auto address = text.find(" (0x");
   const auto start = address == text.npos ? text.npos : text.find("): ", address);
-  std::string message = start == text.npos ? text : text.substr(start + 3);
+  if (start == text.npos)
+    return "VTK reports an error";
+  const auto line = text.rfind('\n', address) + 1; // 0 where there is none
+  const std::string name = text.substr(line, address - line);
+  if (!name.starts_with("vtkHasp"))
+    return name + " reports an error";
+  std::string message = text.substr(start + 3);
   while (!message.empty() && (message.back() == '\n' || message.back() == ' '))
     message.pop_back();
   return message;

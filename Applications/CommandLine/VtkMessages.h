@@ -4,11 +4,12 @@
 namespace hasp
 {
 
-/// VTK's own error texts, which name source files, addresses and whole paths. From now on nothing
-/// of VTK goes to stderr; errors are kept until they are asked for. RENDER thread.
+/// VTK's error texts name source files, addresses and whole paths. From now on nothing of VTK goes
+/// to stderr; errors are kept until they are asked for. RENDER thread.
 void CaptureVtkMessages();
 
-/// The first error since the last call, without file, line, class and address; empty if none.
+/// The first error since the last call; empty if none. What a class of ours says is given without
+/// file, line, class and address; of any other class, which may name files, the class alone.
 std::string TakeVtkError();
 
 /// Throws Failure with the code, `what`, and VTK's error, if there is one.

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <typeinfo>
 
 namespace
 {
@@ -34,7 +35,8 @@ int main(int count, char** arguments)
   }
   catch (const std::exception& error)
   {
-    std::cerr << "hasp: unexpected: " << error.what() << "\n";
+    // Its text may quote the command line; its type may not.
+    std::cerr << "hasp: unexpected, a defect of the program: " << typeid(error).name() << "\n";
     return static_cast<int>(hasp::ExitCode::BadInput);
   }
 }

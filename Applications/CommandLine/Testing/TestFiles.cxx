@@ -61,19 +61,33 @@ TEST_F(Files, AFileIsReplacedAsAWhole)
   EXPECT_EQ(this->Count(), 1);
 }
 
-TEST_F(Files, FoldersAreTakenOutOfTexts)
+TEST_F(Files, ErrorsOfLibrariesThatHoldPathsAreCut)
 {
-  EXPECT_EQ(hasp::BaseName("/home/Erika/slices/"), "slices");
-  EXPECT_EQ(hasp::BaseName("head.mha"), "head.mha");
-  const std::string given = "data/Erika/head.mha";
-  EXPECT_EQ(hasp::WithoutFolders("cannot open data/Erika/head.mha: no", { given }),
-    "cannot open head.mha: no");
-  EXPECT_EQ(
-    hasp::WithoutFolders("in " + fs::absolute(given).string() + "!", { given }), "in head.mha!");
-  EXPECT_EQ(
-    hasp::WithoutFolders("in /a/Erika/x.stl", { "/a/head.mha", "/a/Erika/x.stl" }), "in x.stl");
-  EXPECT_EQ(hasp::WithoutFolders("in /a/Erika/x.stl", { "--surface=/a/Erika/x.stl" }), "in x.stl");
-  EXPECT_EQ(hasp::WithoutFolders("a / b", { "/", "--json", "" }), "a / b");
+  try
+  {
+    fs::create_directories(this->Path("x"));
+    fs::resize_file(this->Path("x"), 1); // a folder has no size
+    FAIL();
+  }
+  catch (const std::exception& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(this->Path("x")), std::string::npos) << error.what();
+    EXPECT_EQ(hasp::SafeText(error).find("hasp-files"), std::string::npos);
+    EXPECT_NE(hasp::SafeText(error).find("directory"), std::string::npos);
+  }
+}
+
+TEST_F(Files, FailuresCallAFileByItsEnding)
+{
+  try
+  {
+    hasp::RequireInput(this->Path("Erika.mha"));
+    FAIL();
+  }
+  catch (const hasp::Failure& failure)
+  {
+    EXPECT_EQ(failure.what(), std::string("the .mha file: no such file or folder; check the path"));
+  }
 }
 
 } // namespace

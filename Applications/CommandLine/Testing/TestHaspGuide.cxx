@@ -62,11 +62,11 @@ TEST_F(HaspGuide, BadRecipesAreTwoAndLeaveNothing)
   this->Phantom();
   ExpectFailure(RunHasp({ "guide", this->Path("head.mha"), "--recipe", this->Path("no.json"),
                   "--output", this->Path("g.stl") }),
-    2, "no.json: no such file");
+    2, "the .json file: no such file");
   this->WriteText("bad.json", "{");
   ExpectFailure(RunHasp({ "guide", this->Path("head.mha"), "--recipe", this->Path("bad.json"),
                   "--output", this->Path("g.stl") }),
-    2, "bad.json");
+    2, "the .json file: guide recipe: no JSON");
   json recipe = Recipe();
   recipe["gapMm"] = -1;
   ExpectFailure(this->Guide(recipe), 2, "gapMm");
@@ -125,7 +125,7 @@ TEST_F(HaspGuide, AnInterruptedCheckLeavesNothing)
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   const int capacity = fcntl(ends[1], F_SETPIPE_SZ, 4096);
   ASSERT_GT(capacity, 0);
-  const std::string steps = "hasp: reading head.mha\nhasp: making the guide\nhasp: ";
+  const std::string steps = "hasp: reading the .mha file\nhasp: making the guide\nhasp: ";
   const std::string full(static_cast<std::size_t>(capacity) - steps.size(), '.');
   ASSERT_EQ(write(ends[1], full.data(), full.size()), static_cast<ssize_t>(full.size()));
   const pid_t child =

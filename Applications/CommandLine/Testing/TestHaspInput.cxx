@@ -15,14 +15,14 @@ class HaspInput : public HaspTest
 
 TEST_F(HaspInput, WhatIsMissingIsTwo)
 {
-  ExpectFailure(RunHasp({ "info", this->Path("no.mha") }), 2, "no.mha: no such file");
+  ExpectFailure(RunHasp({ "info", this->Path("no.mha") }), 2, "the .mha file: no such file");
 }
 
 TEST_F(HaspInput, AnEmptyFolderIsTwo)
 {
   std::filesystem::create_directory(this->folder / "slices");
-  ExpectFailure(RunHasp({ "info", this->Path("slices") }), 2, "slices: the folder is empty");
-  ExpectFailure(RunHasp({ "info", this->Path("slices") + "/" }), 2, "slices: the folder is empty");
+  ExpectFailure(RunHasp({ "info", this->Path("slices") }), 2, "the folder: it is empty");
+  ExpectFailure(RunHasp({ "info", this->Path("slices") + "/" }), 2, "the folder: it is empty");
 }
 
 TEST_F(HaspInput, WhatIsNoVolumeIsTwo)
@@ -41,7 +41,7 @@ TEST_F(HaspInput, ACutFileIsTwo)
 {
   const std::string whole = ReadBytes(this->Phantom());
   this->WriteText("cut.mha", whole.substr(0, whole.size() / 2));
-  ExpectFailure(RunHasp({ "info", this->Path("cut.mha") }), 2, "cut.mha");
+  ExpectFailure(RunHasp({ "info", this->Path("cut.mha") }), 2, "the .mha file: ");
 }
 
 TEST_F(HaspInput, ThePassportIsTheVolumes)
@@ -65,15 +65,17 @@ TEST_F(HaspInput, PathsOfTheWorldAreRead)
   {
     const HaspRun run = RunHasp({ "info", this->Phantom(name), "--json" });
     EXPECT_EQ(run.exitCode, 0) << name << ": " << run.err;
-    EXPECT_NE(run.err.find(name), std::string::npos) << run.err; // progress shows the name alone
-    EXPECT_EQ(run.err.find(this->folder.string()), std::string::npos) << run.err;
+    EXPECT_EQ((run.err + run.out).find(name), std::string::npos) << run.err;
+    const HaspRun named = RunHasp({ "info", this->Path(name), "--json", "--show-names" });
+    EXPECT_NE(named.err.find(name), std::string::npos) << named.err;
+    EXPECT_EQ(named.err.find(this->folder.string()), std::string::npos) << named.err;
   }
 }
 
 TEST_F(HaspInput, ProgressIsPlainStepsWithoutATerminal)
 {
   const HaspRun run = RunHasp({ "info", this->Phantom() });
-  EXPECT_EQ(run.err, "hasp: reading head.mha\n");
+  EXPECT_EQ(run.err, "hasp: reading the .mha file\n");
 }
 
 } // namespace

@@ -51,7 +51,7 @@ TEST_F(HaspRender, WhatCannotBeWrittenIsOneAndLeavesNothing)
 {
   this->Phantom();
   std::filesystem::create_directory(this->folder / "taken.png");
-  ExpectFailure(this->Render({}, "none/x.png"), 1, "x.png: its folder does not exist");
+  ExpectFailure(this->Render({}, "none/x.png"), 1, "the .png file: its folder does not exist");
   ExpectFailure(this->Render({}, "taken.png"), 1, "a folder has this name");
   ExpectFailure(this->Render({}, "x.bmp"), 1, "must end in .png");
   const HaspRun system = RunHasp({ "render", this->Path("head.mha"), "--isovalue", "226",
@@ -65,8 +65,8 @@ TEST_F(HaspRender, AFailureKeepsTheOldPicture)
   this->Phantom();
   this->WriteText("out.png", "old");
   this->WriteText("bad.stl", "solid nothing\nendsolid nothing\n");
-  ExpectFailure(this->Render({ "--surface", this->Path("bad.stl") }), 2, "bad.stl");
-  ExpectFailure(this->Render({ "--surface", this->Path("no.stl") }), 2, "no.stl");
+  ExpectFailure(this->Render({ "--surface", this->Path("bad.stl") }), 2, "surface 1: ");
+  ExpectFailure(this->Render({ "--surface", this->Path("no.stl") }), 2, "the .stl file: no such");
   EXPECT_EQ(ReadBytes(this->Path("out.png")), "old");
   EXPECT_EQ(this->Names(), (Words{ "bad.stl", "head.mha", "out.png" }));
 }

@@ -18,7 +18,8 @@ namespace
 using Json = nlohmann::ordered_json;
 constexpr const char* Format = "hasp-guide-recipe-1";
 
-/// One object of the file: every key is asked for once, unknown ones are refused.
+/// One object of the file: every key is asked for once, unknown ones are refused. Errors say our
+/// own keys and no text of the file: it may name a patient.
 class Object
 {
 public:
@@ -28,9 +29,10 @@ public:
   {
     if (!json.is_object())
       this->Fail("", "must be an object");
+    int number = 0;
     for (const auto& [key, value] : json.items())
-      if (std::none_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; }))
-        this->Fail(key, "is no key of a guide recipe");
+      if (++number; std::none_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; }))
+        this->Fail("key " + std::to_string(number), "is unknown; mend its spelling or take it out");
   }
 
   const Json& Get(const char* key) const
@@ -112,7 +114,7 @@ GuideRecipe FromJson(const Json& json)
     { "format", "note", "isovalue", "landmarks", "outline", "withdrawal", "gapMm", "thicknessMm",
       "widthMm", "spacingMm", "ignoreBelowMm3", "slots", "holes" });
   if (top.Text("format") != Format)
-    top.Fail("format", "is '" + top.Text("format") + "', must be '" + Format + "'");
+    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   GuideRecipe r;
   if (json.contains("note"))
     r.note = top.Text("note");
@@ -122,7 +124,7 @@ GuideRecipe FromJson(const Json& json)
   const auto* named = std::find_if(std::begin(Outlines), std::end(Outlines),
     [&](const OutlineName& o) { return outline == o.name; });
   if (named == std::end(Outlines))
-    top.Fail("outline", "is '" + outline + "', must be open, closed or filled");
+    top.Fail("outline", "must be open, closed or filled");
   r.outline = named->outline;
   r.withdrawal = top.Vector("withdrawal");
   r.gapMm = top.Number("gapMm");
@@ -154,9 +156,14 @@ GuideRecipe ParseGuideRecipe(const std::string& json)
   {
     parsed = Json::parse(json);
   }
-  catch (const Json::exception& error) // syntax, or a number too large for any double
+  catch (const Json::parse_error& error) // its text quotes the file
   {
-    throw std::runtime_error(std::string("guide recipe: no JSON: ") + error.what());
+    throw std::runtime_error(
+      "guide recipe: no JSON: a mistake at byte " + std::to_string(error.byte));
+  }
+  catch (const Json::exception&)
+  {
+    throw std::runtime_error("guide recipe: no JSON: a number is too large for any double");
   }
   return FromJson(parsed);
 }
@@ -195,19 +202,8 @@ GuideRecipe ReadGuideRecipe(const std::string& path)
   std::ostringstream text;
   text << file.rdbuf();
   if (!file)
-    throw std::runtime_error("guide recipe: cannot read " + path);
-  try
-  {
-    return ParseGuideRecipe(text.str());
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::invalid_argument(path + ": " + error.what());
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(path + ": " + error.what());
-  }
+    throw std::runtime_error("guide recipe: the file cannot be read");
+  return ParseGuideRecipe(text.str());
 }
 
 void WriteGuideRecipe(const std::string& path, const GuideRecipe& recipe)
@@ -219,7 +215,7 @@ void WriteGuideRecipe(const std::string& path, const GuideRecipe& recipe)
     if (!file.flush())
     {
       std::remove(temporary.c_str());
-      throw std::runtime_error("guide recipe: cannot write " + temporary);
+      throw std::runtime_error("guide recipe: the file cannot be written");
     }
   }
   std::error_code error;
@@ -227,7 +223,7 @@ void WriteGuideRecipe(const std::string& path, const GuideRecipe& recipe)
   if (error)
   {
     std::remove(temporary.c_str());
-    throw std::runtime_error("guide recipe: cannot write " + path + ": " + error.message());
+    throw std::runtime_error("guide recipe: the file cannot be put in place: " + error.message());
   }
 }
 

@@ -16,7 +16,7 @@ namespace hasp
 ///
 /// Strict: every key but "note" must be there, and no other; what ValidateGuideRecipe refuses is
 /// refused here, too. Errors are std::runtime_error (file, syntax) or std::invalid_argument
-/// (content) and name the file or the key. Needs HASP_ENABLE_JSON. Any thread.
+/// (content) and say which key, never the file's name or text. Needs HASP_ENABLE_JSON. Any thread.
 GuideRecipe ParseGuideRecipe(const std::string& json);
 std::string FormatGuideRecipe(const GuideRecipe& recipe);
 

@@ -85,15 +85,27 @@ TEST(GuideRecipe, FilesAreStrict)
   EXPECT_NAMES(Refusal("{"), "no JSON");
   EXPECT_NAMES(Refusal("[]"), "must be an object");
   EXPECT_NAMES(Refusal("{}"), "format is missing");
-  EXPECT_NAMES(Refusal(Replaced("\"gapMm\"", "\"gap\"")), "gap is no key");
+  EXPECT_NAMES(Refusal(Replaced("\"gapMm\"", "\"gap\"")), "key 7 is unknown");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3,", "")), "gapMm is missing");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": \"0.3\"")), "gapMm must be a number");
-  EXPECT_NAMES(Refusal(Replaced("recipe-1", "recipe-2")), "hasp-guide-recipe-2");
+  EXPECT_NAMES(Refusal(Replaced("recipe-1", "recipe-2")), "must be 'hasp-guide-recipe-1'");
   EXPECT_NAMES(Refusal(Replaced("closed", "round")), "open, closed or filled");
-  EXPECT_NAMES(Refusal(Replaced("\"diameterMm\": 2.0", "\"radius\": 2.0")), "holes[0].radius");
+  EXPECT_NAMES(
+    Refusal(Replaced("\"diameterMm\": 2.0", "\"radius\": 2.0")), "holes[0].key 3 is unknown");
   EXPECT_NAMES(Refusal(Replaced("\"lengthMm\": 20.0", "\"lengthMm\": -20.0")), "slots[0].lengthMm");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": NaN")), "no JSON");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": 1e999")), "no JSON");
+}
+
+TEST(GuideRecipe, ErrorsSayNothingOfTheFilesText)
+{
+  for (const std::string& bad : { std::string("{ \"Erika"), std::string("Erika"),
+         Replaced("\"gapMm\"", "\"Erika\""), Replaced("closed", "Erika"),
+         Replaced("hasp-guide-recipe-1", "Erika"), Replaced("\"gapMm\": 0.3", "\"gapMm\": Erika") })
+  {
+    EXPECT_NE(Refusal(bad), "");
+    EXPECT_EQ(Refusal(bad).find("rika"), std::string::npos) << Refusal(bad);
+  }
 }
 
 TEST(GuideRecipe, RangesAreNamed)
