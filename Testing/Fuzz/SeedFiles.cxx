@@ -1,0 +1,106 @@
+#include "SeedFiles.h"
+
+#include "vtkHaspOutputFile.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkImageData.h"
+
+#include <glm/geometric.hpp>
+
+#if HASP_WITH_LIBARCHIVE
+#include <archive.h>
+#include <archive_entry.h>
+#endif
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace hasp
+{
+namespace
+{
+
+GridGeometry SmallGrid()
+{
+  GridGeometry grid;
+  grid.dims = { 9, 7, 5 };
+  grid.origin = { -31.5, 12.25, 100.5 };
+  grid.spacing = { 0.5, 0.75, 1.25 };
+  const glm::dvec3 row = glm::normalize(glm::dvec3(0.9, 0.3, -0.2));
+  const glm::dvec3 column = glm::normalize(glm::cross(glm::dvec3(0.1, 0.4, 1.0), row));
+  grid.direction = glm::dmat3(row, column, glm::cross(row, column));
+  return grid;
+}
+
+template <typename T>
+vtkSmartPointer<vtkImageData> SmallImage()
+{
+  const GridGeometry grid = SmallGrid();
+  std::vector<T> samples(grid.Size());
+  for (std::size_t n = 0; n < samples.size(); ++n)
+    samples[n] = static_cast<T>(n % 251);
+  return MakeImage(grid, samples);
+}
+
+} // namespace
+
+void MakeVolumeSeeds(const std::filesystem::path& folder, const std::string& fileName)
+{
+  WriteVolume(SmallImage<std::int16_t>(), folder / ("int16-" + fileName));
+  WriteVolume(SmallImage<std::uint16_t>(), folder / ("uint16-" + fileName));
+  WriteVolume(SmallImage<std::uint8_t>(), folder / ("uint8-" + fileName));
+  WriteVolume(SmallImage<float>(), folder / ("float32-" + fileName));
+}
+
+#if HASP_WITH_LIBARCHIVE
+namespace
+{
+
+constexpr const char* PropertyList = R"(<?xml version="1.0" encoding="UTF-8"?>
+<plist version="1.0"><dict>
+  <key>matrix</key><dict>
+    <key>dtype</key><string>int16</string>
+    <key>filename</key><string>matrix.dat</string>
+    <key>shape</key><array><integer>5</integer><integer>7</integer><integer>9</integer></array>
+  </dict>
+  <key>modality</key><string>CT</string>
+  <key>orientation</key><integer>1</integer>
+  <key>spacing</key><array><real>0.5</real><real>0.75</real><real>1.25</real></array>
+</dict></plist>)";
+
+void AddEntry(archive* to, const std::string& name, const std::string& bytes)
+{
+  const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(
+    archive_entry_new(), archive_entry_free);
+  archive_entry_set_pathname(entry.get(), name.c_str());
+  archive_entry_set_filetype(entry.get(), AE_IFREG);
+  archive_entry_set_perm(entry.get(), 0644);
+  archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
+  if (archive_write_header(to, entry.get()) != ARCHIVE_OK ||
+      archive_write_data(to, bytes.data(), bytes.size()) != la_ssize_t(bytes.size()))
+    throw std::runtime_error("the seed archive cannot be written");
+}
+
+} // namespace
+
+/// Packed, and plain: faults in a gzipped file rarely get past its checksum.
+void MakeInvesaliusSeeds(const std::filesystem::path& folder)
+{
+  for (const bool packed : { true, false })
+  {
+    const std::unique_ptr<archive, int (*)(archive*)> to(archive_write_new(), archive_write_free);
+    if (packed)
+      archive_write_add_filter_gzip(to.get());
+    archive_write_set_format_gnutar(to.get());
+    archive_write_set_bytes_in_last_block(to.get(), 1);
+    archive_write_open_filename(to.get(), (folder / (packed ? "gzip.inv3" : "tar.inv3")).c_str());
+    AddEntry(to.get(), "t/main.plist", PropertyList);
+    AddEntry(to.get(), "t/matrix.dat", std::string(std::size_t(2) * 5 * 7 * 9, '\1'));
+    if (archive_write_close(to.get()) != ARCHIVE_OK)
+      throw std::runtime_error("the seed archive cannot be written");
+  }
+}
+#endif
+
+} // namespace hasp

@@ -1,0 +1,34 @@
+#pragma once
+#include "Batch.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hasp
+{
+
+/// What is fed with mutated bytes: a reader of one format.
+struct Target
+{
+  std::string name;
+  std::string fileName; ///< inputs are written under this name, whose ending chooses the reader
+  /// Sound files of the format, of different kinds, into an empty folder.
+  std::function<void(const std::filesystem::path& folder)> makeSeeds;
+  /// Reads the file. std::exception: refused. std::bad_alloc is let through, because a reader that
+  /// takes memory before it checks is at fault.
+  std::function<void(const std::filesystem::path& file)> read;
+};
+
+/// Every reader of this build.
+std::vector<Target> Targets();
+
+/// The bytes of each seed, in the order of their names. They are made in a process of their own:
+/// libraries that start threads cannot be used before a fork.
+std::vector<std::string> SeedsOf(const Target& target, const std::filesystem::path& emptyFolder);
+
+/// Writes the bytes to folder/fileName, reads them and removes them.
+Outcome Try(const Target& target, const std::string& bytes, const std::filesystem::path& folder);
+
+} // namespace hasp
