@@ -1,120 +1,83 @@
 #include "Dicom/DecoderProcess.h"
+#include "Dicom/DecoderChild.h"
+#include "Dicom/DicomTerms.h"
 #include "Volumes/VolumeFormat.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
 
-extern char** environ;
-
 namespace hasp
 {
 namespace
 {
 
-/// Closes a file descriptor at the end of its scope.
-struct Descriptor
-{
-  int number = -1;
-  ~Descriptor()
-  {
-    if (this->number >= 0)
-      close(this->number);
-  }
-};
+/// Fewer than any decoder unpacks a second, measured: JPEG lossless, the slowest, does five times
+/// as many on one core.
+constexpr double SlowestBytesPerSecond = 8 << 20;
 
-[[noreturn]] void ThrowSystem(const std::string& what)
+/// What parsing holds besides the slice: codec tables, buffers and the header's attributes, which
+/// take about thirty times their size in the file. Measured: 1 MiB for what scanners write.
+constexpr std::uint64_t HeaderBytes = 64 << 20;
+
+std::uint64_t DeclaredBytes(const DicomSlice& slice)
 {
-  throw std::runtime_error("the DICOM decoder cannot be started: " + what + ": " + strerror(errno));
+  const SliceRecord& r = slice.record;
+  return std::uint64_t(r.rows) * r.columns * std::max<std::uint64_t>(1, r.bitsAllocated / 8);
 }
 
-/// The list of files lies in memory, not in a pipe: parent and child can then never wait for each
-/// other, and no path touches the disk.
-void WriteList(int into, const std::vector<std::filesystem::path>& files)
+/// What a slice honestly takes to read and unpack. A file far smaller than the picture it declares
+/// unpacks fast (runs of one value), or not at all.
+std::uint64_t WorkBytes(const DicomSlice& slice)
 {
-  std::string list;
-  for (const auto& file : files)
-    list.append(file.native()).push_back('\0');
-  for (std::size_t done = 0; done < list.size();)
-  {
-    const ssize_t wrote = write(into, list.data() + done, list.size() - done);
-    if (wrote < 0 && errno != EINTR)
-      ThrowSystem("its list of files");
-    done += wrote > 0 ? static_cast<std::size_t>(wrote) : 0;
-  }
-  if (lseek(into, 0, SEEK_SET) != 0)
-    ThrowSystem("its list of files");
+  return std::max(slice.fileBytes, std::min(DeclaredBytes(slice), 64 * slice.fileBytes));
 }
 
-int Spawn(
-  const std::filesystem::path& program, std::array<std::string, 4> words, int input, int output)
+std::uint64_t DecoderMemory(bool decode, const std::vector<DicomSlice>& files, std::uint64_t atMost)
 {
-  char* arguments[] = { words[0].data(), words[1].data(), words[2].data(), words[3].data(),
-    nullptr };
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = -1;
-  const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0)
-  {
-    errno = error;
-    ThrowSystem(program.filename().string());
-  }
-  return child;
+  std::uint64_t largest = 0;
+  if (decode)
+    for (const DicomSlice& slice : files)
+      largest = std::max({ largest, DeclaredBytes(slice), slice.fileBytes });
+  return std::min(atMost, HeaderBytes + 4 * largest);
 }
 
-bool Ended(const char* text, std::size_t room)
+template <std::size_t Room>
+bool Ended(const char (&text)[Room])
 {
-  return std::memchr(text, '\0', room) != nullptr;
+  return std::memchr(text, '\0', Room) != nullptr;
+}
+
+/// UIDs are only ended: they are compared and never shown.
+bool TextsAreKnown(const SliceRecord& r)
+{
+  return Ended(r.modality) && IsTerm(Modalities, r.modality) && Ended(r.photometric) &&
+         IsTerm(Photometrics, r.photometric) && Ended(r.patientPosition) &&
+         IsTerm(PatientPositions, r.patientPosition) && Ended(r.transferSyntax) &&
+         IsSyntaxName(r.transferSyntax) && Ended(r.series) && Ended(r.frame);
 }
 
 } // namespace
 
 DecoderProcess::DecoderProcess(
-  Mode mode, const std::vector<std::filesystem::path>& files, const VolumeReadSettings& settings)
+  Mode mode, std::vector<DicomSlice> files, const VolumeReadSettings& settings)
   : Doing(mode),
-    Files(files),
+    Files(std::move(files)),
     Settings(settings),
+    Memory(DecoderMemory(mode == Mode::Decode, this->Files, settings.decoderMemoryBytes)),
     Started(Clock::now())
 {
-  const auto program = FindDecoder();
-  const Descriptor list{ memfd_create("hasp-dicom-files", MFD_CLOEXEC) };
-  if (list.number < 0)
-    ThrowSystem("its list of files");
-  WriteList(list.number, files);
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-    ThrowSystem("a pipe");
-  this->Output = ends[0];
-  const Descriptor childEnd{ ends[1] };
-  try
-  {
-    this->Child = Spawn(program,
-      { "hasp-dicom-decode", mode == Mode::Scan ? "scan" : "decode",
-        std::to_string(settings.decoderMemoryBytes),
-        std::to_string(static_cast<long>(std::ceil(settings.decoderTotalSeconds)) + 1) },
-      list.number, childEnd.number);
-  }
-  catch (...)
-  {
-    close(this->Output); // no destructor runs for what was never made
-    throw;
-  }
+  const DecoderChild child = StartDecoder(FindDecoder(), mode == Mode::Scan ? "scan" : "decode",
+    this->Files, this->Memory, static_cast<long>(std::ceil(settings.decoderTotalSeconds)) + 1);
+  this->Child = child.process;
+  this->Output = child.output;
 }
 
 DecoderProcess::~DecoderProcess()
@@ -139,15 +102,21 @@ int DecoderProcess::Reap()
 
 std::string DecoderProcess::AtFile() const
 {
-  return this->Next < this->Files.size()
-           ? " at " + (FileNamesShown() ? FileLabel(this->Files[this->Next])
-                                        : "file " + std::to_string(this->Next + 1))
-           : std::string();
+  return this->Next < this->Files.size() ? " at " + SliceName(this->Files[this->Next])
+                                         : std::string();
+}
+
+double DecoderProcess::SilenceSeconds() const
+{
+  const bool decoding = this->Doing == Mode::Decode && this->Next < this->Files.size();
+  return this->Settings.decoderSilenceSeconds +
+         (decoding ? double(WorkBytes(this->Files[this->Next])) / SlowestBytesPerSecond : 0.0);
 }
 
 std::size_t DecoderProcess::ReadSome(void* into, std::size_t size, const ProgressFunction& progress)
 {
   const auto asked = Clock::now();
+  const double silenceSeconds = this->SilenceSeconds();
   for (;;)
   {
     ReportProgress(
@@ -155,14 +124,13 @@ std::size_t DecoderProcess::ReadSome(void* into, std::size_t size, const Progres
     const auto since = [](Clock::time_point then)
     { return std::chrono::duration<double>(Clock::now() - then).count(); };
     const double silent = since(asked), total = since(this->Started);
-    if (silent >= this->Settings.decoderSilenceSeconds ||
-        total >= this->Settings.decoderTotalSeconds)
+    if (silent >= silenceSeconds || total >= this->Settings.decoderTotalSeconds)
       throw std::runtime_error("the DICOM decoder hangs" + this->AtFile() + ": no end after " +
                                Text(std::round(10.0 * std::max(silent, total)) / 10.0) +
                                " s, so it was stopped. Take that file out of the folder, or raise "
                                "the decoder's time limit for a slow disk");
-    const double left = std::min(
-      this->Settings.decoderSilenceSeconds - silent, this->Settings.decoderTotalSeconds - total);
+    const double left =
+      std::min(silenceSeconds - silent, this->Settings.decoderTotalSeconds - total);
     pollfd wait{ this->Output, POLLIN, 0 };
     const int ready = poll(&wait, 1, static_cast<int>(std::min(500.0, 1000.0 * left)) + 1);
     if (ready <= 0)
@@ -196,19 +164,36 @@ void DecoderProcess::ThrowEnded()
   kill(this->Child, SIGKILL);
   const int status = this->Reap();
   const std::string remedy = ". Take that file out of the folder or export the series again";
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 3)
-    throw std::runtime_error("the DICOM decoder needs more memory than its " +
-                             Text(double(this->Settings.decoderMemoryBytes) / (1 << 20)) + " MiB" +
-                             at + remedy + ", or raise decoderMemoryBytes");
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 5)
+  if (WIFEXITED(status))
+    this->ThrowExited(WEXITSTATUS(status), at, remedy);
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGSYS)
+    throw std::runtime_error("the DICOM decoder tried what it may not do" + at +
+                             " (a forbidden system call) and was stopped before it was done; the "
+                             "file may be made to attack" +
+                             remedy);
+  throw std::runtime_error("the DICOM decoder crashed" + at + " (" +
+                           (signal != 0 ? strsignal(signal) : "unknown") + ")" + remedy);
+}
+
+void DecoderProcess::ThrowExited(int code, const std::string& at, const std::string& remedy) const
+{
+  if (code == 3)
+    throw std::runtime_error("the DICOM decoder needs more memory than the " +
+                             Text(std::round(double(this->Memory) / (1 << 20))) +
+                             " MiB it was given" + at +
+                             (this->Memory == this->Settings.decoderMemoryBytes
+                                 ? remedy + ", or raise decoderMemoryBytes"
+                                 : ": the file unpacks to far more than it declares" + remedy));
+  if (code == 4)
+    throw std::runtime_error(
+      "the DICOM decoder cannot limit itself on this system (is /proc there, "
+      "and may limits be set?); without limits it reads nothing");
+  if (code == 5)
     throw std::runtime_error("DCMTK's dictionary of DICOM attributes is not installed (Debian: "
                              "libdcmtk17); without it DICOM cannot be read");
-  if (WIFEXITED(status))
-    throw std::runtime_error(
-      "the DICOM decoder gave up with code " + std::to_string(WEXITSTATUS(status)) + at + remedy);
-  throw std::runtime_error("the DICOM decoder crashed" + at + " (" +
-                           (WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "unknown") + ")" +
-                           remedy);
+  throw std::runtime_error(
+    "the DICOM decoder gave up with code " + std::to_string(code) + at + remedy);
 }
 
 void DecoderProcess::ThrowGarbage(const std::string& what) const
@@ -219,7 +204,7 @@ void DecoderProcess::ThrowGarbage(const std::string& what) const
 
 void DecoderProcess::Check(const SliceRecord& r) const
 {
-  if (r.magic != SliceRecord::Magic || r.reserved != 0)
+  if (r.magic != SliceRecord::Magic)
     this->ThrowGarbage("magic number");
   if (r.index != this->Next)
     this->ThrowGarbage("out of order");
@@ -227,9 +212,7 @@ void DecoderProcess::Check(const SliceRecord& r) const
     this->ThrowGarbage("status");
   if (r.rows > 65535 || r.columns > 65535)
     this->ThrowGarbage("size");
-  if (!Ended(r.modality, sizeof(r.modality)) || !Ended(r.photometric, sizeof(r.photometric)) ||
-      !Ended(r.transferSyntax, sizeof(r.transferSyntax)) || !Ended(r.series, sizeof(r.series)) ||
-      !Ended(r.frame, sizeof(r.frame)))
+  if (!TextsAreKnown(r))
     this->ThrowGarbage("text");
   const bool pixels =
     this->Doing == Mode::Decode && r.status == static_cast<std::uint32_t>(SliceStatus::Image);

@@ -1,6 +1,5 @@
 #pragma once
-#include "Dicom/DicomWire.h"
-#include "vtkHaspVolumeFile.h"
+#include "Dicom/DicomSeries.h"
 
 #include <chrono>
 #include <filesystem>
@@ -11,10 +10,11 @@ namespace hasp
 {
 
 /// The child process that parses DICOM: started with a list of files, read from as it answers, and
-/// ended with this object whatever happens.
+/// ended with this object whatever happens. See Decoder/Sandbox.h for what it may do.
 ///
 /// Every failure throws std::runtime_error that says what the child did (crashed, fell silent, ran
-/// out of memory, sent what is no answer), at which file, and what to do. One thread at a time.
+/// out of memory, tried what is forbidden, sent what is no answer), at which file, and what to do.
+/// One thread at a time.
 class DecoderProcess
 {
 public:
@@ -23,8 +23,9 @@ public:
     Scan,
     Decode
   };
-  DecoderProcess(
-    Mode mode, const std::vector<std::filesystem::path>& files, const VolumeReadSettings& settings);
+  /// Of the slices the paths, numbers and sizes are used, and to decode what their records declare:
+  /// the child's memory and its time for each slice follow from it (see VolumeReadSettings).
+  DecoderProcess(Mode mode, std::vector<DicomSlice> files, const VolumeReadSettings& settings);
   ~DecoderProcess();
   DecoderProcess(const DecoderProcess&) = delete;
   DecoderProcess& operator=(const DecoderProcess&) = delete;
@@ -45,13 +46,16 @@ private:
   void ReadAll(void* into, std::size_t size, const ProgressFunction& progress);
   void Check(const SliceRecord& record) const;
   [[noreturn]] void ThrowEnded();
+  [[noreturn]] void ThrowExited(int code, const std::string& at, const std::string& remedy) const;
   [[noreturn]] void ThrowGarbage(const std::string& what) const;
   std::string AtFile() const;
-  int Reap(); ///< wait status, once the child has closed its output
+  double SilenceSeconds() const; ///< how long the awaited answer may take
+  int Reap();                    ///< wait status, once the child has closed its output
 
   Mode Doing;
-  const std::vector<std::filesystem::path> Files;
+  const std::vector<DicomSlice> Files;
   const VolumeReadSettings Settings;
+  const std::uint64_t Memory; ///< bytes the child may take on top of its own
   Clock::time_point Started;
   std::size_t Next = 0; ///< the file whose answer is awaited
   int Output = -1;      ///< our end of the child's standard output
