@@ -28,6 +28,7 @@ OUTSIDE = [  # first match wins
     ("cli11", r"CLI/.*"),
     ("libarchive", r"archive(_entry)?\.h"),
     ("dcmtk", r"dcmtk/.*"),
+    ("seccomp", r"seccomp\.h"),
     ("libusb", r"libusb.*"),
     ("hidapi", r"hidapi.*"),
     ("gtest", r"g(test|mock)/.*"),

@@ -43,10 +43,15 @@ struct VolumeReadSettings
   int series = 0; ///< 1-based; 0 = there must be one only
   std::size_t memoryLimitBytes = std::size_t(4)
                                  << 30; ///< of the samples; checked before any is taken
-  std::size_t decoderMemoryBytes = std::size_t(2) << 30; ///< of the DICOM child process, all in all
-  double decoderSilenceSeconds = 30.0; ///< the child is ended after so long without an answer,
-                                       ///< in (0, 1e6]
-  double decoderTotalSeconds = 600.0;  ///< or after so long in all, in (0, 1e6]
+  /// Most that reading DICOM may take in the child process, on top of its program. It is given less
+  /// where less will do: 64 MiB, and to decode four times the largest slice (as declared, or its
+  /// file) besides. What needs more is refused, as a file that unpacks to more than it declares.
+  std::size_t decoderMemoryBytes = std::size_t(2) << 30;
+  /// The child is ended after so long without an answer, in (0, 1e6]; each file is one. A slice
+  /// that is to be decoded has a second more for every 8 MiB of its file or (if that is larger, and
+  /// up to 64 times the file) of its pixels. Raise it for a slow disk.
+  double decoderSilenceSeconds = 2.0;
+  double decoderTotalSeconds = 600.0; ///< or after so long in all, in (0, 1e6]
 };
 
 /// A file whose header has been read and found good. `load` decodes the samples.

@@ -1,9 +1,7 @@
 #pragma once
-#include "Dicom/DicomWire.h"
+#include "Dicom/DicomSeries.h"
 #include "Sandbox/ChildProcess.h"
-#include "vtkHaspVolumeFile.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,10 +9,8 @@ namespace hasp
 {
 
 /// The child process that parses DICOM: started with a list of files, read from as it answers, and
-/// ended with this object whatever happens.
-///
-/// Every failure throws std::runtime_error that says what the child did (crashed, fell silent, ran
-/// out of memory, sent what is no answer), at which file, and what to do. One thread at a time.
+/// ended with this object whatever happens. See Sandbox/Confinement.h for what it may do, and
+/// ChildProcess for what is thrown. One thread at a time.
 class DecoderProcess
 {
 public:
@@ -23,8 +19,9 @@ public:
     Scan,
     Decode
   };
-  DecoderProcess(
-    Mode mode, const std::vector<std::filesystem::path>& files, const VolumeReadSettings& settings);
+  /// Of the slices the paths, numbers and sizes are used, and to decode what their records declare:
+  /// the child's memory and its time for each slice follow from it (see VolumeReadSettings).
+  DecoderProcess(Mode mode, std::vector<DicomSlice> files, const VolumeReadSettings& settings);
   DecoderProcess(const DecoderProcess&) = delete;
   DecoderProcess& operator=(const DecoderProcess&) = delete;
 
@@ -41,11 +38,14 @@ public:
 private:
   ChildProcess::Beat BeatOf(const ProgressFunction& progress) const;
   void Check(const SliceRecord& record) const;
+  ChildSettings SettingsOf(const VolumeReadSettings& settings) const;
   std::string AtFile() const;
+  double WorkSeconds() const; ///< of the awaited answer, on top of the silence it may keep
 
-  Mode Doing;
-  const std::vector<std::filesystem::path> Files;
-  std::size_t Next = 0; ///< the file whose answer is awaited
+  const Mode Doing;
+  const std::vector<DicomSlice> Files;
+  const std::uint64_t Memory; ///< bytes the child may take on top of its own
+  std::size_t Next = 0;       ///< the file whose answer is awaited
   ChildProcess Process;
 };
 

@@ -44,14 +44,6 @@ std::vector<DicomSlice> ListFiles(const std::filesystem::path& folder)
   return files;
 }
 
-std::vector<std::filesystem::path> PathsOf(const std::vector<DicomSlice>& slices)
-{
-  std::vector<std::filesystem::path> paths;
-  for (const DicomSlice& slice : slices)
-    paths.push_back(slice.file);
-  return paths;
-}
-
 /// A decoded slice must be what its header promised when the volume was laid out.
 void CheckDecoded(
   const std::filesystem::path& folder, const DicomSlice& slice, const SliceRecord& decoded)
@@ -115,7 +107,7 @@ vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& folder, const Di
 {
   auto image = NewImage(stack.passport.geometry, VTK_SHORT);
   auto* stored = static_cast<std::uint16_t*>(image->GetScalarPointer());
-  DecoderProcess decoder(DecoderProcess::Mode::Decode, PathsOf(stack.slices), settings);
+  DecoderProcess decoder(DecoderProcess::Mode::Decode, stack.slices, settings);
   std::uint16_t* into = stored;
   for (const DicomSlice& slice : stack.slices)
   {
@@ -146,7 +138,7 @@ OpenedVolume OpenDicomFolder(const std::filesystem::path& folder,
   if (files.empty())
     ThrowFileError(folder, "the folder is empty");
   {
-    DecoderProcess decoder(DecoderProcess::Mode::Scan, PathsOf(files), settings);
+    DecoderProcess decoder(DecoderProcess::Mode::Scan, files, settings);
     for (DicomSlice& file : files)
       file.record = decoder.NextRecord(progress);
     decoder.Finish(progress);

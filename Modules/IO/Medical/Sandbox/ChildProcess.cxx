@@ -65,6 +65,7 @@ int Spawn(const ChildProgram& program, const std::filesystem::path& file,
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
   pid_t child = -1;
   const int error = posix_spawn(&child, file.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -128,14 +129,14 @@ int ChildProcess::Reap()
 std::size_t ChildProcess::ReadSome(void* into, std::size_t size, const Beat& beat)
 {
   const auto asked = Clock::now();
+  const double silenceSeconds = this->Settings.silenceSeconds();
   for (;;)
   {
     beat();
     const auto since = [](Clock::time_point then)
     { return std::chrono::duration<double>(Clock::now() - then).count(); };
     const double silent = since(asked), total = since(this->Started);
-    const double left =
-      std::min(this->Settings.silenceSeconds - silent, this->Settings.totalSeconds - total);
+    const double left = std::min(silenceSeconds - silent, this->Settings.totalSeconds - total);
     if (left <= 0.0)
       throw std::runtime_error(
         this->Settings.program.name + " hangs" + this->At() + ": no end after " +
@@ -174,15 +175,23 @@ void ChildProcess::ThrowEnded()
   // It has closed its output but need not have ended: it does now.
   kill(this->Child, SIGKILL);
   const int status = this->Reap();
-  if (!WIFEXITED(status))
-    throw std::runtime_error(name + " crashed" + at + " (" +
-                             (WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "unknown") + ")" +
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGSYS)
+    throw std::runtime_error(name + " tried what it may not do" + at +
+                             " (a forbidden system call) and was stopped before it was done; the "
+                             "file may be made to attack" +
                              remedy);
+  if (!WIFEXITED(status))
+    throw std::runtime_error(
+      name + " crashed" + at + " (" + (signal != 0 ? strsignal(signal) : "unknown") + ")" + remedy);
   const int code = WEXITSTATUS(status);
   if (code == 3)
-    throw std::runtime_error(name + " needs more memory than its " +
-                             Text(double(this->Settings.memoryBytes) / (1 << 20)) + " MiB" + at +
-                             remedy + ", or " + this->Settings.memoryRemedy);
+    throw std::runtime_error(name + " needs more memory than the " +
+                             Text(std::round(double(this->Settings.memoryBytes) / (1 << 20))) +
+                             " MiB it was given" + at + this->Settings.memoryRemedy);
+  if (code == 4)
+    throw std::runtime_error(name + " cannot limit itself on this system (is /proc there, and may "
+                                    "limits be set?); without limits it reads nothing");
   if (const auto ending = this->Settings.endings.find(code); ending != this->Settings.endings.end())
     throw std::runtime_error(ending->second);
   throw std::runtime_error(name + " gave up with code " + std::to_string(code) + at + remedy);

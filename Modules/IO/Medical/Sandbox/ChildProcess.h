@@ -23,21 +23,22 @@ struct ChildProgram
 struct ChildSettings
 {
   ChildProgram program;
-  std::size_t memoryBytes = 0;        ///< which the child was told to keep to
-  double silenceSeconds = 0.0;        ///< ended after so long without a byte
-  double totalSeconds = 0.0;          ///< or after so long in all
+  std::size_t memoryBytes = 0;            ///< which the child was told to keep to
+  std::function<double()> silenceSeconds; ///< ended after so long without a byte, asked each time
+  double totalSeconds = 0.0;              ///< or after so long in all
   std::string remedy;                 ///< a sentence without its stop: "Export the series again"
-  std::string memoryRemedy;           ///< "raise decoderMemoryBytes"
+  std::string memoryRemedy;           ///< what to do if it needs more, from the comma or colon on
   std::map<int, std::string> endings; ///< exit codes with a sentence of their own; 3 is "memory"
   std::function<std::string()> at;    ///< " at file 7": what it is busy with; may be empty
 };
 
 /// A child process that is started with a list on its standard input, read from as it answers on
 /// its standard output, and ended with this object whatever happens. Its standard error goes
-/// nowhere.
+/// nowhere, and it inherits nothing else but the environment.
 ///
 /// Every failure throws std::runtime_error that says what the child did (crashed, fell silent, ran
-/// out of memory, sent what is no answer), at what, and what to do. One thread at a time.
+/// out of memory, tried what is forbidden, sent what is no answer), at what, and what to do. One
+/// thread at a time.
 class ChildProcess
 {
 public:
