@@ -6,6 +6,7 @@
 #include <functional>  // for inspection
 #include <string>      // for paths
 #include <string_view> // for bytes
+#include <vector>      // for segments
 
 class vtkImageData;
 class vtkPolyData;
@@ -17,6 +18,8 @@ class vtkPolyData;
 namespace hasp
 {
 
+struct Segment; // of vtkHaspVolumeFile.h
+
 struct VolumeWriteSettings
 {
   bool compress = false; ///< .nrrd with gzip; .nii.gz and .vti always are compressed, others never
@@ -27,6 +30,12 @@ struct VolumeWriteSettings
 /// first of the image's extent. What VolumeSlabWriter says of its files is true of these.
 VTKHASPIOMEDICAL_EXPORT void WriteVolume(
   vtkImageData* image, const std::string& path, const VolumeWriteSettings& settings = {});
+
+/// .seg.nrrd as 3D Slicer reads it: a gzipped label map with each segment's label value, name,
+/// colour and extent. Labels are unsigned char or unsigned short; label values are distinct and at
+/// least 1.
+VTKHASPIOMEDICAL_EXPORT void WriteSegmentation(
+  vtkImageData* labels, const std::vector<Segment>& segments, const std::string& path);
 
 /// Binary STL, world millimetres in LPS, float32, normals from the triangles' corners; the 80-byte
 /// header says "Hasp <version> SPACE=LPS; UNIT=mm". Refused: no triangles, polygons or strips (run

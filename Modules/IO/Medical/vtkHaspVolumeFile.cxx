@@ -21,6 +21,8 @@ void CheckSettings(const VolumeReadSettings& s)
 {
   if (s.series < 0)
     throw std::invalid_argument("series is " + std::to_string(s.series) + ", must be >= 0");
+  if (s.layer < 0)
+    throw std::invalid_argument("layer is " + std::to_string(s.layer) + ", must be >= 0");
   for (const double seconds : { s.decoderSilenceSeconds, s.decoderTotalSeconds })
     if (!(seconds > 0.0 && seconds <= 1e6))
       throw std::invalid_argument(
@@ -114,12 +116,21 @@ OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSetti
     return OpenInvesalius(file, settings);
   if (extension == ".mha" || extension == ".mhd")
     return OpenMetaImage(file, settings);
+  if (extension == ".nrrd" || extension == ".nhdr")
+    return OpenNrrd(file, settings);
+  if (extension == ".seg.nrrd")
+    return OpenSegmentation(file, settings);
+  if (extension == ".nii" || extension == ".nii.gz")
+    return OpenNifti(file, settings);
+  if (extension == ".hdr" || extension == ".img")
+    ThrowFileError(file, "pairs of .hdr and .img are not read; save it as a single .nii file");
   if (extension == ".vti")
     return OpenXMLImage(file, settings);
   if (IsOneDicomFile(file))
     ThrowFileError(file, "is a single DICOM file; open the folder that holds the whole series");
-  ThrowFileError(
-    file, "is of no kind that is read: a folder of DICOM slices, .inv3, .mha, .mhd or .vti");
+  ThrowFileError(file,
+    "is of no kind that is read: a folder of DICOM slices, .inv3, .mha, .mhd, .nrrd, .nhdr, "
+    ".seg.nrrd, .nii, .nii.gz or .vti");
 }
 
 } // namespace
@@ -135,13 +146,17 @@ OpenedVolume OpenVolume(
   if (settings.series > opened.passport.seriesFound)
     ThrowFileError(file, "series " + std::to_string(settings.series) +
                            " was asked for, but only a folder of DICOM slices has several");
+  if (settings.layer > 0 && opened.segments.empty())
+    ThrowFileError(file, "layer " + std::to_string(settings.layer) +
+                           " was asked for, but only a segmentation (.seg.nrrd) has layers with "
+                           "segments");
   opened.file = path;
   return opened;
 }
 
 LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& progress)
 {
-  LoadedVolume volume{ opened.passport, opened.load(progress) };
+  LoadedVolume volume{ opened.passport, opened.load(progress), opened.segments };
   const AnyGridView grid = ViewImage(volume.image);
   volume.passport.sampleType = SampleTypeName(volume.image->GetScalarType());
   CompletePassport(std::filesystem::u8path(opened.file), grid, volume.passport);

@@ -6,6 +6,7 @@
 #include "vtkHaspIOMedicalModule.h" // for export macro
 #include "vtkSmartPointer.h"        // for return values
 
+#include <array>      // for colours
 #include <cstddef>    // for size_t
 #include <functional> // for load
 #include <string>     // for texts
@@ -23,7 +24,8 @@ namespace hasp
 /// any sample is decoded (sampleType may then still be "int16 or float32": see below).
 struct Passport
 {
-  std::string format;                ///< "DICOM", "InVesalius", "MetaImage" or "VTI"
+  std::string format;                ///< "DICOM", "InVesalius", "MetaImage", "NRRD", "NRRD
+                                     ///< segmentation", "NIfTI-1", "NIfTI-2" or "VTI"
   GridGeometry geometry;             ///< patient LPS, mm
   std::string modality;              ///< as the file says, "CT" or "MR"; empty if it does not
   bool hounsfield = false;           ///< values are HU by the file's own word (CBCT's are not)
@@ -36,11 +38,23 @@ struct Passport
   double gapDeviationMm = 0.0;       ///< largest difference of a slice distance from spacing.z
   std::string compression;           ///< the file's name for it; empty if not compressed
   std::vector<std::string> warnings; ///< full sentences, for the user
+  int segments = 0;                  ///< named in a segmentation; 0 in any other volume
+};
+
+/// What one label of a segmentation is. The name is free text of the file, a patient's perhaps: it
+/// is for the eyes of who opened the file, not for logs.
+struct Segment
+{
+  int labelValue = 0;                           ///< of its samples, in [1, 65535]
+  std::string name;                             ///< UTF-8
+  std::array<double, 3> color{ 0.5, 0.5, 0.5 }; ///< red, green, blue in [0, 1]
 };
 
 struct VolumeReadSettings
 {
   int series = 0; ///< 1-based; 0 = there must be one only
+  int layer = 0;  ///< of a .seg.nrrd with several label maps, 1-based; 0 = all, which must not
+                  ///< overlap and are merged
   std::size_t memoryLimitBytes = std::size_t(4)
                                  << 30; ///< of the samples; checked before any is taken
   /// Most that reading DICOM may take in the child process, on top of its program. It is given less
@@ -60,6 +74,7 @@ struct OpenedVolume
   std::string file; ///< the path that was opened
   Passport passport;
   std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&)> load;
+  std::vector<Segment> segments = {}; ///< of a segmentation
 };
 
 struct LoadedVolume
@@ -67,10 +82,12 @@ struct LoadedVolume
   Passport passport;
   vtkSmartPointer<vtkImageData>
     image; ///< extent from 0; scalars short, unsigned short, unsigned char or float
+  std::vector<Segment> segments = {}; ///< of a segmentation: what its label values are
 };
 
 /// Reads and checks the header of a folder of DICOM slices (searched with its subfolders), an
-/// InVesalius project (.inv3), MetaImage (.mha, .mhd) or VTK image (.vti). UTF-8 path.
+/// InVesalius project (.inv3), MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), segmentation of 3D
+/// Slicer (.seg.nrrd), NIfTI (.nii, .nii.gz) or VTK image (.vti). UTF-8 path.
 ///
 /// DICOM is parsed by a child process (HASP_DICOM_DECODER overrides where it is) that may crash or
 /// hang without harm. Refused, by name and number: several series without a choice; slices that

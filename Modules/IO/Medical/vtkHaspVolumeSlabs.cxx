@@ -1,8 +1,8 @@
 #include "vtkHaspVolumeSlabs.h"
 #include "Files/AtomicFile.h"
 #include "Files/FileError.h"
+#include "Volumes/EncodeHeader.h"
 #include "Volumes/GzipOutput.h"
-#include "Volumes/VolumeHeaders.h"
 
 #include <algorithm>
 #include <optional>
@@ -19,16 +19,16 @@ VolumeHeader HeaderFor(
 {
   const std::string extension = LowerExtension(file);
   if (extension == ".nrrd")
-    return NrrdHeader(geometry, type, compress);
+    return EncodeNrrd(geometry, type, compress);
   if (extension == ".nii.gz")
-    return NiftiFileHeader(geometry, type);
+    return EncodeNifti(geometry, type);
   if (compress && (extension == ".mha" || extension == ".nii"))
     ThrowFileError(
       file, "is written raw; for a compressed volume give the name the ending .nrrd or .nii.gz");
   if (extension == ".mha")
-    return MetaImageHeader(geometry, type);
+    return EncodeMetaImage(geometry, type);
   if (extension == ".nii")
-    return NiftiFileHeader(geometry, type);
+    return EncodeNifti(geometry, type);
   ThrowFileError(file, "volumes are written as .mha, .nrrd, .nii, .nii.gz or .vti (.vti: not in "
                        "slabs); give the name one of these endings");
 }

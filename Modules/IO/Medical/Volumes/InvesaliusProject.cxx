@@ -1,4 +1,5 @@
 #include "Files/SafeArchive.h"
+#include "Volumes/HeaderText.h"
 #include "Volumes/VolumeFormat.h"
 
 #include "vtkCallbackCommand.h"
@@ -12,11 +13,8 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <sstream>
-#include <string_view>
 
 // An InVesalius 3 project is a gzipped tar with one folder of property lists (XML) and raw arrays.
 // main.plist names the samples' file; they are int16, little-endian, [z][y][x]. x runs to the
@@ -36,20 +34,16 @@ struct Matrix
   glm::ivec3 dims{ 0 };
 };
 
-std::string Trimmed(const char* text)
+std::string TextOf(const char* text)
 {
-  const std::string_view view = text ? text : "";
-  const std::size_t first = view.find_first_not_of(" \t\r\n");
-  if (first == view.npos)
-    return {};
-  return std::string(view.substr(first, view.find_last_not_of(" \t\r\n") - first + 1));
+  return Trimmed(text ? text : "");
 }
 
 /// The element after <key>name</key>, or nullptr.
 vtkXMLDataElement* Find(vtkXMLDataElement* dict, const std::string& name)
 {
   for (int n = 0; dict && n + 1 < dict->GetNumberOfNestedElements(); n += 2)
-    if (Trimmed(dict->GetNestedElement(n)->GetCharacterData()) == name)
+    if (TextOf(dict->GetNestedElement(n)->GetCharacterData()) == name)
       return dict->GetNestedElement(n + 1);
   return nullptr;
 }
@@ -57,17 +51,13 @@ vtkXMLDataElement* Find(vtkXMLDataElement* dict, const std::string& name)
 std::string TextOf(vtkXMLDataElement* dict, const std::string& name)
 {
   vtkXMLDataElement* element = Find(dict, name);
-  return element ? Trimmed(element->GetCharacterData()) : std::string();
+  return element ? TextOf(element->GetCharacterData()) : std::string();
 }
 
 std::optional<double> Number(vtkXMLDataElement* element)
 {
-  const std::string text = element ? Trimmed(element->GetCharacterData()) : std::string();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  const auto number = FiniteNumbers(element ? TextOf(element->GetCharacterData()) : "", 1);
+  return number ? std::optional<double>(number->front()) : std::nullopt;
 }
 
 /// The three numbers of an array, or an error naming the key.
@@ -102,12 +92,12 @@ void ParseMain(const std::filesystem::path& file, const std::string& text,
   vtkXMLDataElement* samples = Find(dict, "matrix");
   if (!samples)
     ThrowFileError(file, "main.plist is no property list with a matrix; save the project again");
-  if (const std::string type = TextOf(samples, "dtype"); type != "int16")
-    ThrowFileError(file, "main.plist: samples are \"" + type + "\", only int16 is read");
+  if (TextOf(samples, "dtype") != "int16")
+    ThrowFileError(file, "main.plist: samples are not int16; only int16 is read");
   if (const std::string orientation = TextOf(dict, "orientation");
       !orientation.empty() && orientation != "1")
-    ThrowFileError(file, "main.plist: orientation is " + orientation +
-                           ", only 1 (axial) is read; import the scan as axial slices");
+    ThrowFileError(file, "main.plist: orientation is not 1 (axial), only that is read; import the "
+                         "scan as axial slices");
   matrix.fileName = TextOf(samples, "filename");
   const glm::dvec3 shape = Three(file, samples, "shape"); // z, y, x
   if (glm::any(glm::lessThan(shape, glm::dvec3(1.0))) ||
@@ -121,9 +111,7 @@ void ParseMain(const std::filesystem::path& file, const std::string& text,
   passport.format = "InVesalius";
   passport.geometry.dims = matrix.dims;
   passport.geometry.spacing = spacing;
-  passport.modality = SafeText(TextOf(dict, "modality"));
-  if (passport.modality.size() > 16)
-    passport.modality.clear();
+  passport.modality = KnownModality(TextOf(dict, "modality"));
   passport.hounsfield = passport.modality == "CT"; // InVesalius stores rescaled values
   passport.sampleType = "int16";
   passport.warnings.push_back("InVesalius projects hold no patient position: the first sample is "
@@ -144,9 +132,9 @@ vtkSmartPointer<vtkImageData> LoadMatrix(const std::filesystem::path& file,
       if (entry.Name() != matrix.fileName)
         return true;
       if (entry.Size() != sliceBytes * d.z)
-        ThrowFileError(file, matrix.fileName + " has " + std::to_string(entry.Size()) + " bytes, " +
-                               std::to_string(d.x) + " x " + std::to_string(d.y) + " x " +
-                               std::to_string(d.z) + " int16 samples need " +
+        ThrowFileError(file, "the file of samples has " + std::to_string(entry.Size()) +
+                               " bytes, " + std::to_string(d.x) + " x " + std::to_string(d.y) +
+                               " x " + std::to_string(d.z) + " int16 samples need " +
                                std::to_string(sliceBytes * d.z));
       image = NewImage(passport.geometry, VTK_SHORT);
       auto* slice = static_cast<std::byte*>(image->GetScalarPointer());

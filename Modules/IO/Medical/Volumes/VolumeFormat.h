@@ -13,6 +13,10 @@ OpenedVolume OpenDicomFolder(
   const std::filesystem::path& folder, const VolumeReadSettings& settings, const ProgressFunction&);
 OpenedVolume OpenInvesalius(const std::filesystem::path& file, const VolumeReadSettings& settings);
 OpenedVolume OpenMetaImage(const std::filesystem::path& file, const VolumeReadSettings& settings);
+OpenedVolume OpenNrrd(const std::filesystem::path& file, const VolumeReadSettings& settings);
+OpenedVolume OpenSegmentation(
+  const std::filesystem::path& file, const VolumeReadSettings& settings);
+OpenedVolume OpenNifti(const std::filesystem::path& file, const VolumeReadSettings& settings);
 OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSettings& settings);
 
 /// Text of a file that may be shown: what is not printable ASCII becomes "?".

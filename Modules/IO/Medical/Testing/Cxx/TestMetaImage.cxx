@@ -70,13 +70,15 @@ TEST_F(MetaImage, BadHeadersAreRefused)
   this->ExpectHeaderRefused("Offset", "1 2 here", "finite");
   this->ExpectHeaderRefused("TransformMatrix", "1 0 0 1 0 0 0 0 1", "direction");
   this->ExpectHeaderRefused("NDims", "2", "must be 3");
-  this->ExpectHeaderRefused("ElementType", "MET_DOUBLE", "MET_SHORT");
+  this->ExpectHeaderRefused("ElementType", "MET_STRING", "MET_SHORT");
+  this->ExpectHeaderRefused("DimSize", "12 10 7", "more than the header");
   this->ExpectHeaderRefused("ElementDataFile", "../../etc/passwd", "beside it");
   this->ExpectHeaderRefused("ElementDataFile", "LIST", "beside it");
   this->ExpectHeaderRefused("ElementDataFile", "gone.raw", "is not there");
   this->ExpectHeaderRefused("ElementDataFile", "", "no MetaImage");
   this->ExpectHeaderRefused("CompressedData", "True", "damaged");
   this->ExpectHeaderRefused("CompressedData", "TRUE", "damaged");
+  this->ExpectHeaderRefused("ElementSpacing", "1e999 1 1", "finite");
   this->ExpectHeaderRefused("CompressedData", "perhaps", "True or False");
   this->ExpectHeaderRefused("BinaryDataByteOrderMSB", "2", "True or False");
   for (const char* no : { "False", "FALSE", "0" })
@@ -126,10 +128,45 @@ TEST_F(MetaImage, CompressedSamplesMustBeExactlyAsManyAsDeclared)
   this->ExpectRefused(this->Folder / "a.mha", { "cut off" });
 }
 
-TEST_F(MetaImage, TheModalityIsPrintable)
+TEST_F(MetaImage, TheModalityIsOneOfAListAndNoOtherText)
 {
-  WriteBytes(this->Folder / "a.mha", "Modality = MET_MOD_C\x1b[31mT\n" + Header() + Raw());
-  EXPECT_EQ(Read(this->Folder / "a.mha").passport.modality, "C?[31mT");
+  for (const auto& [text, expected] :
+    std::vector<std::pair<std::string, std::string>>{ { "MET_MOD_CT", "CT" },
+      { "MET_MOD_MR", "MR" }, { "MET_MOD_UNKNOWN", "" }, { "MET_MOD_Miller^Ann", "" } })
+  {
+    WriteBytes(this->Folder / "a.mha", "Modality = " + text + "\n" + Header() + Raw());
+    EXPECT_EQ(Read(this->Folder / "a.mha").passport.modality, expected);
+  }
+}
+
+TEST_F(MetaImage, OtherNumberTypesBecomeTheFirstThatHoldsThemAll)
+{
+  const auto read = [&](const std::string& type, const auto& values)
+  {
+    std::string bytes = Header("ElementType", type);
+    AppendBytes(bytes, values.data(), values.size());
+    WriteBytes(this->Folder / "a.mha", bytes);
+    return Read(this->Folder / "a.mha").passport;
+  };
+  std::vector<std::int32_t> whole(960, -1000);
+  EXPECT_EQ(read("MET_INT", whole).sampleType, "int16");
+  EXPECT_EQ(read("MET_INT", whole).warnings.size(), 1U);
+  std::vector<std::uint32_t> large(960, 65535);
+  EXPECT_EQ(read("MET_UINT", large).sampleType, "uint16");
+  whole[959] = 1 << 24;
+  EXPECT_EQ(read("MET_INT", whole).sampleType, "float32");
+  EXPECT_EQ(read("MET_INT", whole).maximum, 1 << 24);
+  std::vector<double> real(960, 0.1);
+  EXPECT_EQ(read("MET_DOUBLE", real).maximum, double(0.1F));
+  real.assign(960, 7.0);
+  EXPECT_EQ(read("MET_DOUBLE", real).sampleType, "int16");
+  EXPECT_EQ(read("MET_CHAR", std::vector<std::int8_t>(960, -7)).minimum, -7);
+  whole[5] = (1 << 24) + 1;
+  EXPECT_THROW(read("MET_INT", whole), std::runtime_error);
+  std::vector<std::int64_t> wide(960, (std::int64_t(1) << 62) + 1); // == its double, wrongly
+  EXPECT_THROW(read("MET_LONG_LONG", wide), std::runtime_error);
+  real[3] = 1e300; // infinite in float32
+  EXPECT_THROW(read("MET_DOUBLE", real), std::runtime_error);
 }
 
 TEST_F(MetaImage, NotFiniteSamplesAreCountedAndPlaced)

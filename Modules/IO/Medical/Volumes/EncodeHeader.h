@@ -16,12 +16,12 @@ struct VolumeHeader
   bool flipY = false; ///< and slices from their last row
 };
 
-VolumeHeader MetaImageHeader(const GridGeometry& geometry, SampleType type);
+VolumeHeader EncodeMetaImage(const GridGeometry& geometry, SampleType type);
 /// `more` are lines for the end of the header, each with its "\n".
-VolumeHeader NrrdHeader(
+VolumeHeader EncodeNrrd(
   const GridGeometry& geometry, SampleType type, bool compressed, const std::string& more = {});
 /// NIfTI-1, or NIfTI-2 where float32 does not hold the positions or int16 the sizes.
-VolumeHeader NiftiFileHeader(const GridGeometry& geometry, SampleType type);
+VolumeHeader EncodeNifti(const GridGeometry& geometry, SampleType type);
 
 std::size_t BytesOf(SampleType type);
 

@@ -1,4 +1,4 @@
-#include "Volumes/VolumeHeaders.h"
+#include "Volumes/EncodeHeader.h"
 #include "Volumes/NiftiHeader.h"
 
 #include <glm/geometric.hpp>
@@ -47,7 +47,7 @@ std::size_t BytesOf(SampleType type)
   return bytes[static_cast<int>(type)];
 }
 
-VolumeHeader MetaImageHeader(const GridGeometry& g, SampleType type)
+VolumeHeader EncodeMetaImage(const GridGeometry& g, SampleType type)
 {
   constexpr const char* types[] = { "MET_SHORT", "MET_USHORT", "MET_UCHAR", "MET_FLOAT" };
   std::ostringstream header = ExactText();
@@ -66,7 +66,7 @@ VolumeHeader MetaImageHeader(const GridGeometry& g, SampleType type)
   return { header.str() };
 }
 
-VolumeHeader NrrdHeader(
+VolumeHeader EncodeNrrd(
   const GridGeometry& g, SampleType type, bool compressed, const std::string& more)
 {
   constexpr const char* types[] = { "int16", "uint16", "uint8", "float" };
@@ -85,7 +85,7 @@ VolumeHeader NrrdHeader(
   return { header.str() };
 }
 
-VolumeHeader NiftiFileHeader(const GridGeometry& g, SampleType type)
+VolumeHeader EncodeNifti(const GridGeometry& g, SampleType type)
 {
   VolumeHeader header;
   NiftiHeader nifti = NiftiFor(g, header.flipX, header.flipY);
