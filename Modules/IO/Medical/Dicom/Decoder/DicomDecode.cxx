@@ -96,6 +96,7 @@ int main(int argc, char** argv)
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   if (!dcmDataDict.isDictionaryLoaded())
     return 5;
+  dcmEnableUnknownVRConversion.set(OFTrue); // UN, as of converters that knew less, is read as meant
   DcmRLEDecoderRegistration::registerCodecs();
   DJDecoderRegistration::registerCodecs();
   DJLSDecoderRegistration::registerCodecs();

@@ -1,10 +1,8 @@
+#include "DecoderRun.h"
 #include "Dicom/DicomTerms.h"
-#include "Dicom/DicomWire.h"
 #include "DicomFixture.h"
 
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <random>
 
 namespace
@@ -28,19 +26,9 @@ protected:
     }
     return folder;
   }
-  /// What the decoder itself says of one file, through a pipe, as it may write none.
   hasp::SliceRecord Scan(const std::filesystem::path& file, const std::string& locale = "C") const
   {
-    WriteBytes(this->Folder / "list", file.string() + std::string(1, '\0'));
-    const std::string in = this->Folder.string();
-    const std::string command = "LC_ALL=" + locale + " '" HASP_DECODER "' scan 67108864 60 < '" +
-                                in + "/list' | cat > '" + in + "/answer'";
-    EXPECT_EQ(std::system(command.c_str()), 0);
-    const std::string answer = ReadBytes(this->Folder / "answer");
-    hasp::SliceRecord record{};
-    EXPECT_EQ(answer.size(), sizeof(record));
-    std::memcpy(&record, answer.data(), std::min(answer.size(), sizeof(record)));
-    return record;
+    return RunDecoder("scan", file, this->Folder, locale).record;
   }
   hasp::SliceRecord ScanWith(const std::function<void(DcmDataset&)>& edit) const
   {
