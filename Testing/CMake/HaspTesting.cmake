@@ -11,6 +11,9 @@ if (HASP_BUILD_TESTING)
   find_file(HASP_CRANIUM Cranium.inv3 NO_DEFAULT_PATH
     PATHS /usr/share/doc/invesalius-examples/examples "${PROJECT_SOURCE_DIR}/.cache"
     DOC "A real CT: Cranium.inv3 of Debian's invesalius-examples")
+  # DICOM of many makers, sound and not, read where it is installed: Debian's python3-pydicom.
+  find_path(HASP_PYDICOM_FILES MR_small.dcm NO_DEFAULT_PATH
+    PATHS /usr/lib/python3/dist-packages/pydicom/data/test_files DOC "The test files of pydicom")
 endif ()
 
 # hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.

@@ -90,7 +90,7 @@ ChildSettings DecoderProcess::SettingsOf(const VolumeReadSettings& settings) con
     .remedy = remedy,
     .memoryRemedy = this->Memory == settings.decoderMemoryBytes
                       ? ". " + remedy + ", or raise decoderMemoryBytes"
-                      : ": the file unpacks to far more than it declares. " + remedy,
+                      : ": the file is damaged, or unpacks to far more than it declares. " + remedy,
     .endings = { { 5, "DCMTK's dictionary of DICOM attributes is not installed (Debian: "
                       "libdcmtk17); without it DICOM cannot be read" } },
     .at = [this] { return this->AtFile(); } };

@@ -1,4 +1,5 @@
 #include "Dicom/DicomChecks.h"
+#include "Dicom/DicomTerms.h"
 #include "Volumes/VolumeFormat.h"
 
 #include <glm/geometric.hpp>
@@ -118,7 +119,7 @@ void CheckSlice(const std::filesystem::path& folder, const DicomSlice& slice)
   { ThrowFileError(folder, SliceName(slice) + " " + what); };
   if (r.status == static_cast<std::uint32_t>(SliceStatus::Undecodable))
     fail("is compressed as \"" + std::string(r.transferSyntax) +
-         "\", for which there is no decoder; convert the series first, say with gdcmconv --raw");
+         "\", for which there is no decoder; " + RemedyFor(r.transferSyntax));
   if (r.frames != 1)
     fail("holds " + std::to_string(r.frames) +
          " frames; export the series as one file per slice (\"classic\", not \"enhanced\")");

@@ -30,6 +30,8 @@ Series Group(const std::filesystem::path& folder, std::vector<DicomSlice>& files
     if (Is(slice, SliceStatus::Damaged) || Is(slice, SliceStatus::CutOff))
       ThrowFileError(folder,
         SliceName(slice) + " is damaged or cut off; copy it again, or take it out of the folder");
+    if (Is(slice, SliceStatus::Undecodable) && slice.record.rows == 0)
+      CheckSlice(folder, slice); // throws: not even its header can be read, so it has no series
     if (Is(slice, SliceStatus::NotDicom) || Is(slice, SliceStatus::NoImage))
       ++skipped;
     else
@@ -109,6 +111,10 @@ void Describe(const std::vector<DicomSlice>& slices, Passport& passport)
   if (first.flags & Monochrome1)
     passport.warnings.push_back(
       "The series is MONOCHROME1, to be shown inverted; its values are kept.");
+  if (std::any_of(slices.begin(), slices.end(),
+        [](const DicomSlice& s) { return (s.record.flags & Lossy) != 0; }))
+    passport.warnings.push_back("The series was compressed with loss: its values are not exactly "
+                                "those that were measured.");
   if (passport.filesSkipped > 0)
     passport.warnings.push_back(std::to_string(passport.filesSkipped) +
                                 " files of the folder are no DICOM images and were skipped.");

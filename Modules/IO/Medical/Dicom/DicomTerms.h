@@ -122,6 +122,14 @@ bool IsTerm(const char* const (&terms)[N], const char* text)
   return std::strcmp(TermOf(terms, text), text) == 0;
 }
 
+/// What to do about a series in a syntax of that name that is not decoded.
+inline const char* RemedyFor(const char* name)
+{
+  return std::strncmp(name, "JPEG 2000", 9) == 0
+           ? "convert the series first, say with gdcmconv --raw (Debian: libgdcm-tools)"
+           : "export the series again uncompressed (Explicit VR Little Endian)";
+}
+
 inline bool IsSyntaxName(const char* name)
 {
   if (*name == '\0' || std::strcmp(name, UnknownSyntax.name) == 0)

@@ -2,9 +2,10 @@
 #include <cstdint>
 #include <type_traits>
 
-/// What hasp-dicom-decode writes to its standard output, in the machine's own byte order: one
-/// SliceRecord per file asked for, in that order; in `decode` mode each good one is followed by
-/// pixelBytes of 16-bit stored values. Nothing in it is trusted by the reading side.
+/// What hasp-dicom-decode writes to its standard output (a pipe: it may write no file), in the
+/// machine's own byte order: one SliceRecord per file asked for, in that order; in `decode` mode
+/// each good one is followed by pixelBytes of 16-bit stored values. Nothing in it is trusted by the
+/// reading side.
 ///
 /// Standard input: the files' paths, each ended by a NUL. Arguments: scan|decode, memory in bytes
 /// that parsing and decoding may take (on top of what the program takes before the first file),

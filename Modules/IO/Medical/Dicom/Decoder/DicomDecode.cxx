@@ -45,7 +45,7 @@ SliceStatus Load(DcmFileFormat& file, const std::string& path, bool decode)
                                ? file.loadFile(name)
                                : file.loadFileUntilTag(name, EXS_Unknown, EGL_noChange,
                                    DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
-  if (loaded == EC_MemoryExhausted)
+  if (loaded == EC_MemoryExhausted && preamble) // of a foreign file it means nothing
     throw std::bad_alloc();
   if (preamble)
     return loaded.good() ? SliceStatus::Image : decode ? SliceStatus::CutOff : SliceStatus::Damaged;
@@ -66,6 +66,9 @@ bool Answer(const std::string& path, std::uint32_t index, bool decode, bool conf
   DcmFileFormat file;
   const SliceStatus loaded = Load(file, path, decode);
   record.status = static_cast<std::uint32_t>(loaded);
+  if ((loaded == SliceStatus::Damaged || loaded == SliceStatus::CutOff) &&
+      hasp::NamesUndecodable(file, record))
+    record.status = static_cast<std::uint32_t>(SliceStatus::Undecodable);
   if (loaded == SliceStatus::Image)
   {
     hasp::DescribeSlice(file, record);
@@ -93,6 +96,7 @@ int main(int argc, char** argv)
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   if (!dcmDataDict.isDictionaryLoaded())
     return 5;
+  dcmEnableUnknownVRConversion.set(OFTrue); // UN, as of converters that knew less, is read as meant
   DcmRLEDecoderRegistration::registerCodecs();
   DJDecoderRegistration::registerCodecs();
   DJLSDecoderRegistration::registerCodecs();

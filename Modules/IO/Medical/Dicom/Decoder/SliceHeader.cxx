@@ -116,13 +116,19 @@ const TransferSyntax& FindSyntax(DcmFileFormat& file)
 {
   const OFString named =
     file.getMetaInfo() ? TextOf(*file.getMetaInfo(), DCM_TransferSyntaxUID) : OFString();
-  const TransferSyntax& known = SyntaxOf(named.c_str());
-  if (!named.empty() && (known.uid == UnknownSyntax.uid || !known.decoded))
-    return known;
-  return SyntaxOf(DcmXfer(file.getDataset()->getOriginalXfer()).getXferID());
+  const TransferSyntax& said = SyntaxOf(named.c_str());
+  const TransferSyntax& found = SyntaxOf(DcmXfer(file.getDataset()->getOriginalXfer()).getXferID());
+  return named.empty() || (said.decoded && found.decoded) ? found : said;
 }
 
 } // namespace
+
+bool NamesUndecodable(DcmFileFormat& file, SliceRecord& record)
+{
+  const TransferSyntax& syntax = FindSyntax(file);
+  Copy(syntax.name, record.transferSyntax);
+  return !syntax.decoded && !TextOf(*file.getMetaInfo(), DCM_TransferSyntaxUID).empty();
+}
 
 void DescribeSlice(DcmFileFormat& file, SliceRecord& record)
 {

@@ -29,6 +29,8 @@ std::string Decimals(std::initializer_list<double> numbers)
 
 void Compress(DcmDataset& slice, E_TransferSyntax syntax)
 {
+  if (slice.canWriteXfer(syntax))
+    return; // the edit has compressed it
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   DcmRLEEncoderRegistration::registerCodecs();
   DJEncoderRegistration::registerCodecs();

@@ -1,6 +1,8 @@
 #include "Dicom/DicomWire.h"
 #include "DicomFixture.h"
 
+#include "vtkHaspFileNames.h"
+
 #include <sys/wait.h>
 
 #include <cerrno>
@@ -124,6 +126,11 @@ TEST_F(DecoderProcess, EveryFieldOfTheHeaderIsChecked)
   refused("status", [](auto& r) { r.flags |= 0x80000000; });
   refused("size", [](auto& r) { r.rows = 70000; });
   refused("text", [](auto& r) { std::memset(r.series, 'x', sizeof(r.series)); });
+  // Only texts of our own lists pass, so that no patient's can, whoever speaks for the decoder.
+  refused("text", [](auto& r) { std::strcpy(r.modality, "Canary"); });
+  refused("text", [](auto& r) { std::strcpy(r.photometric, "Canary"); });
+  refused("text", [](auto& r) { std::strcpy(r.transferSyntax, "Canary"); });
+  refused("text", [](auto& r) { std::strcpy(r.patientPosition, "Canary"); });
   refused("number of pixels", [](auto& r) { r.pixelBytes = 512; }); // in a scan there are none
   this->Answer({ Sound(0), Sound(1), Sound(2) });
   this->ExpectRefused(this->TwoFiles(), { "more than was asked for" });
@@ -167,6 +174,70 @@ TEST_F(DecoderProcess, LittleMemoryEndsTheChildAlone)
   hasp::VolumeReadSettings settings;
   settings.decoderMemoryBytes = 1 << 20; // less than the program itself: no allocation succeeds
   this->ExpectRefused(folder, { "decoder" }, settings);
+}
+
+TEST_F(DecoderProcess, SlowChildThatAnswersIsLetBe)
+{
+  for (const char* name : { "answer0", "answer1", "answer2" })
+  {
+    std::string bytes;
+    const auto record = Sound(static_cast<std::uint32_t>(name[6] - '0'));
+    AppendBytes(bytes, &record, 1);
+    WriteBytes(this->Folder / name, bytes);
+  }
+  const std::string folder = this->Folder.string();
+  this->Pretend("for n in 0 1 2; do sleep 0.4; cat '" + folder + "'/answer$n; done");
+  const auto files = this->TwoFiles();
+  WriteBytes(files / "c.dcm", "c");
+  hasp::VolumeReadSettings settings;
+  settings.decoderSilenceSeconds = 1.0; // less than the three take together
+  EXPECT_NO_THROW(hasp::OpenVolume(files.string(), settings));
+}
+
+TEST_F(DecoderProcess, LargeSliceHasMoreTimeToBeDecoded)
+{
+  const auto refusedAfter = [&](std::uint32_t size, std::size_t fileBytes)
+  {
+    auto a = Sound(0), b = Sound(1);
+    a.rows = a.columns = b.rows = b.columns = size;
+    this->Answer({ a, b });
+    const auto files = this->TwoFiles();
+    WriteBytes(files / "a.dcm", std::string(fileBytes, 'a'));
+    hasp::VolumeReadSettings settings;
+    settings.decoderSilenceSeconds = 0.1;
+    const auto opened = hasp::OpenVolume(files.string(), settings);
+    this->Pretend("exec sleep 60");
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THROW(hasp::LoadVolume(opened), std::runtime_error);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  // 2048 x 2048 of 16 bits: 8 MiB, one second more. The same claimed by a tiny file gives it 64
+  // times its bytes and no more.
+  EXPECT_GE(refusedAfter(2048, 1 << 20), 1.1);
+  EXPECT_LT(refusedAfter(2048, 16), 1.1);
+}
+
+TEST_F(DecoderProcess, SliceIsNamedByItsPlaceInTheFolderAndNotInTheStack)
+{
+  auto a = Sound(0), b = Sound(1);
+  std::swap(a.position[2], b.position[2]); // b.dcm is the stack's first, and decoded first
+  this->Answer({ a, b });
+  const auto opened = hasp::OpenVolume(this->TwoFiles().string());
+  this->Pretend("kill -SEGV $$");
+  for (const bool shown : { true, false })
+  {
+    hasp::ShowFileNames(shown);
+    try
+    {
+      hasp::LoadVolume(opened);
+      ADD_FAILURE() << "was read";
+    }
+    catch (const std::runtime_error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(shown ? "at b.dcm" : "at file 2"), std::string::npos)
+        << error.what();
+    }
+  }
 }
 
 TEST_F(DecoderProcess, CancelEndsTheChild)

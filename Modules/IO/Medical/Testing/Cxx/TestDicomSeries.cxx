@@ -135,26 +135,6 @@ TEST_F(DicomSeries, CutOffFileIsNamed)
   }
 }
 
-TEST_F(DicomSeries, UndecodableCompressionIsNamedWithAConverter)
-{
-  const auto folder = this->Faulty({});
-  // The same file, its transfer syntax said to be JPEG 2000: same length, so nothing else moves.
-  std::string bytes = ReadBytes(this->FileOf(folder, 1));
-  const std::string plain("1.2.840.10008.1.2.1\0", 20);
-  const std::size_t at = bytes.find(plain);
-  ASSERT_NE(at, bytes.npos);
-  bytes.replace(at, 20, std::string("1.2.840.10008.1.2.1.99").substr(0, 19) + std::string(1, '\0'));
-  const std::string meta("UI\x14\0", 4);
-  const std::size_t length = bytes.rfind(meta, at);
-  ASSERT_EQ(length + 4, at);
-  bytes[length + 2] = 0x16;
-  bytes.insert(at, "");
-  bytes.replace(at, 20, std::string("1.2.840.10008.1.2.4.90"));
-  bytes[140] = static_cast<char>(bytes[140] + 2); // the group's length
-  WriteBytes(this->FileOf(folder, 1), bytes);
-  this->ExpectRefused(folder, { "JPEG 2000", "gdcmconv" });
-}
-
 TEST_F(DicomSeries, SeveralSeriesAskForAChoiceAndEachCanBeChosen)
 {
   const auto folder = this->Folder / "series";
@@ -214,20 +194,6 @@ TEST_F(DicomSeries, SagittalAndLeftHandedStacksKeepTheirChirality)
     const auto volume = Read(folder);
     ExpectSame(volume, g, Samples(g));
     EXPECT_NEAR(glm::determinant(volume.passport.geometry.direction), 1.0, 1e-9);
-  }
-}
-
-TEST_F(DicomSeries, CompressedSeriesAreExact)
-{
-  const auto g = this->Truth();
-  for (const E_TransferSyntax syntax :
-    { EXS_RLELossless, EXS_JPEGProcess14, EXS_JPEGProcess14SV1, EXS_JPEGLSLossless,
-      EXS_DeflatedLittleEndianExplicit, EXS_BigEndianExplicit, EXS_LittleEndianImplicit })
-  {
-    SCOPED_TRACE(DcmXfer(syntax).getXferName());
-    const auto folder = this->Folder / "series";
-    this->WriteSeries(folder, g, Samples(g), {}, syntax);
-    ExpectSame(Read(folder), g, Samples(g));
   }
 }
 
