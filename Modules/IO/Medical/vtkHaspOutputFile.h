@@ -14,7 +14,7 @@ class vtkPolyData;
 /// Writing without a pipeline: what vtkHaspVolumeWriter and vtkHaspSurfaceWriter are skins of.
 /// Files appear whole or not at all: temporary file in the same folder, fsync, rename. On any
 /// failure the earlier file is as it was. UTF-8 paths. Any thread, one per file.
-/// All throw std::runtime_error with the file's base name, or std::invalid_argument for the data.
+/// All throw std::runtime_error with the file's label, or std::invalid_argument for the data.
 namespace hasp
 {
 
@@ -37,9 +37,13 @@ VTKHASPIOMEDICAL_EXPORT void WriteVolume(
 VTKHASPIOMEDICAL_EXPORT void WriteSegmentation(
   vtkImageData* labels, const std::vector<Segment>& segments, const std::string& path);
 
-/// Binary STL, world millimetres in LPS, float32, normals from the triangles' corners; the 80-byte
-/// header says "Hasp <version> SPACE=LPS; UNIT=mm". Refused: no triangles, polygons or strips (run
-/// vtkTriangleFilter), points that are not finite in float32, more than 2^32 - 1 triangles.
+/// By the extension; world millimetres in LPS, which the header or a comment says ("Hasp <version>
+/// SPACE=LPS; UNIT=mm"). LoadSurface reads each back bit by bit, .stl rounded to float32.
+///   .stl  binary, float32, normals from the triangles' corners
+///   .ply  binary little-endian, float or double as the points are
+///   .obj  text, each coordinate as the shortest decimal that reads back the same
+/// Refused: no triangles, polygons or strips (run vtkTriangleFilter), points that are not finite
+/// (.stl: in float32), more than 2^32 - 1 triangles.
 /// `inspect` is given the name of the whole file before it is put in place: if it throws, the file
 /// is gone and the earlier one as it was.
 VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::string& path,

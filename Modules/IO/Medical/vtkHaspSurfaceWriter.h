@@ -1,6 +1,6 @@
 /**
  * @class   vtkHaspSurfaceWriter
- * @brief   Writes a triangle surface as binary STL, atomically, marked LPS and mm.
+ * @brief   Writes a triangle surface as .stl, .ply or .obj, atomically, marked LPS and mm.
  *
  * The file appears whole or not at all; on failure the earlier file is as it was. See
  * hasp::WriteSurface for what is written and what is refused.
@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkHaspSurfaceWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Ends in .stl. UTF-8.
+  /// Ends in .stl, .ply or .obj. UTF-8.
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
 

@@ -1,20 +1,12 @@
 #include "Volumes/VolumeFormat.h"
+#include "XML/XMLProcess.h"
 #include "vtkHaspVolumeView.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkDataArraySelection.h"
-#include "vtkDataObject.h"
-#include "vtkExecutive.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkXMLImageDataReader.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace hasp
@@ -22,62 +14,68 @@ namespace hasp
 namespace
 {
 
-/// VTK's reader with its errors caught instead of printed.
-class QuietReader
+/// The child may take the samples four times over: packed, unpacked, turned, and room to grow.
+XMLProcess::Limits LimitsOf(const VolumeReadSettings& settings, std::size_t sampleBytes)
 {
-public:
-  explicit QuietReader(const std::filesystem::path& file) : File(file)
-  {
-    vtkNew<vtkCallbackCommand> note;
-    note->SetClientData(&this->Failed);
-    note->SetCallback(
-      [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
-    this->Reader->SetFileName(file.c_str());
-    this->Reader->AddObserver(vtkCommand::ErrorEvent, note);
-    this->Reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
-    // The XML parser inside tells its errors here.
-    this->Reader->SetParserErrorObserver(note);
-    this->Reader->SetReaderErrorObserver(note);
-  }
-  vtkXMLImageDataReader* operator->() { return this->Reader; }
-  void Check() const
-  {
-    if (this->Failed || this->Reader->GetErrorCode() != 0)
-      ThrowFileError(this->File, "is damaged or no VTK image file (.vti); write it again");
-  }
+  return { XMLProcess::RoomBytes + 4 * sampleBytes, settings.decoderSilenceSeconds,
+    settings.decoderTotalSeconds, ". Is it damaged? Write it again, or crop or resample the scan" };
+}
 
-private:
-  std::filesystem::path File;
-  bool Failed = false;
-  vtkNew<vtkXMLImageDataReader> Reader;
-};
+void CheckStatus(const std::filesystem::path& file, std::uint32_t status)
+{
+  if (status == static_cast<std::uint32_t>(XMLStatus::NoScalars))
+    ThrowFileError(file, "has no active point scalars");
+  if (status == static_cast<std::uint32_t>(XMLStatus::TooFew))
+    ThrowFileError(file, "its samples do not fill the extent it declares");
+  if (status != static_cast<std::uint32_t>(XMLStatus::Good))
+    ThrowFileError(file, "is damaged or no VTK image file (.vti); write it again");
+}
 
-vtkSmartPointer<vtkImageData> Load(
-  const std::filesystem::path& file, const GridGeometry& geometry, const ProgressFunction& progress)
+/// Of a record whose type is one that is read. `limitBytes` of the samples.
+std::size_t BytesOf(
+  const std::filesystem::path& file, const XMLImageRecord& record, std::size_t limitBytes)
+{
+  std::int64_t n[3];
+  for (int a = 0; a < 3; ++a)
+    n[a] = std::int64_t(record.extent[2 * a + 1]) - record.extent[2 * a] + 1;
+  return CheckSampleBytes(
+    file, n[0], n[1], n[2], vtkDataArray::GetDataTypeSize(record.vtkType), limitBytes);
+}
+
+GridGeometry GeometryOf(const std::filesystem::path& file, const XMLImageRecord& record)
+{
+  // An image without samples, so that one function turns VTK's geometry into ours.
+  vtkNew<vtkImageData> frame;
+  frame->SetExtent(record.extent[0], record.extent[1], record.extent[2], record.extent[3],
+    record.extent[4], record.extent[5]);
+  frame->SetOrigin(record.origin[0], record.origin[1], record.origin[2]);
+  frame->SetSpacing(record.spacing[0], record.spacing[1], record.spacing[2]);
+  double direction[9];
+  std::copy(std::begin(record.direction), std::end(record.direction), direction);
+  frame->SetDirectionMatrix(direction);
+  try
+  {
+    return ImageGeometry(frame);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    ThrowFileError(file, error.what());
+  }
+}
+
+vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& file, const GridGeometry& geometry,
+  int vtkType, const VolumeReadSettings& settings, const ProgressFunction& progress)
 {
   ReportProgress(progress, 0.0);
-  QuietReader reader(file);
-  // The samples alone: nobody has checked how large other arrays are, and field data may hold the
-  // patient's name.
-  reader->UpdateInformation();
-  vtkInformation* scalarsInfo =
-    vtkDataObject::GetActiveFieldInformation(reader->GetOutputInformation(0),
-      vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  const char* samples = scalarsInfo ? scalarsInfo->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  reader->GetCellDataArraySelection()->DisableAllArrays();
-  reader->GetPointDataArraySelection()->DisableAllArrays();
-  reader->GetPointDataArraySelection()->EnableArray(samples);
-  reader->Update();
-  reader.Check();
-  vtkDataArray* scalars = reader->GetOutput()->GetPointData()->GetScalars();
-  if (!scalars || std::size_t(scalars->GetNumberOfTuples()) != geometry.Size())
-    ThrowFileError(file, "its samples do not fill the extent it declares");
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->CopyStructure(reader->GetOutput());
-  image->GetPointData()->SetScalars(scalars);
-  const glm::ivec3 last = geometry.dims - 1;
-  image->SetExtent(0, last.x, 0, last.y, 0, last.z); // the geometry's origin is sample (0,0,0)
-  image->SetOrigin(geometry.origin.x, geometry.origin.y, geometry.origin.z);
+  const std::size_t bytes = geometry.Size() * vtkDataArray::GetDataTypeSize(vtkType);
+  XMLProcess process("image", file, LimitsOf(settings, bytes), progress);
+  const auto record = process.Answer<XMLImageRecord>();
+  CheckStatus(file, record.status);
+  if (record.vtkType != vtkType || record.sampleBytes != bytes)
+    ThrowFileError(file, "is another than when it was opened; open it again");
+  const auto image = NewImage(geometry, vtkType);
+  process.Read(image->GetScalarPointer(), bytes);
+  process.Finish();
   return image;
 }
 
@@ -85,50 +83,23 @@ vtkSmartPointer<vtkImageData> Load(
 
 OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSettings& settings)
 {
-  QuietReader reader(file);
-  reader->UpdateInformation();
-  reader.Check();
-  vtkInformation* info = reader->GetOutputInformation(0);
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  std::int64_t n[3];
-  for (int a = 0; a < 3; ++a)
-    n[a] = std::int64_t(extent[2 * a + 1]) - extent[2 * a] + 1;
-  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
-    info, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  if (!scalars)
-    ThrowFileError(file, "has no active point scalars");
-  const int type = scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE());
-  const int components = scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS())
-                           ? scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS())
-                           : 1;
-  if (components != 1 || SampleTypeName(type).empty())
+  XMLProcess process("image-header", file, LimitsOf(settings, 0), {});
+  const auto record = process.Answer<XMLImageRecord>();
+  process.Finish();
+  CheckStatus(file, record.status);
+  if (record.components != 1 || SampleTypeName(record.vtkType).empty())
     ThrowFileError(
-      file, "has scalars of " + std::to_string(components) + " components and type " +
-              vtkImageScalarTypeNameMacro(type) +
+      file, "has scalars of " + std::to_string(record.components) + " components and type " +
+              vtkImageScalarTypeNameMacro(record.vtkType) +
               "; one component of short, unsigned short, unsigned char or float is read");
-  CheckSampleBytes(
-    file, n[0], n[1], n[2], vtkDataArray::GetDataTypeSize(type), settings.memoryLimitBytes);
-  // An image without samples, so that one function turns VTK's geometry into ours.
-  vtkNew<vtkImageData> frame;
-  frame->SetExtent(extent);
-  frame->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
-  frame->SetSpacing(info->Get(vtkDataObject::SPACING()));
-  if (info->Has(vtkDataObject::DIRECTION()))
-    frame->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+  BytesOf(file, record, settings.memoryLimitBytes);
   OpenedVolume opened;
   opened.passport.format = "VTI";
-  try
-  {
-    opened.passport.geometry = ImageGeometry(frame);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    ThrowFileError(file, error.what());
-  }
-  opened.passport.sampleType = SampleTypeName(type);
-  opened.load = [file, geometry = opened.passport.geometry](const ProgressFunction& progress)
-  { return Load(file, geometry, progress); };
+  opened.passport.geometry = GeometryOf(file, record);
+  opened.passport.sampleType = SampleTypeName(record.vtkType);
+  opened.load = [file, geometry = opened.passport.geometry, type = record.vtkType, settings](
+                  const ProgressFunction& progress)
+  { return Load(file, geometry, type, settings, progress); };
   return opened;
 }
 

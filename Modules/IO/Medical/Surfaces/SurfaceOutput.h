@@ -1,0 +1,43 @@
+#pragma once
+#include "Files/AtomicFile.h"
+#include "Grid/TriangleMesh.h"
+
+#include <vector>
+
+namespace hasp
+{
+
+/// Collects small pieces for a file.
+class PieceWriter
+{
+public:
+  explicit PieceWriter(AtomicFile& output) : Output(output) {}
+  template <typename T>
+  void Add(const T& value)
+  {
+    const auto* bytes = reinterpret_cast<const char*>(&value);
+    this->Add(bytes, sizeof(T));
+  }
+  void Add(const char* bytes, std::size_t size)
+  {
+    this->Piece.insert(this->Piece.end(), bytes, bytes + size);
+    if (this->Piece.size() >= std::size_t(1) << 20)
+      this->Flush();
+  }
+  void Flush()
+  {
+    this->Output.Write(this->Piece.data(), this->Piece.size());
+    this->Piece.clear();
+  }
+
+private:
+  AtomicFile& Output;
+  std::vector<char> Piece;
+};
+
+/// One function a format; WriteSurface picks. `narrow`: the points are float32.
+void WriteStl(const TriangleMesh& mesh, bool narrow, PieceWriter& into);
+void WritePly(const TriangleMesh& mesh, bool narrow, PieceWriter& into);
+void WriteObj(const TriangleMesh& mesh, bool narrow, PieceWriter& into);
+
+} // namespace hasp

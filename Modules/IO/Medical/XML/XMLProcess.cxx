@@ -1,0 +1,51 @@
+#include "XML/XMLProcess.h"
+#include "Files/FileError.h"
+
+#include <cmath>
+
+namespace hasp
+{
+
+XMLProcess::XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,
+  const ProgressFunction& progress)
+  : Progress(progress),
+    Child({ "hasp-xml-decode", mode, std::to_string(limits.memoryBytes),
+            std::to_string(static_cast<long>(std::ceil(limits.totalSeconds)) + 1) },
+      file.native() + '\0',
+      { .program = { "hasp-xml-decode", "HASP_XML_DECODER", "the reader of VTK's XML files" },
+        .memoryBytes = limits.memoryBytes,
+        .silenceSeconds = [most = limits.silenceSeconds] { return most; },
+        .totalSeconds = limits.totalSeconds,
+        .remedy = "The file is damaged; write it again",
+        .memoryRemedy = limits.memoryRemedy,
+        .endings = {},
+        .at = [file] { return " at " + FileLabel(file); } })
+{
+}
+
+void XMLProcess::AwaitAnswer()
+{
+  for (;;)
+  {
+    XMLFrame frame{};
+    this->Read(&frame, sizeof(frame));
+    if (frame.magic != XMLFrame::Magic || frame.kind > XMLFrame::Answer ||
+        !(frame.share >= 0.0 && frame.share <= 1.0))
+      this->ThrowGarbage("frame");
+    this->Share = frame.share;
+    if (frame.kind == XMLFrame::Answer)
+      return;
+  }
+}
+
+void XMLProcess::Read(void* into, std::size_t size)
+{
+  this->Child.Read(into, size, [this] { this->Beat(); });
+}
+
+void XMLProcess::Finish()
+{
+  this->Child.Finish([this] { this->Beat(); });
+}
+
+} // namespace hasp

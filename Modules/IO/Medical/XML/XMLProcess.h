@@ -1,0 +1,54 @@
+#pragma once
+#include "Grid/Progress.h"
+#include "Sandbox/ChildProcess.h"
+#include "XML/XMLWire.h"
+
+#include <type_traits>
+
+namespace hasp
+{
+
+/// The child process that parses VTK's XML files, which can crash VTK's readers: started for one
+/// file, read from as it answers, ended with this object. Errors as ChildProcess; progress is
+/// reported and may cancel. One thread.
+class XMLProcess
+{
+public:
+  struct Limits
+  {
+    std::size_t memoryBytes; ///< of the child, all in all
+    double silenceSeconds, totalSeconds;
+    const char* memoryRemedy;
+  };
+  /// What the child takes before it has read anything: VTK's libraries.
+  static constexpr std::size_t RoomBytes = std::size_t(512) << 20;
+
+  XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,
+    const ProgressFunction& progress);
+
+  /// Waits for the answer; its status is one that XMLWire.h names.
+  template <typename Record>
+  Record Answer()
+  {
+    static_assert(std::is_trivially_copyable_v<Record>);
+    Record record{};
+    this->AwaitAnswer();
+    this->Read(&record, sizeof(record));
+    if (record.status > static_cast<std::uint32_t>(XMLStatus::Last) || record.reserved != 0)
+      this->ThrowGarbage("status");
+    return record;
+  }
+  void Read(void* into, std::size_t size);
+  void Finish();
+  [[noreturn]] void ThrowGarbage(const std::string& what) const { Child.ThrowGarbage(what); }
+
+private:
+  void AwaitAnswer();
+  void Beat() const { ReportProgress(this->Progress, this->Share); }
+
+  const ProgressFunction Progress;
+  double Share = 0.0;
+  ChildProcess Child;
+};
+
+} // namespace hasp
