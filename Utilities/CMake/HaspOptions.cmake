@@ -45,3 +45,6 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   OPTIONAL_COMPONENTS glew opengl glad
   IOImage IOGeometry IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
   RenderingVolume RenderingVolumeOpenGL2 TestingRendering)
+
+# After VTK: its configuration would search for all of VTK's modules by itself.
+hasp_optional(VTKDICOM "Write DICOM series (vtk-dicom)" dicom CONFIG)

@@ -52,9 +52,16 @@ VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::strin
 /// These bytes, whatever the file's ending.
 VTKHASPIOMEDICAL_EXPORT void WriteBytes(std::string_view bytes, const std::string& path);
 
-/// Removes the temporary files of all writes under way (of sixteen at most): for the handler of a
-/// signal that ends the program. Those writes can then no longer succeed. Safe in a signal handler,
-/// any thread.
+/// Has `write` make a file, or a folder, under a temporary name with the same ending beside `path`,
+/// shows it to `inspect`, and puts it in place unless that throws: then nothing is left of it.
+/// What stood there is replaced if it is a file or an empty folder.
+VTKHASPIOMEDICAL_EXPORT void WriteInspected(const std::string& path,
+  const std::function<void(const std::string& pendingName)>& write,
+  const std::function<void(const std::string& pendingName)>& inspect);
+
+/// Removes the temporary files and folders of all writes under way (of sixteen at most): for the
+/// handler of a signal that ends the program. Those writes can then no longer succeed. Safe in a
+/// signal handler, any thread.
 VTKHASPIOMEDICAL_EXPORT void RemovePendingFiles() noexcept;
 
 } // namespace hasp

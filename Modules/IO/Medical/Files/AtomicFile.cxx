@@ -6,10 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <cerrno>
-#include <climits>
 #include <cstring>
 #include <sstream>
 
@@ -21,41 +19,6 @@ namespace
 std::filesystem::path FolderOf(const std::filesystem::path& file)
 {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-/// A temporary name where a signal handler can read it, whatever else is going on: memory that is
-/// never freed.
-struct PendingName
-{
-  std::atomic<bool> taken{ false };
-  std::atomic<bool> whole{ false };
-  char text[PATH_MAX];
-};
-std::array<PendingName, 16> Pending;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-int Note(const std::filesystem::path& name)
-{
-  if (name.native().size() >= PATH_MAX)
-    return -1;
-  for (std::size_t n = 0; n < Pending.size(); ++n)
-    if (!Pending[n].taken.exchange(true))
-    {
-      name.native().copy(Pending[n].text, PATH_MAX);
-      Pending[n].text[name.native().size()] = '\0';
-      Pending[n].whole = true;
-      return static_cast<int>(n);
-    }
-  return -1;
-}
-
-void Forget(int& noted)
-{
-  if (noted < 0)
-    return;
-  Pending[noted].whole = false;
-  Pending[noted].taken = false;
-  noted = -1;
 }
 
 } // namespace
@@ -79,7 +42,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& file) : Target(file)
   if (this->Descriptor < 0)
     this->Throw("cannot be created");
   this->Temporary = name;
-  this->Noted = Note(name);
+  this->Noted.emplace(name);
 }
 
 AtomicFile::~AtomicFile()
@@ -88,7 +51,6 @@ AtomicFile::~AtomicFile()
     close(this->Descriptor);
   if (!this->Temporary.empty())
     unlink(this->Temporary.c_str());
-  Forget(this->Noted);
 }
 
 void AtomicFile::Throw(const char* what) const
@@ -126,7 +88,7 @@ void AtomicFile::Commit()
   if (rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
     this->Throw("cannot be put in place");
   this->Temporary.clear();
-  Forget(this->Noted);
+  this->Noted.reset();
   // The name itself reaches the disk with its folder. File systems that cannot do that say so by
   // EINVAL; the file is in place then all the same.
   const int folder = open(FolderOf(this->Target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -139,13 +101,6 @@ void AtomicFile::Commit()
     if (failed)
       this->Throw("is written but may not survive a power cut");
   }
-}
-
-void RemovePendingFiles() noexcept
-{
-  for (const PendingName& name : Pending)
-    if (name.whole)
-      unlink(name.text);
 }
 
 void WriteBytes(std::string_view bytes, const std::string& path)

@@ -1,6 +1,9 @@
 #pragma once
+#include "Files/PendingNames.h"
+
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 
 namespace hasp
 {
@@ -28,7 +31,7 @@ private:
 
   std::filesystem::path Target, Temporary;
   int Descriptor = -1;
-  int Noted = -1; ///< where RemovePendingFiles finds the temporary name; -1: nowhere
+  std::optional<PendingName> Noted; ///< for RemovePendingFiles
 };
 
 } // namespace hasp

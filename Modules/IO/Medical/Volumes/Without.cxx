@@ -1,4 +1,7 @@
 #include "Volumes/VolumeFormat.h"
+#include "vtkHaspDicomOutput.h"
+
+#include <stdexcept>
 
 // The formats this build was made without: they are named, so that the error says what to do.
 namespace hasp
@@ -10,6 +13,15 @@ OpenedVolume OpenDicomFolder(
 {
   ThrowFileError(folder, "this build of Hasp was made without DICOM; configure it with "
                          "HASP_ENABLE_DCMTK=ON");
+}
+#endif
+
+#if !HASP_WITH_VTKDICOM
+DicomOutput WriteDicomSeries(
+  vtkImageData*, const std::string&, const DicomOutputSettings&, const ProgressFunction&)
+{
+  throw std::runtime_error("this build of Hasp was made without DICOM output; configure it with "
+                           "HASP_ENABLE_VTKDICOM=ON (Debian: libvtk-dicom-dev)");
 }
 #endif
 
