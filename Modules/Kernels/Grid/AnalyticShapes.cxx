@@ -34,13 +34,13 @@ Foot FootOnBall(const glm::dvec3& fromCenter, double radius)
 /// The sum is convex and falls, so Newton from the left climbs to the root without a miss.
 double EllipsoidRoot(const glm::dvec3& r, const glm::dvec3& z)
 {
-  const glm::dvec3 rz = r * z;
-  const glm::dvec3 least = rz - r + 1.0;
+  const glm::dvec3 rz = r * z, more = r - 1.0; // exactly 0 on the smallest axis: no digit is lost
+  const glm::dvec3 least = rz - more;
   double u =
-    std::max({ least.x, least.y, least.z, glm::length(rz) - std::max({ r.x, r.y, r.z }) + 1.0 });
+    std::max({ least.x, least.y, least.z, glm::length(rz) - std::max({ more.x, more.y, more.z }) });
   for (int n = 0; n < 200; ++n)
   {
-    const glm::dvec3 below = u + r - 1.0;
+    const glm::dvec3 below = u + more;
     const glm::dvec3 q = rz / below, squares = q * q;
     const double g = squares.x + squares.y + squares.z - 1.0;
     const glm::dvec3 slope = squares / below;
@@ -63,8 +63,8 @@ Foot FootOnShape(const EllipsoidShape& e, const glm::dvec3& point)
   const glm::dvec3 r = (e.radii / smallest) * (e.radii / smallest);
   const double u = EllipsoidRoot(r, z);
   const glm::dvec3 side(p.x < 0 ? -1 : 1, p.y < 0 ? -1 : 1, p.z < 0 ? -1 : 1);
-  const glm::dvec3 nearest = r * y / (u + r - 1.0);
-  const double away = glm::length(y * ((u - 1.0) / (u + r - 1.0)));
+  const glm::dvec3 nearest = r * y / (u + (r - 1.0));
+  const double away = glm::length(y * ((u - 1.0) / (u + (r - 1.0))));
   return { std::copysign(away, u - 1.0), side * glm::normalize(nearest / (e.radii * e.radii)) };
 }
 

@@ -72,7 +72,7 @@ std::vector<Cavity> Cavities(const Head& head)
   for (const double side : { -1.0, 1.0 })
   {
     add({ side * 32, -78, -18 }, { 19, 19, 17 }, 3.0, true);  // orbit
-    add({ side * 62, -22, -72 }, { 32, 40, 38 }, 4.0, false); // below the temple: the ramus
+    add({ side * 62, -22, -72 }, { 36, 40, 40 }, 4.0, false); // below the temple: the ramus
     add({ side * 75, -33, -30 }, { 20, 25, 27 }, 4.0, false); // temple: under the arch
   }
   return cavities;
@@ -109,22 +109,21 @@ AnalyticSolid Vault(const Head& head, const std::vector<Cavity>& cavities)
 Solids Midface(const Head& head)
 {
   Solids face{ head.UpperArch(), head.Ellipsoid({ 0, -56, -56 }, { 23, 26, 3.2 }),
-    head.Cone({ 0, -87, -13 }, 4.5, { 0, -93, -27 }, 2.8) }; // alveolus, palate, nasal bones
+    head.Cone({ 0, -86, -12 }, 5.5, { 0, -91.5, -28 }, 3.0) }; // alveolus, palate, nasal bones
   for (const double side : { -1.0, 1.0 })
   {
     const double arch = side > 0 ? 3.6 : 3.2; // the left one is stouter
+    face.emplace_back(head.Ellipsoid({ side * 22, -70, -49 }, { 16, 14, 13 })); // maxilla
     face.emplace_back(
-      head.Cone({ side * 18, -73, -56 }, 7.0, { side * 29, -72, -42 }, 8.0)); // maxilla
+      head.Cone({ side * 15, -76, -48 }, 6.0, { side * 10.5, -82, -22 }, 4.2)); // beside the nose
     face.emplace_back(
-      head.Cone({ side * 11, -80, -52 }, 5.0, { side * 14, -83, -30 }, 3.6)); // beside the nose
+      head.Cone({ side * 28, -72, -43 }, 8.0, { side * 50, -61, -36 }, 6.5)); // zygoma
     face.emplace_back(
-      head.Cone({ side * 30, -72, -42 }, 7.5, { side * 52, -60, -35 }, 5.5)); // zygoma
+      head.Cone({ side * 50, -61, -35 }, 5.5, { side * 51, -60, -8 }, 5.0)); // its frontal process
     face.emplace_back(
-      head.Cone({ side * 52, -61, -35 }, 5.0, { side * 53, -60, -14 }, 3.6)); // its frontal process
+      head.Cone({ side * 51, -60, -36 }, 5.6, { side * 64, -36, -35 }, arch)); // the arch ...
     face.emplace_back(
-      head.Cone({ side * 53, -59, -35 }, 4.6, { side * 64.5, -36, -34 }, arch)); // the arch ...
-    face.emplace_back(
-      head.Cone({ side * 64.5, -36, -34 }, arch, { side * 63, -2, -30 }, 4.6)); // ... to the temple
+      head.Cone({ side * 64, -36, -35 }, arch, { side * 62.5, -2, -30 }, 4.8)); // ... to the temple
   }
   return face;
 }
@@ -225,7 +224,7 @@ std::vector<Tooth> Teeth(const Head& head, bool upper)
       const int quadrant = upper ? (side < 0 ? 1 : 2) : (side < 0 ? 4 : 3);
       if ((quadrant == 2 && n == 3) || (quadrant == 4 && n == 5))
         continue; // missing, so that no symmetry hides a flip
-      const double neck = std::min(0.40 * width, 3.7), tip = n < 3 ? 0.26 * width : 0.42 * width;
+      const double neck = std::min(0.40 * width, 3.7), tip = n < 3 ? 0.34 * width : 0.43 * width;
       const auto level = [&](double height) { return glm::dvec3(at.x, at.y, rim + down * height); };
       teeth.push_back({ { level(1.6), level(7.6 - tip), neck, tip },
         { level(1.0), level(-Roots[n]), 0.9 * neck, 1.1 }, quadrant, n + 1 });
@@ -263,7 +262,7 @@ void AddFibula(const glm::dvec3& center, PhantomShapes& shapes)
   constexpr std::array<std::array<double, 2>, 9> Stations{ { { -170.0, 0.95 }, { -150.0, 1.35 },
     { -120.0, 1.05 }, { -60.0, 0.95 }, { 0.0, 0.98 }, { 60.0, 0.94 }, { 120.0, 0.86 },
     { 150.0, 1.15 }, { 170.0, 0.90 } } };
-  const std::array<glm::dvec2, 3> triangle{ { { -1.0, -5.6 }, { 5.2, 3.2 }, { -4.4, 3.6 } } };
+  const std::array<glm::dvec2, 3> triangle{ { { -0.9, -4.9 }, { 4.8, 2.9 }, { -4.2, 3.3 } } };
   const auto section = [&](const std::array<double, 2>& station)
   {
     const double z = station[0], bow = BowMm * (1.0 - (z / Half) * (z / Half));
