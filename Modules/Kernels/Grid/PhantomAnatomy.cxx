@@ -219,15 +219,25 @@ std::vector<Tooth> Teeth(const Head& head, bool upper)
     for (int n = 0; n < 7; ++n)
     {
       const double width = upper ? UpperWidths[n] : LowerWidths[n];
-      const glm::dvec3 at = arch.PointAt(side * (along + 0.5 * width));
+      const double middle = along + 0.5 * width;
       along += width + 0.3;
       const int quadrant = upper ? (side < 0 ? 1 : 2) : (side < 0 ? 4 : 3);
       if ((quadrant == 2 && n == 3) || (quadrant == 4 && n == 5))
         continue; // missing, so that no symmetry hides a flip
+      const auto on = [&](double s, double height)
+      {
+        const glm::dvec3 p = arch.PointAt(side * s);
+        return glm::dvec3(p.x, p.y, rim + down * height);
+      };
       const double neck = std::min(0.40 * width, 3.7), tip = n < 3 ? 0.34 * width : 0.43 * width;
-      const auto level = [&](double height) { return glm::dvec3(at.x, at.y, rim + down * height); };
-      teeth.push_back({ { level(1.6), level(7.6 - tip), neck, tip },
-        { level(1.0), level(-Roots[n]), 0.9 * neck, 1.1 }, quadrant, n + 1 });
+      Tooth tooth{ { on(middle, neck + 0.2), on(middle, 7.6 - tip), neck, tip },
+        { on(middle, 1.0), on(middle, -Roots[n]), 0.9 * neck, 1.1 }, quadrant, n + 1 };
+      if (n >= 5) // molars are long
+      {
+        const double half = 0.5 * width - 3.8;
+        tooth.crown = { on(middle - half, 3.8), on(middle + half, 3.8), 3.8, 3.8 };
+      }
+      teeth.push_back(tooth);
     }
   }
   return teeth;
@@ -255,8 +265,8 @@ void AddTeeth(const Head& head, bool upper, PhantomShapes& shapes, Solids& crown
 }
 
 /// Frusta over one triangle, each as wide as the shaft is there, along a bowed axis. The triangle
-/// has three different sides: anterior crest, medial and lateral face.
-void AddFibula(const glm::dvec3& center, PhantomShapes& shapes)
+/// has three different sides: anterior crest, medial and lateral face. The canal is round.
+void AddFibula(const glm::dvec3& center, double cortexMm, PhantomShapes& shapes)
 {
   constexpr double Half = 170.0, BowMm = 5.0, Rounding = 3.0;
   constexpr std::array<std::array<double, 2>, 9> Stations{ { { -170.0, 0.95 }, { -150.0, 1.35 },
@@ -275,6 +285,26 @@ void AddFibula(const glm::dvec3& center, PhantomShapes& shapes)
   for (std::size_t n = 0; n + 1 < Stations.size(); ++n)
     solids.emplace_back(Frustum(section(Stations[n]), section(Stations[n + 1]), Rounding));
   shapes.parts.emplace_back(PhantomPart::Fibula, AnalyticSolid::Union(solids));
+  // The canal follows the triangle's inner circle, cortexMm below the faces, through the shaft.
+  constexpr double InnerRadius = 2.57;
+  const glm::dvec2 innerCenter(-0.02, 0.52);
+  Solids canal;
+  for (std::size_t n = 1; n + 2 < Stations.size(); ++n)
+  {
+    const auto ball = [&](const std::array<double, 2>& station)
+    {
+      const double bow = BowMm * (1.0 - (station[0] / Half) * (station[0] / Half));
+      const glm::dvec2 at = station[1] * innerCenter;
+      return std::pair(center + glm::dvec3(at.x, at.y - bow, station[0]),
+        station[1] * InnerRadius + Rounding - cortexMm);
+    };
+    const auto [a, radiusA] = ball(Stations[n]);
+    const auto [b, radiusB] = ball(Stations[n + 1]);
+    if (radiusA > 0.0 && radiusB > 0.0)
+      canal.emplace_back(RoundConeShape{ a, b, radiusA, radiusB });
+  }
+  if (!canal.empty())
+    shapes.canal = AnalyticSolid::Union(canal);
   const glm::dvec3 end(0.0, 0.0, Half + Rounding);
   shapes.landmarks.push_back({ "fibula upper end", PhantomPart::Fibula, center + end });
   shapes.landmarks.push_back({ "fibula lower end", PhantomPart::Fibula, center - end });
@@ -307,7 +337,8 @@ PhantomShapes MakePhantomShapes(const PhantomSettings& settings)
   if (settings.anatomy != PhantomAnatomy::Head)
   {
     const bool alone = settings.anatomy == PhantomAnatomy::Fibula;
-    AddFibula(settings.center + glm::dvec3(alone ? 0.0 : 150.0, 0.0, 0.0), shapes);
+    AddFibula(
+      settings.center + glm::dvec3(alone ? 0.0 : 150.0, 0.0, 0.0), settings.fibulaCortexMm, shapes);
   }
   return shapes;
 }

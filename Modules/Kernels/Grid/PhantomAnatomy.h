@@ -13,6 +13,7 @@ struct PhantomShapes
   std::vector<std::pair<PhantomPart, AnalyticSolid>> parts;
   std::optional<AnalyticSolid> skin;   ///< soft tissue besides the scalpMm around each bone
   std::optional<AnalyticSolid> airway; ///< air within the soft tissue
+  std::optional<AnalyticSolid> canal;  ///< of the fibula
   std::optional<AnalyticSolid> enamel; ///< crowns of all teeth
   std::vector<RoundConeShape> metal;   ///< the metal crowns, if any
   std::vector<PhantomLandmark> landmarks;

@@ -90,7 +90,8 @@ PhantomScene::PhantomScene(const PhantomSettings& s) : step(s), base(s.airHU)
         break;
       case PhantomPart::Fibula:
         paint(n, 0.0, s.boneHU);
-        paint(n, s.fibulaCortexMm, s.fibulaMarrowHU);
+        if (shapes.canal)
+          paint(add(*shapes.canal), 0.0, s.fibulaMarrowHU);
         break;
       default:
         break;
@@ -111,7 +112,7 @@ PhantomScene::PhantomScene(const PhantomSettings& s) : step(s), base(s.airHU)
 
 double PhantomScene::Value(const glm::dvec3& point) const
 {
-  std::array<Foot, 16> feet; // solids: five parts, skin, airway, enamel, metal
+  std::array<Foot, 16> feet; // five parts, skin, airway, canal, enamel, two of metal
   for (std::size_t n = 0; n < this->solids.size(); ++n)
     feet[n] = this->solids[n].Bound(point);
   double value = this->base;

@@ -37,10 +37,11 @@ PhantomSettings AllFaults()
 std::vector<GridGeometry> Grids()
 {
   const double c = std::cos(0.4), q = std::sin(0.4);
-  return { { { 41, 37, 29 }, { -70, -100, -110 }, { 3.7, 4.1, 6.1 } },
-    { { 45, 33, 27 }, { 50, -60, -100 }, { 3.1, 4.3, 5.0 }, { c, q, 0, q, -c, 0, 0, 0, 1 } },
-    { { 200, 150, 3 }, { -30, -90, -84 }, { 0.3, 0.3, 3.0 } },
-    { { 1, 1, 1 }, { 0, -88, 0 }, { 1, 1, 1 } }, { { 70, 1, 90 }, { -70, 0, -110 }, { 2, 2, 2 } },
+  return { { { 23, 21, 29 }, { -70, -100, -110 }, { 7.1, 8.3, 6.1 } },
+    { { 25, 21, 17 }, { 50, -60, -100 }, { 6.1, 7.3, 9.0 }, { c, q, 0, q, -c, 0, 0, 0, 1 } },
+    { { 90, 40, 3 }, { 10, -90, -84 }, { 0.3, 0.3, 3.0 } },
+    { { 1, 1, 1 }, { 0, -88, 0 }, { 1, 1, 1 } },
+    { { 40, 1, 50 }, { -70, 0, -110 }, { 3.5, 3.5, 3.6 } },
     { { 5, 5, 5 }, { -2e5, -2e5, -2e5 }, { 1e5, 1e5, 1e5 } } };
 }
 
@@ -64,9 +65,9 @@ TEST(PhantomScanner, BoxesAndSlabsChangeNoSample)
       Samples plain(g.Size()), slabs(g.Size());
       hasp::SamplePhantomPlainly(g, s, 0, g.dims.z, plain);
       const std::size_t slice = std::size_t(g.dims.x) * g.dims.y;
-      for (int k = 0; k < g.dims.z; k += 7)
+      for (int k = 0; k < g.dims.z; k += 11)
       {
-        const int last = std::min(k + 7, g.dims.z);
+        const int last = std::min(k + 11, g.dims.z);
         hasp::SamplePhantomSlab(
           g, s, k, last, std::span(slabs).subspan(slice * k, slice * (last - k)));
       }
@@ -209,13 +210,12 @@ TEST(PhantomScanner, BlurOfAFlatSurfaceIsExact)
 TEST(PhantomScanner, ErrorOfBlurAtCurvedAndThinBoneIsAsStated)
 {
   for (const auto& [sigma, slice, rms] :
-    { std::tuple(0.3, 0.0, 40.0), std::tuple(0.6, 0.6, 90.0), std::tuple(1.0, 2.0, 140.0) })
+    { std::tuple(0.3, 0.0, 18.0), std::tuple(0.6, 0.6, 60.0), std::tuple(1.0, 2.0, 95.0) })
   {
     PhantomSettings s;
     s.blurMm = dvec3(sigma);
     s.sliceMm = slice;
     const BlurError error = ErrorOfBlur(s, 150, 600);
-    RecordProperty("rms" + std::to_string(sigma), std::to_string(error.rms));
     std::printf("blur %.1f mm, slice %.1f mm: error rms %.1f HU, largest %.0f HU\n", sigma, slice,
       error.rms, error.most);
     EXPECT_LT(error.rms, rms) << sigma;
@@ -270,7 +270,7 @@ TEST(PhantomScanner, MetalMakesABandBetweenTheCrownsAndFadesAway)
     return hasp::SamplePhantom({ { 1, 1, 1 }, p, { 1, 1, 1 } }, which).at(0);
   };
   const auto middle = [&](std::size_t n) { return 0.5 * (shapes.metal[n].a + shapes.metal[n].b); };
-  EXPECT_EQ(at(s, middle(0)), 8000);
+  EXPECT_NEAR(at(s, middle(0)), 8000, 200) << "rays of the other crown";
   const dvec3 between = 0.5 * (middle(0) + middle(1));
   EXPECT_LT(at(s, between), at(clean, between) - 200);
   const dvec3 above(0, 0, 45); // nine times sliceMm
