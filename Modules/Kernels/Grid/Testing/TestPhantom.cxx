@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -13,19 +14,50 @@ namespace
 
 using hasp::PhantomSettings;
 
+/// Every number among the settings.
+std::vector<double*> NumbersOf(PhantomSettings& s)
+{
+  return { &s.center.x, &s.center.y, &s.center.z, &s.skinRadii.x, &s.skinRadii.y, &s.skinRadii.z,
+    &s.scalpMm, &s.skullMm, &s.skullBaseMm, &s.tableMm, &s.jawCortexMm, &s.fibulaCortexMm,
+    &s.enamelMm, &s.airHU, &s.softHU, &s.boneHU, &s.diploeHU, &s.jawMarrowHU, &s.fibulaMarrowHU,
+    &s.dentineHU, &s.enamelHU, &s.edgeMm, &s.blurMm.x, &s.blurMm.y, &s.blurMm.z, &s.sliceMm,
+    &s.noiseHU, &s.fieldRadiusMm, &s.metal.crownHU, &s.metal.streakHU, &s.metal.bandHU,
+    &s.metal.decayMm, &s.metal.sliceMm, &s.coneBeam.scale, &s.coneBeam.offset, &s.coneBeam.cupping,
+    &s.coneBeam.cupRadiusMm };
+}
+
 TEST(Phantom, BadSettingsAreRefused)
 {
   PhantomSettings s;
-  s.skullMm = 0.0;
-  EXPECT_THROW(hasp::PhantomBone(s), std::invalid_argument);
-  s = {};
-  s.skinRadii.z = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(hasp::PhantomBone(s), std::invalid_argument);
+  const std::size_t count = NumbersOf(s).size();
+  for (std::size_t n = 0; n < count; ++n)
+    for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
+           std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+    {
+      s = {};
+      *NumbersOf(s)[n] = bad;
+      EXPECT_THROW(hasp::PhantomSolid(s), std::invalid_argument) << n << ": " << bad;
+      EXPECT_THROW(hasp::SamplePhantom({ { 2, 2, 2 }, {}, { 1, 1, 1 } }, s), std::invalid_argument);
+    }
+  for (double PhantomSettings::*positive : { &PhantomSettings::scalpMm, &PhantomSettings::skullMm,
+         &PhantomSettings::tableMm, &PhantomSettings::jawCortexMm, &PhantomSettings::edgeMm })
+  {
+    s = {};
+    s.*positive = 0.0;
+    EXPECT_THROW(hasp::PhantomBone(s), std::invalid_argument);
+  }
   s = {};
   s.noiseHU = -1.0;
   EXPECT_THROW(hasp::SamplePhantom({ { 2, 2, 2 }, {}, { 1, 1, 1 } }, s), std::invalid_argument);
+  s = {};
+  s.coneBeam.cupping = 1.0;
+  EXPECT_THROW(hasp::PhantomLandmarks(s), std::invalid_argument);
   EXPECT_THROW(hasp::PhantomGrid({ 1, 0, 1 }), std::invalid_argument);
+  EXPECT_THROW(hasp::PhantomGrid({ 1, 1, std::nan("") }), std::invalid_argument);
+  EXPECT_THROW(hasp::PhantomGrid({ 1, 1, 1e-9 }), std::invalid_argument);
+  EXPECT_THROW(hasp::PhantomGridOfSize({ 1, 10, 10 }), std::invalid_argument);
   EXPECT_THROW(hasp::PhantomOuterTable({}, { 0, 0, 0 }), std::invalid_argument);
+  EXPECT_THROW(hasp::PhantomSolid({}, hasp::PhantomPart::Fibula), std::invalid_argument);
 }
 
 TEST(Phantom, BoneFieldNeverOverstatesTheDistance)
@@ -33,7 +65,7 @@ TEST(Phantom, BoneFieldNeverOverstatesTheDistance)
   const auto bone = hasp::PhantomBone({});
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-100, 100), small(-2, 2);
-  for (int n = 0; n < 100000; ++n)
+  for (int n = 0; n < 20000; ++n)
   {
     const glm::dvec3 a(any(random), any(random), any(random));
     const glm::dvec3 b = a + glm::dvec3(small(random), small(random), small(random));
@@ -98,10 +130,10 @@ TEST(Phantom, SamplesAgreeWithTheFieldOnARotatedAnisotropicGrid)
       for (int i = 0; i < g.dims.x; ++i, ++n)
       {
         const double b = bone.value(g.IndexToWorld({ i, j, k }));
-        // Beyond half the soft edge a sample is pure bone or has none.
+        // Beyond half the soft edge a sample is bone or has none; the mandible's marrow is least.
         if (b > 0.5 * s.edgeMm)
         {
-          ASSERT_EQ(samples[n], s.boneHU);
+          ASSERT_GE(samples[n], s.jawMarrowHU);
         }
         else if (b < -0.5 * s.edgeMm)
         {
@@ -145,7 +177,7 @@ TEST(Phantom, GridHoldsTheWholeHeadInAir)
         {
           ASSERT_EQ(view(i, j, k), -1000);
         }
-  EXPECT_EQ(*std::max_element(samples.begin(), samples.end()), 1000);
+  EXPECT_GE(*std::max_element(samples.begin(), samples.end()), 1000);
 }
 
 } // namespace
