@@ -14,9 +14,9 @@ import tempfile
 OUTSIDE = [  # first match wins
     ("gl", r"vtk_gl(ew|ad)\.h|GL/.*|GLES.*"),
     ("egl", r"EGL/.*"),
-    ("vtk", r"vtk\w*\.(h|txx)"),
+    ("vtk", r"vtk\w*\.(h|txx)|vtksys/.*"),
     ("qt", r"Q[A-Z].*|QVTK.*"),
-    ("posix", r"(unistd|fcntl|dlfcn|signal|pthread|sched|spawn|time|poll)\.h|sys/.*|linux/.*"),
+    ("posix", r"(unistd|fcntl|dirent|dlfcn|signal|pthread|sched|spawn|time|poll)\.h|sys/.*|linux/.*"),
     ("glm", r"glm/.*"),
     ("tbb", r"(oneapi/)?tbb/.*"),
     ("embree", r"embree[34]/.*"),
