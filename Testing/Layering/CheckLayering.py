@@ -27,6 +27,7 @@ OUTSIDE = [  # first match wins
     ("nlohmann", r"nlohmann/.*"),
     ("cli11", r"CLI/.*"),
     ("libarchive", r"archive(_entry)?\.h"),
+    ("openssl", r"openssl/.*"),
     ("dcmtk", r"dcmtk/.*"),
     ("seccomp", r"seccomp\.h"),
     ("libusb", r"libusb.*"),

@@ -1,5 +1,6 @@
 #include "vtkHaspVolumeFile.h"
 #include "Volumes/VolumeFormat.h"
+#include "vtkHaspVolumeHash.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/ParallelFor.h"
@@ -151,6 +152,7 @@ OpenedVolume OpenVolume(
                            " was asked for, but only a segmentation (.seg.nrrd) has layers with "
                            "segments");
   opened.file = path;
+  opened.hash = settings.hash;
   return opened;
 }
 
@@ -160,6 +162,11 @@ LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& prog
   const AnyGridView grid = ViewImage(volume.image);
   volume.passport.sampleType = SampleTypeName(volume.image->GetScalarType());
   CompletePassport(std::filesystem::u8path(opened.file), grid, volume.passport);
+  if (opened.hash)
+    volume.passport.hash = VolumeHash(grid);
+  if (opened.hash && volume.passport.hash.empty())
+    volume.passport.warnings.push_back(
+      "There is no hash: this build of Hasp was made without OpenSSL (HASP_ENABLE_OPENSSL).");
   ReportProgress(progress, 1.0);
   return volume;
 }

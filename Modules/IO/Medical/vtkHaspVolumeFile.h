@@ -38,6 +38,7 @@ struct Passport
   double gapDeviationMm = 0.0;       ///< largest difference of a slice distance from spacing.z
   std::string compression;           ///< the file's name for it; empty if not compressed
   std::vector<std::string> warnings; ///< full sentences, for the user
+  std::string hash;                  ///< of samples and place, if asked for: see VolumeHash
   int segments = 0;                  ///< named in a segmentation; 0 in any other volume
 };
 
@@ -52,9 +53,10 @@ struct Segment
 
 struct VolumeReadSettings
 {
-  int series = 0; ///< 1-based; 0 = there must be one only
-  int layer = 0;  ///< of a .seg.nrrd with several label maps, 1-based; 0 = all, which must not
-                  ///< overlap and are merged
+  int series = 0;    ///< 1-based; 0 = there must be one only
+  int layer = 0;     ///< of a .seg.nrrd with several label maps, 1-based; 0 = all, which must not
+                     ///< overlap and are merged
+  bool hash = false; ///< fill the passport's hash; as costly as reading a raw file once more
   std::size_t memoryLimitBytes = std::size_t(4)
                                  << 30; ///< of the samples; checked before any is taken
   /// Most that reading DICOM may take in the child process, on top of its program. It is given less
@@ -75,6 +77,7 @@ struct OpenedVolume
   Passport passport;
   std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&)> load;
   std::vector<Segment> segments = {}; ///< of a segmentation
+  bool hash = false;                  ///< as the settings ask
 };
 
 struct LoadedVolume

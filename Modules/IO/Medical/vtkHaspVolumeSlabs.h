@@ -30,7 +30,7 @@ enum class SampleType
 /// the world. They are NIfTI-1 with float32 positions unless that would move a corner by more than
 /// 1e-4 mm or a side is above 32767 samples: then NIfTI-2.
 ///
-/// Memory: one slice for NIfTI, nothing for the others. Cost: the disk's; gzip about 60 MB/s.
+/// Memory: one slice for NIfTI, nothing for the others. Cost: the disk's; gzip about 45 MB/s.
 /// Threads: one at a time (RENDER or WORKER). Throws std::invalid_argument for geometry and
 /// samples, std::runtime_error for the file, with its label: unknown ending, or too little room on
 /// the disk (checked before the first byte; what gzip leaves is not known before, so there the
