@@ -12,7 +12,8 @@ struct SampleStream::Unzipper
 {
   z_stream z{};
   std::vector<char> packed = std::vector<char>(1 << 18);
-  bool ended = false; ///< the zipped member is read to its checksum
+  bool ended = false;   ///< the zipped member is read to its checksum
+  bool another = false; ///< it is not the first
 
   Unzipper()
   {
@@ -64,13 +65,14 @@ std::size_t SampleStream::Unzip(char* into, std::size_t size)
       if (z.avail_in == 0 && this->Zip->ended)
         return 0;
       if (z.avail_in == 0)
-        this->Fail("cut off");
+        this->Fail(this->Zip->another ? "cut off or followed by what is none" : "cut off");
     }
     if (this->Zip->ended) // gzip files may be made of several members
     {
       if (inflateReset(&z) != Z_OK)
         throw std::bad_alloc();
       this->Zip->ended = false;
+      this->Zip->another = true;
     }
     const int result = inflate(&z, Z_NO_FLUSH);
     if (result != Z_OK && result != Z_STREAM_END)

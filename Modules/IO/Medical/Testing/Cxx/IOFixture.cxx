@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -51,16 +52,24 @@ std::vector<std::int16_t> IOFixture::Samples(const hasp::GridGeometry& geometry)
 void IOFixture::ExpectSame(const hasp::LoadedVolume& volume, const hasp::GridGeometry& truth,
   const std::vector<std::int16_t>& samples)
 {
+  // DICOM writes positions in decimals of at most 16 characters: 1e-6 of an index step.
+  const double smallest = std::min({ truth.spacing.x, truth.spacing.y, truth.spacing.z });
+  ExpectPlaces(volume, truth, samples, 1e-6 * smallest);
+}
+
+void IOFixture::ExpectPlaces(const hasp::LoadedVolume& volume, const hasp::GridGeometry& truth,
+  const std::vector<std::int16_t>& samples, double toleranceMm)
+{
   const hasp::GridGeometry g = hasp::ImageGeometry(volume.image);
   ASSERT_EQ(g.Size(), samples.size());
   for (int k = 0; k < g.dims.z; ++k)
     for (int j = 0; j < g.dims.y; ++j)
       for (int i = 0; i < g.dims.x; ++i)
       {
-        const glm::dvec3 at = truth.WorldToIndex(g.IndexToWorld({ i, j, k }));
-        const glm::ivec3 near(glm::round(at));
-        // DICOM writes positions in decimals of at most 16 characters: 1e-6 of an index step.
-        ASSERT_LT(glm::length(at - glm::dvec3(near)), 1e-6) << i << " " << j << " " << k;
+        const glm::dvec3 world = g.IndexToWorld({ i, j, k });
+        const glm::ivec3 near(glm::round(truth.WorldToIndex(world)));
+        ASSERT_LT(glm::length(world - truth.IndexToWorld(near)), toleranceMm)
+          << i << " " << j << " " << k;
         const std::size_t n = (std::size_t(near.z) * truth.dims.y + near.y) * truth.dims.x + near.x;
         ASSERT_LT(n, samples.size());
         ASSERT_EQ(volume.image->GetScalarComponentAsDouble(i, j, k, 0), samples[n])

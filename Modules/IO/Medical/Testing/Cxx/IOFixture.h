@@ -27,6 +27,10 @@ protected:
   static void ExpectSame(const hasp::LoadedVolume& volume, const hasp::GridGeometry& truth,
     const std::vector<std::int16_t>& samples);
 
+  /// The same within a distance.
+  static void ExpectPlaces(const hasp::LoadedVolume& volume, const hasp::GridGeometry& truth,
+    const std::vector<std::int16_t>& samples, double toleranceMm);
+
   /// Opening and loading throws std::runtime_error whose text holds all of these and no path.
   void ExpectRefused(const std::filesystem::path& path, const std::vector<std::string>& says,
     const hasp::VolumeReadSettings& settings = {}) const;

@@ -1,0 +1,202 @@
+#include "IOFixture.h"
+
+#include "vtkHaspOutputFile.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkImageData.h"
+
+#include <stdexcept>
+
+namespace
+{
+
+class Segmentation : public IOFixture
+{
+protected:
+  /// 4 x 3 x 2 as 3D Slicer writes it; more lines at its end.
+  static std::string Header(const std::string& more, int layers = 0)
+  {
+    const bool list = layers > 0;
+    return "NRRD0004\n# Complete NRRD file format specification at:\n"
+           "# http://teem.sourceforge.net/nrrd/format.html\n"
+           "type: unsigned char\ndimension: " +
+           std::string(list ? "4" : "3") + "\nspace: left-posterior-superior\nsizes: " +
+           (list ? std::to_string(layers) + " " : "") +
+           "4 3 2\nspace directions: " + (list ? "none " : "") +
+           "(0.5,0,0) (0,0.75,0) (0,0,2)\nkinds: " + (list ? "list " : "") +
+           "domain domain domain\nencoding: raw\n" + "space origin: (-3,4,5.5)\n" + more + "\n";
+  }
+  static std::string SegmentText(int n, const std::string& name, int label, int layer)
+  {
+    const std::string key = "Segment" + std::to_string(n) + "_";
+    return key + "Color:=0.25 0.5 1\n" + key + "ID:=Segment_" + std::to_string(n + 1) + "\n" + key +
+           "LabelValue:=" + std::to_string(label) + "\n" + key + "Layer:=" + std::to_string(layer) +
+           "\n" + key + "Name:=" + name + "\n" + key +
+           "Tags:=TerminologyEntry:Segmentation category and type~SCT^85756007^Tissue|\n";
+  }
+  std::filesystem::path Write(const std::string& bytes) const
+  {
+    WriteBytes(this->Folder / "a.seg.nrrd", bytes);
+    return this->Folder / "a.seg.nrrd";
+  }
+  static std::vector<std::uint8_t> Labels(vtkImageData* image)
+  {
+    const auto* first = static_cast<const std::uint8_t*>(image->GetScalarPointer());
+    return { first, first + image->GetNumberOfPoints() };
+  }
+  static std::string Repeat(const std::string& text, int times)
+  {
+    std::string all;
+    while (times-- > 0)
+      all += text;
+    return all;
+  }
+};
+
+TEST_F(Segmentation, WhatIsNoSoundSegmentationIsRefused)
+{
+  const std::string one = SegmentText(0, "bone", 1, 0), samples(24, '\1');
+  const auto refused = [&](const std::string& bytes, const char* says) {
+    this->ExpectRefused(this->Write(bytes), { "a.seg.nrrd: ", says });
+  };
+  refused(Header("") + samples, "no segments");
+  refused(Header(one + SegmentText(1, "skin", 1, 0)) + samples, "one label value");
+  refused(Header(SegmentText(0, "bone", 0, 0)) + samples, "[1, 65535]");
+  refused(Header(SegmentText(0, "bone", 65536, 0)) + samples, "[1, 65535]");
+  refused(Header(SegmentText(0, "bone", 1, 3), 2) + samples + samples, "layer 4 of 2");
+  refused(Header(one) + samples + "x", "more than the header");
+  refused(Header(one, 2) + samples, "cut off");
+  std::string text = Header(one);
+  text.replace(text.find("unsigned char"), 13, "float\nendian: little");
+  refused(text + Repeat(samples, 4), "labels must be");
+  refused(Header(one, 2) + std::string(48, '\7'), "label value 7");
+  // Two layers that overlap in the one sample of both.
+  const std::string two = one + SegmentText(1, "skin", 1, 1);
+  refused(Header(two, 2) + std::string(46, '\0') + "\1\1", "overlap in 1 samples");
+  hasp::VolumeReadSettings settings;
+  settings.layer = 3;
+  this->ExpectRefused(this->Write(Header(two, 2) + std::string(48, '\0')), { "layer 3" }, settings);
+  settings.layer = -1;
+  EXPECT_THROW(hasp::OpenVolume("a.seg.nrrd", settings), std::invalid_argument);
+  settings.layer = 1;
+  hasp::WriteVolume(hasp::MakeImage(this->Truth(), Samples(this->Truth())), this->Folder / "a.mha");
+  this->ExpectRefused(this->Folder / "a.mha", { "only a segmentation" }, settings);
+}
+
+TEST_F(Segmentation, SlicersLabelMapIsReadWithItsSegments)
+{
+  std::string samples(24, '\0');
+  samples[5] = 7;
+  samples[23] = 2;
+  const auto volume = Read(this->Write(
+    Header(SegmentText(0, "upper jaw \\n \\\\ \xC3\xA9", 7, 0) + SegmentText(12, "teeth", 2, 0)) +
+    samples));
+  EXPECT_EQ(volume.passport.format, "NRRD segmentation");
+  EXPECT_EQ(volume.passport.segments, 2);
+  EXPECT_EQ(volume.passport.geometry.origin, glm::dvec3(-3, 4, 5.5));
+  ASSERT_EQ(volume.segments.size(), 2U);
+  EXPECT_EQ(volume.segments[0].labelValue, 7);
+  EXPECT_EQ(volume.segments[0].name, "upper jaw \n \\ \xC3\xA9");
+  EXPECT_EQ(volume.segments[0].color, (std::array<double, 3>{ 0.25, 0.5, 1.0 }));
+  EXPECT_EQ(volume.segments[1].name, "teeth");
+  EXPECT_EQ(Labels(volume.image), std::vector<std::uint8_t>(samples.begin(), samples.end()));
+  for (const std::string& warning : volume.passport.warnings)
+    EXPECT_EQ(warning.find("jaw"), std::string::npos) << "names stay out of the passport";
+}
+
+TEST_F(Segmentation, LayersAreMergedWhereNoneOverlapOrChosen)
+{
+  // Both layers call their segment 1; a third segment is in the second layer.
+  const std::string header = Header(
+    SegmentText(0, "bone", 1, 0) + SegmentText(1, "skin", 1, 1) + SegmentText(2, "air", 3, 1), 2);
+  std::string samples(48, '\0');
+  samples[2 * 5] = 1;      // bone, in layer 0
+  samples[2 * 6 + 1] = 1;  // skin, in layer 1
+  samples[2 * 23 + 1] = 3; // air
+  auto volume = Read(this->Write(header + samples));
+  std::vector<std::uint8_t> merged(24);
+  merged[5] = 1;
+  merged[6] = 2;
+  merged[23] = 3;
+  EXPECT_EQ(Labels(volume.image), merged);
+  ASSERT_EQ(volume.segments.size(), 3U);
+  EXPECT_EQ(volume.segments[1].labelValue, 2);
+  EXPECT_EQ(volume.segments[1].name, "skin");
+  EXPECT_EQ(volume.passport.warnings.size(), 1U);
+
+  samples[2 * 5 + 1] = 1; // now bone and skin overlap: each layer alone can be read
+  hasp::VolumeReadSettings settings;
+  settings.layer = 2;
+  volume = Read(this->Write(header + samples), settings);
+  std::vector<std::uint8_t> second(24);
+  second[5] = second[6] = 1;
+  second[23] = 3;
+  EXPECT_EQ(Labels(volume.image), second);
+  ASSERT_EQ(volume.segments.size(), 2U);
+  EXPECT_EQ(volume.segments[1].name, "air");
+  EXPECT_EQ(volume.segments[1].labelValue, 3);
+}
+
+TEST_F(Segmentation, FilesOfOldSlicerHaveALayerForEachSegment)
+{
+  const std::string header = Header("Segment0_ID:=a\nSegment0_Name:=bone\nSegment1_ID:=b\n", 2);
+  std::string samples(48, '\0');
+  samples[0] = samples[3] = 1;
+  const auto volume = Read(this->Write(header + samples));
+  EXPECT_EQ(Labels(volume.image)[0], 1);
+  EXPECT_EQ(Labels(volume.image)[1], 2);
+  EXPECT_EQ(volume.segments[1].name, "");
+}
+
+TEST_F(Segmentation, WhatIsWrittenReadsBack)
+{
+  const auto g = this->Truth();
+  const std::vector<hasp::Segment> segments{ { 3, "mandible \\ left", { 0.9, 0.8, 0.7 } },
+    { 1, "z\xC3\xA4hne\nobere", { 0, 0.5, 1 } }, { 200, "none of it", {} } };
+  std::vector<std::uint8_t> labels(g.Size());
+  labels[g.Size() - 1] = 3;
+  labels[13] = labels[27] = 1;
+  const auto file = (this->Folder / "b.seg.nrrd").string();
+  hasp::WriteSegmentation(hasp::MakeImage(g, labels), segments, file);
+  const auto volume = Read(file);
+  EXPECT_EQ(Labels(volume.image), labels);
+  EXPECT_EQ(volume.passport.geometry.origin, g.origin);
+  ASSERT_EQ(volume.segments.size(), 3U);
+  for (std::size_t n = 0; n < 3; ++n)
+  {
+    EXPECT_EQ(volume.segments[n].labelValue, segments[n].labelValue);
+    EXPECT_EQ(volume.segments[n].name, segments[n].name);
+    EXPECT_EQ(volume.segments[n].color, segments[n].color);
+  }
+  const std::string bytes = ReadBytes(file);
+  for (const char* line :
+    { "\nSegment0_Extent:=11 11 9 9 7 7\n", "\nSegment1_Extent:=1 3 1 2 0 0\n",
+      "\nSegment2_Extent:=0 -1 0 -1 0 -1\n", "\nSegment0_Layer:=0\n",
+      "\nSegment1_Name:=z\xC3\xA4hne\\nobere\n", "\nSegment0_Name:=mandible \\\\ left\n",
+      "\nSegmentation_MasterRepresentation:=Binary labelmap\n" })
+    EXPECT_NE(bytes.find(line), std::string::npos) << line;
+}
+
+TEST_F(Segmentation, BadSegmentsAreNotWritten)
+{
+  const auto g = this->Truth();
+  const auto image = hasp::MakeImage(g, std::vector<std::uint8_t>(g.Size(), 1));
+  const auto file = (this->Folder / "b.seg.nrrd").string();
+  const auto refused = [&](const std::vector<hasp::Segment>& segments)
+  {
+    EXPECT_THROW(hasp::WriteSegmentation(image, segments, file), std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(file));
+  };
+  refused({});
+  refused({ { 0, "a", {} } });
+  refused({ { 256, "a", {} } });
+  refused({ { 1, "a", {} }, { 1, "b", {} } });
+  refused({ { 1, "a", { 0, 0, 1.5 } } });
+  refused({ { 1, std::string("a\0b", 3), {} } });
+  EXPECT_THROW(hasp::WriteSegmentation(hasp::MakeImage(g, Samples(g)), { { 1, "a", {} } }, file),
+    std::invalid_argument);
+  EXPECT_THROW(hasp::WriteSegmentation(image, { { 1, "a", {} } }, this->Folder / "b.nrrd"),
+    std::runtime_error);
+}
+
+} // namespace
