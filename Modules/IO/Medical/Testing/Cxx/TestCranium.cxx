@@ -1,3 +1,4 @@
+#include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
@@ -10,6 +11,8 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -119,6 +122,23 @@ TEST(Cranium, NoseIsAnteriorAndVaultSuperior)
   EXPECT_GT(anterior, 10 * posterior);
   EXPECT_TRUE(BoneTowards(0.0, 145.0));
   EXPECT_FALSE(BoneTowards(0.0, 155.0)) << "above the vault";
+}
+
+TEST(Cranium, HashIsOneInEachFormat)
+{
+  std::string folder = (std::filesystem::temp_directory_path() / "hasp-cranium-XXXXXX").string();
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  hasp::VolumeReadSettings settings;
+  settings.hash = true;
+  const std::string hash = hasp::LoadVolume(hasp::OpenVolume(HASP_CRANIUM, settings)).passport.hash;
+  EXPECT_EQ(hash.size(), HASP_WITH_OPENSSL ? 64U : 0U);
+  for (const char* name : { "a.nrrd", "a.mha", "a.nii", "a.nii.gz", "a.vti" })
+  {
+    const std::string file = folder + "/" + name;
+    hasp::WriteVolume(Cranium().image, file);
+    EXPECT_EQ(hasp::LoadVolume(hasp::OpenVolume(file, settings)).passport.hash, hash) << name;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 } // namespace
