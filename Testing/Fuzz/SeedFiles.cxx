@@ -1,6 +1,7 @@
 #include "SeedFiles.h"
 
 #include "vtkHaspOutputFile.h"
+#include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
@@ -12,6 +13,7 @@
 #include <archive_entry.h>
 #endif
 
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -51,6 +53,20 @@ void MakeVolumeSeeds(const std::filesystem::path& folder, const std::string& fil
   WriteVolume(SmallImage<std::uint16_t>(), folder / ("uint16-" + fileName));
   WriteVolume(SmallImage<std::uint8_t>(), folder / ("uint8-" + fileName));
   WriteVolume(SmallImage<float>(), folder / ("float32-" + fileName));
+}
+
+void MakeSegmentationSeeds(const std::filesystem::path& folder)
+{
+  WriteSegmentation(
+    SmallImage<std::uint8_t>(), { { 1, "one", {} }, { 7, "seven", {} } }, folder / "a.seg.nrrd");
+  // Two layers, raw, as 3D Slicer writes them.
+  std::ofstream(folder / "b.seg.nrrd", std::ios::binary)
+    << "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\n"
+       "sizes: 2 4 3 2\nspace directions: none (0.5,0,0) (0,0.75,0) (0,0,2)\n"
+       "kinds: list domain domain domain\nencoding: raw\nspace origin: (-3,4,5.5)\n"
+       "Segment0_ID:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=b\n"
+       "Segment1_LabelValue:=1\nSegment1_Layer:=1\n\n"
+    << std::string("\1\0\0\1", 4) << std::string(44, '\0');
 }
 
 #if HASP_WITH_LIBARCHIVE

@@ -46,7 +46,10 @@ std::string BytesOf(const std::filesystem::path& file)
 
 std::vector<Target> Targets()
 {
-  std::vector<Target> targets{ VolumeTarget("mha", "input.mha"), VolumeTarget("vti", "input.vti") };
+  std::vector<Target> targets{ VolumeTarget("mha", "input.mha"), VolumeTarget("vti", "input.vti"),
+    VolumeTarget("nrrd", "input.nrrd"), VolumeTarget("nii", "input.nii"),
+    VolumeTarget("nii.gz", "input.nii.gz"),
+    { "seg.nrrd", "input.seg.nrrd", MakeSegmentationSeeds, ReadVolume } };
 #if HASP_WITH_LIBARCHIVE
   targets.push_back({ "inv3", "input.inv3", MakeInvesaliusSeeds, ReadVolume });
 #endif
