@@ -1,6 +1,7 @@
 /**
  * @class   vtkHaspVolumeReader
- * @brief   Reads a volume - DICOM folder, .inv3, MetaImage, NRRD, NIfTI, .vti - into patient LPS millimetres.
+ * @brief   Reads a volume - DICOM folder, .inv3, MetaImage, NRRD, NIfTI, .vti - into patient LPS
+ * millimetres.
  *
  * UpdateInformation reads and checks headers and fills the passport; Update decodes the samples and
  * completes it. The output's extent starts at 0, its scalars are short, unsigned short, unsigned

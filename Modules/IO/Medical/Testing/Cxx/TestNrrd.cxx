@@ -181,8 +181,7 @@ TEST_F(Nrrd, DetachedSamplesLieBesideTheHeader)
   this->Write(Raw(), "r\xC3\xB6h data.raw");
   const std::string header = Header({ { "data file", "r\xC3\xB6h data.raw" } });
   ExpectSame(Read(this->Write(header, "a.nhdr")), Meant(), Samples(Meant()));
-  header.substr(0, header.size() - 1); // no blank line is needed
-  ExpectSame(
+  ExpectSame( // no blank line is needed
     Read(this->Write(header.substr(0, header.size() - 1), "a.nhdr")), Meant(), Samples(Meant()));
   this->ExpectRefused(this->Write(Header(), "b.nhdr"), { "no data file line" });
 }
@@ -197,7 +196,7 @@ TEST_F(Nrrd, CompressedSamplesMustBeExactlyAsManyAsDeclared)
   refused(Gzip(Raw()).substr(0, 600), "cut off");
   refused(Gzip(Raw()) + "trailing", "followed by");
   refused(Gzip(Raw()) + Gzip("x"), "more than the header");
-  // A bomb: 400 MB of zeros in 400 kB, and a header that would have them unpacked.
+  // Bombs: 4 MiB of zeros in 4 KiB, and a header that would have 2 GB unpacked from 64 bytes.
   refused(Gzip(std::string(1 << 22, '\0')), "more than the header");
   this->ExpectRefused(
     this->Write(Header({ { "encoding", "gzip" }, { "sizes", "1000 1000 1000" } }) +
