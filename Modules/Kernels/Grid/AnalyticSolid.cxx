@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace hasp
@@ -17,6 +18,23 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// A nearest point this close to the solid's surface is on it: feet are good to 1e-12 mm.
 constexpr double OnSurfaceMm = 1e-9;
+
+/// Volume of the solid in a box: halved until the surface is away or the box is a cell.
+double VolumeIn(const AnalyticSolid& solid, const Box& box, double cellMm)
+{
+  const glm::dvec3 size = box.high - box.low, middle = 0.5 * (box.low + box.high);
+  const double all = size.x * size.y * size.z, radius = 0.5 * glm::length(size);
+  const AnalyticSolid near = solid.Near(middle, radius);
+  const Foot foot = near.Bound(middle);
+  if (std::abs(foot.mm) >= radius)
+    return foot.mm < 0.0 ? all : 0.0;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  if (size[axis] <= cellMm) // a plane cuts it
+    return all * std::clamp(0.5 - foot.mm / glm::dot(size, glm::abs(foot.outward)), 0.0, 1.0);
+  Box below = box, above = box;
+  below.high[axis] = above.low[axis] = middle[axis];
+  return VolumeIn(near, below, cellMm) + VolumeIn(near, above, cellMm);
+}
 
 } // namespace
 
@@ -160,6 +178,17 @@ Box AnalyticSolid::Bounds(const Node& node)
 Box AnalyticSolid::Bounds() const
 {
   return Bounds(*this->Root);
+}
+
+double AnalyticSolid::Volume(double cellMm) const
+{
+  const Box box = this->Bounds();
+  const glm::dvec3 size = box.high - box.low;
+  if (!(cellMm > 0.0 && std::isfinite(size.x + size.y + size.z)))
+    throw std::invalid_argument(
+      "AnalyticSolid: the volume of a solid without bounds, or cells of " + std::to_string(cellMm) +
+      " mm; must be > 0");
+  return VolumeIn(*this, box, cellMm);
 }
 
 void AnalyticSolid::Gather(const Node& node, const glm::dvec3& point, std::vector<Leaf>& leaves)

@@ -53,6 +53,11 @@ public:
   /// A smaller solid with the very same Bound, bit for bit, at all points of a ball.
   AnalyticSolid Near(const glm::dvec3& center, double radius) const;
 
+  /// mm^3, by cells of that side along the surface: the error falls with its square (a ball of
+  /// radius 5 mm: 0.8 % at 1 mm, 0.06 % at 0.25 mm). Throws std::invalid_argument if the solid has
+  /// no bounds or cellMm <= 0.
+  double Volume(double cellMm) const;
+
   /// An upright box around it, infinite where no shape bounds it; not always the smallest.
   Box Bounds() const;
   std::size_t ShapeCount() const;

@@ -1,8 +1,9 @@
 #pragma once
 #include "Grid/Phantom.h"
 
-#include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -19,6 +20,9 @@ struct PhantomShapes
   std::vector<PhantomLandmark> landmarks;
 };
 PhantomShapes MakePhantomShapes(const PhantomSettings& settings);
+
+/// The fibula around a centre, upright, its canal cortexMm below its faces.
+void AddPhantomFibula(const glm::dvec3& center, double cortexMm, PhantomShapes& shapes);
 
 /// Throws std::invalid_argument with the field, its value and the legal range.
 void CheckPhantom(const PhantomSettings& settings);

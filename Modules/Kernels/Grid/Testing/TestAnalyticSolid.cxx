@@ -111,6 +111,17 @@ TEST(AnalyticSolid, NearIsTheSameFieldBitForBitWithFewerShapes)
   EXPECT_LT(most, solid.ShapeCount() / 2);
 }
 
+TEST(AnalyticSolid, VolumesConvergeWithTheSquareOfTheCell)
+{
+  EXPECT_THROW(AnalyticSolid(hasp::HalfSpaceShape{}).Volume(1.0), std::invalid_argument);
+  EXPECT_THROW(AnalyticSolid(Ball({}, 1.0)).Volume(0.0), std::invalid_argument);
+  // Two balls of radius 5, 6 apart: each loses a cap of height 2, pi h^2 (3 r - h) / 3.
+  const AnalyticSolid two = AnalyticSolid::Union({ Ball({}, 5.0), Ball({ 6, 0, 0 }, 5.0) });
+  const double truth = 2.0 * M_PI * (4.0 / 3.0 * 125.0 - 4.0 * 13.0 / 3.0);
+  EXPECT_NEAR(two.Volume(1.0), truth, 1e-2 * truth);
+  EXPECT_NEAR(two.Volume(0.25), truth, 1e-3 * truth);
+}
+
 TEST(AnalyticSolid, BoxesFollowTheCombination)
 {
   const AnalyticSolid cut =
