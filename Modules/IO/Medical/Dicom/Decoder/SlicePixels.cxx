@@ -52,13 +52,14 @@ SlicePixels DecodePixels(DcmDataset& data, SliceRecord& record)
       throw std::bad_alloc(); // it is the limit that failed, not the file's compression
     return done.good();
   };
+  if (!BitsMakeSense(record) || record.samplesPerPixel != 1 || record.frames != 1)
+    return give(SliceStatus::Undecodable);
   if (!fits(data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr)) ||
       !data.canWriteXfer(EXS_LittleEndianExplicit))
     return give(SliceStatus::Undecodable);
   Uint16 bitsNow = 0; // a decompressor may change what the header said
   data.findAndGetUint16(DCM_BitsAllocated, bitsNow);
-  if (!BitsMakeSense(record) || bitsNow != record.bitsAllocated || record.samplesPerPixel != 1 ||
-      record.frames != 1)
+  if (bitsNow != record.bitsAllocated)
     return give(SliceStatus::Undecodable);
   const std::size_t count = std::size_t(record.rows) * record.columns;
   SlicePixels pixels;
