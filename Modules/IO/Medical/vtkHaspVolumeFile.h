@@ -88,7 +88,8 @@ struct LoadedVolume
   std::vector<Segment> segments = {}; ///< of a segmentation: what its label values are
 };
 
-/// Reads and checks the header of a folder of DICOM slices (searched with its subfolders), an
+/// Reads and checks the header of a folder of DICOM slices (searched with its subfolders; one slice
+/// a file, or enhanced CT and MR whose frames say where they lie), an
 /// InVesalius project (.inv3), MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), segmentation of 3D
 /// Slicer (.seg.nrrd), NIfTI (.nii, .nii.gz) or VTK image (.vti). UTF-8 path.
 ///

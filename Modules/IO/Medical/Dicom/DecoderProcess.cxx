@@ -16,7 +16,8 @@ std::string ListOf(const std::vector<DicomSlice>& files)
 {
   std::string list;
   for (const DicomSlice& slice : files)
-    list.append(slice.file.native()).push_back('\0');
+    list.append(std::to_string(slice.record.frameNumber) + ":" + slice.file.native())
+      .push_back('\0');
   return list;
 }
 
@@ -38,7 +39,10 @@ std::uint64_t DeclaredBytes(const DicomSlice& slice)
 /// unpacks fast (runs of one value), or not at all.
 std::uint64_t WorkBytes(const DicomSlice& slice)
 {
-  return std::max(slice.fileBytes, std::min(DeclaredBytes(slice), 64 * slice.fileBytes));
+  const std::uint64_t frames =
+    std::uint64_t(slice.record.frameNumber) + slice.record.moreFrames + 1;
+  const std::uint64_t stored = slice.fileBytes / frames;
+  return std::max(stored, std::min(DeclaredBytes(slice), 64 * stored));
 }
 
 std::uint64_t DecoderMemory(bool decode, const std::vector<DicomSlice>& files, std::uint64_t atMost)
@@ -123,6 +127,13 @@ void DecoderProcess::Check(const SliceRecord& r) const
     this->Process.ThrowGarbage("magic number");
   if (r.index != this->Next)
     this->Process.ThrowGarbage("out of order");
+  const bool inOrder =
+    this->Doing == Mode::Decode
+      ? r.frameNumber == this->Files[this->Next].record.frameNumber && r.moreFrames == 0
+      : r.frameNumber == this->Frame &&
+          (r.frameNumber == 0 || r.moreFrames + 1 == this->MoreFrames);
+  if (!inOrder)
+    this->Process.ThrowGarbage("frame out of order");
   if (r.status > static_cast<std::uint32_t>(SliceStatus::Last) || (r.flags & ~AllFlags) != 0)
     this->Process.ThrowGarbage("status");
   if (r.rows > 65535 || r.columns > 65535)
@@ -140,7 +151,9 @@ SliceRecord DecoderProcess::NextRecord(const ProgressFunction& progress)
   SliceRecord record{};
   this->Process.Read(&record, sizeof(record), this->BeatOf(progress));
   this->Check(record);
-  if (record.pixelBytes == 0)
+  this->Frame = record.moreFrames > 0 ? record.frameNumber + 1 : 0;
+  this->MoreFrames = record.moreFrames;
+  if (record.pixelBytes == 0 && record.moreFrames == 0)
     ++this->Next;
   return record;
 }

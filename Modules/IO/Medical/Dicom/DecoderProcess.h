@@ -25,8 +25,9 @@ public:
   DecoderProcess(const DecoderProcess&) = delete;
   DecoderProcess& operator=(const DecoderProcess&) = delete;
 
-  /// The next file's record, its fields within the ranges DicomWire.h names. pixelBytes is 0 or
-  /// rows * columns * 2. Calls progress at least twice a second while it waits.
+  /// The next file's record (scan: the next frame's, while moreFrames is not 0), its fields within
+  /// the ranges DicomWire.h names. pixelBytes is 0 or rows * columns * 2. Calls progress at least
+  /// twice a second while it waits.
   SliceRecord NextRecord(const ProgressFunction& progress);
 
   /// The pixels that follow a record. `into` has room for record.pixelBytes.
@@ -44,8 +45,10 @@ private:
 
   const Mode Doing;
   const std::vector<DicomSlice> Files;
-  const std::uint64_t Memory; ///< bytes the child may take on top of its own
-  std::size_t Next = 0;       ///< the file whose answer is awaited
+  const std::uint64_t Memory;   ///< bytes the child may take on top of its own
+  std::size_t Next = 0;         ///< the file whose answer is awaited
+  std::uint32_t Frame = 0;      ///< the frame of it, while scanning
+  std::uint32_t MoreFrames = 0; ///< as its latest record promised
   ChildProcess Process;
 };
 

@@ -139,9 +139,17 @@ OpenedVolume OpenDicomFolder(const std::filesystem::path& folder,
     ThrowFileError(folder, "the folder is empty");
   {
     DecoderProcess decoder(DecoderProcess::Mode::Scan, files, settings);
-    for (DicomSlice& file : files)
-      file.record = decoder.NextRecord(progress);
+    std::vector<DicomSlice> slices;
+    for (const DicomSlice& file : files)
+      do
+      {
+        if (slices.size() == FileLimit)
+          ThrowFileError(folder, "holds more than " + std::to_string(FileLimit) + " slices");
+        slices.push_back(file);
+        slices.back().record = decoder.NextRecord(progress);
+      } while (slices.back().record.moreFrames > 0);
     decoder.Finish(progress);
+    files = std::move(slices);
   }
   OpenedVolume opened;
   const DicomStack stack = StackSeries(folder, std::move(files), settings);

@@ -126,7 +126,9 @@ std::string SliceName(const DicomSlice& slice)
 {
   std::string name =
     FileNamesShown() ? FileLabel(slice.file) : "file " + std::to_string(slice.number);
-  if (slice.record.flags & HasInstance)
+  if (slice.record.frameNumber > 0 || slice.record.moreFrames > 0)
+    name += " (frame " + std::to_string(slice.record.frameNumber + 1) + ")";
+  else if (slice.record.flags & HasInstance)
     name += " (instance " + std::to_string(slice.record.instance) + ")";
   return name;
 }

@@ -8,7 +8,7 @@
 namespace hasp
 {
 
-/// One file of a folder and what the decoder says of it.
+/// One file of a folder, or a frame of it, and what the decoder says of it.
 struct DicomSlice
 {
   std::filesystem::path file;

@@ -3,11 +3,13 @@
 #include <type_traits>
 
 /// What hasp-dicom-decode writes to its standard output (a pipe: it may write no file), in the
-/// machine's own byte order: one SliceRecord per file asked for, in that order; in `decode` mode
-/// each good one is followed by pixelBytes of 16-bit stored values. Nothing in it is trusted by the
-/// reading side.
+/// machine's own byte order: one SliceRecord per file asked for, in that order; in `scan` mode one
+/// per frame of files that say of each frame where it lies (enhanced CT and MR), in `decode` mode
+/// one per frame asked for, and each good one is followed by pixelBytes of 16-bit stored values.
+/// Nothing in it is trusted by the reading side.
 ///
-/// Standard input: the files' paths, each ended by a NUL. Arguments: scan|decode, memory in bytes
+/// Standard input: entries that are each ended by a NUL: the frame from 0 (scan: not used), a colon
+/// and the path. Arguments: scan|decode, memory in bytes
 /// that parsing and decoding may take (on top of what the program takes before the first file),
 /// processor seconds.
 namespace hasp
@@ -48,13 +50,17 @@ enum SliceFlags : std::uint32_t
 
 struct SliceRecord
 {
-  static constexpr std::uint32_t Magic = 0x32445348; // "HSD2"
+  static constexpr std::uint32_t Magic = 0x33445348; // "HSD3"
 
   std::uint32_t magic;
   std::uint32_t index; ///< of the file in the list, from 0
   std::uint32_t status;
   std::uint32_t flags;
-  std::uint32_t rows, columns, frames, samplesPerPixel;
+  std::uint32_t frameNumber; ///< of the file, from 0; 0 in files of one
+  std::uint32_t moreFrames;  ///< of the same file to come (scan)
+  std::uint32_t rows, columns;
+  std::uint32_t frames; ///< 1, or as many as the file has without saying where they lie
+  std::uint32_t samplesPerPixel;
   std::uint32_t bitsAllocated, bitsStored, highBit, isSigned;
   std::int32_t instance;
   std::int32_t padding;  ///< the stored value of pixels outside the picture (0028,0120)
@@ -74,6 +80,6 @@ struct SliceRecord
   char frame[72];  ///< frame of reference
 };
 static_assert(std::is_trivially_copyable_v<SliceRecord>);
-static_assert(sizeof(SliceRecord) == 56 + 16 * 8 + 8 + 2 * 24 + 3 * 72 + 8);
+static_assert(sizeof(SliceRecord) == 64 + 16 * 8 + 8 + 2 * 24 + 3 * 72 + 8);
 
 } // namespace hasp

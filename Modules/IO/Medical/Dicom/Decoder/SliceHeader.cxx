@@ -56,17 +56,10 @@ void DescribeGeometry(DcmItem& data, SliceRecord& record)
   numbers(DCM_ImageOrientationPatient, record.orientation, 6, HasOrientation);
   numbers(DCM_GantryDetectorTilt, &record.gantryTilt, 1, HasGantryTilt);
   numbers(DCM_SliceThickness, &record.thickness, 1, HasThickness);
-  Sint32 instance = 0;
-  if (data.findAndGetSint32(DCM_InstanceNumber, instance).good())
-  {
-    record.instance = instance;
-    record.flags |= HasInstance;
-  }
 }
 
-void DescribeValues(DcmItem& data, SliceRecord& record)
+void DescribeRescale(DcmItem& data, SliceRecord& record)
 {
-  record.slope = 1.0;
   const bool slope = Numbers(data, DCM_RescaleSlope, &record.slope, 1);
   const bool intercept = Numbers(data, DCM_RescaleIntercept, &record.intercept, 1);
   if (slope || intercept)
@@ -74,6 +67,20 @@ void DescribeValues(DcmItem& data, SliceRecord& record)
   const OFString type = TextOf(data, DCM_RescaleType);
   if (type.empty() || type == "HU")
     record.flags |= RescaleIsHU;
+  else
+    record.flags &= ~std::uint32_t(RescaleIsHU);
+}
+
+void DescribeValues(DcmItem& data, SliceRecord& record)
+{
+  record.slope = 1.0;
+  DescribeRescale(data, record);
+  Sint32 instance = 0;
+  if (data.findAndGetSint32(DCM_InstanceNumber, instance).good())
+  {
+    record.instance = instance;
+    record.flags |= HasInstance;
+  }
   if (Numbers(data, DCM_KVP, &record.kvp, 1))
     record.flags |= HasKVP;
   // Its type follows the pixels', by what wrote the file and not always by what they say.
@@ -151,6 +158,34 @@ void DescribeSlice(DcmFileFormat& file, SliceRecord& record)
   record.status = static_cast<std::uint32_t>(!image           ? SliceStatus::NoImage
                                              : syntax.decoded ? SliceStatus::Image
                                                               : SliceStatus::Undecodable);
+}
+
+std::uint32_t PlacedFrames(DcmDataset& data, const SliceRecord& record)
+{
+  DcmSequenceOfItems* groups = nullptr;
+  if (data.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups).bad() || !groups)
+    return 0;
+  return groups->card() == record.frames ? record.frames : 0;
+}
+
+void DescribeFrame(DcmDataset& data, std::uint32_t frame, SliceRecord& record)
+{
+  record.frames = 1;
+  record.frameNumber = frame;
+  const auto describe = [&](const DcmTagKey& groups, long at)
+  {
+    DcmItem *group = nullptr, *macro = nullptr;
+    if (data.findAndGetSequenceItem(groups, group, at).bad() || !group)
+      return;
+    for (const DcmTagKey& tag :
+      { DCM_PixelMeasuresSequence, DCM_PlanePositionSequence, DCM_PlaneOrientationSequence })
+      if (group->findAndGetSequenceItem(tag, macro).good() && macro)
+        DescribeGeometry(*macro, record);
+    if (group->findAndGetSequenceItem(DCM_PixelValueTransformationSequence, macro).good() && macro)
+      DescribeRescale(*macro, record);
+  };
+  describe(DCM_SharedFunctionalGroupsSequence, 0);
+  describe(DCM_PerFrameFunctionalGroupsSequence, static_cast<long>(frame));
 }
 
 bool LooksLikeImage(DcmDataset& data)

@@ -1,6 +1,7 @@
 #include "Dicom/Decoder/SlicePixels.h"
 
 #include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmdata/dcxfer.h>
 
 #include <algorithm>
 #include <new>
@@ -10,9 +11,11 @@ namespace hasp
 namespace
 {
 
-bool BitsMakeSense(const SliceRecord& r)
+/// One frame of one sample, whose bits make sense.
+bool IsPlain(const SliceRecord& r)
 {
-  return (r.bitsAllocated == 8 || r.bitsAllocated == 16) && r.bitsStored >= 1 &&
+  return r.samplesPerPixel == 1 && r.frames == 1 &&
+         (r.bitsAllocated == 8 || r.bitsAllocated == 16) && r.bitsStored >= 1 &&
          r.bitsStored <= r.bitsAllocated && r.highBit + 1 >= r.bitsStored &&
          r.highBit < r.bitsAllocated;
 }
@@ -37,36 +40,63 @@ bool Write(const T* from, const SliceRecord& r, std::FILE* out)
   return true;
 }
 
+SlicePixels Give(SliceStatus status, SliceRecord& record)
+{
+  record.status = static_cast<std::uint32_t>(status);
+  return {};
+}
+
+/// Whether it worked. Lack of memory is the limit's fault, not the file's compression.
+bool Worked(const OFCondition& done)
+{
+  if (done == EC_MemoryExhausted)
+    throw std::bad_alloc();
+  return done.good();
+}
+
 } // namespace
 
 SlicePixels DecodePixels(DcmDataset& data, SliceRecord& record)
 {
-  const auto give = [&](SliceStatus status)
-  {
-    record.status = static_cast<std::uint32_t>(status);
-    return SlicePixels{};
-  };
-  const auto fits = [](const OFCondition& done)
-  {
-    if (done == EC_MemoryExhausted)
-      throw std::bad_alloc(); // it is the limit that failed, not the file's compression
-    return done.good();
-  };
-  if (!fits(data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr)) ||
+  if (!IsPlain(record) || !Worked(data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr)) ||
       !data.canWriteXfer(EXS_LittleEndianExplicit))
-    return give(SliceStatus::Undecodable);
+    return Give(SliceStatus::Undecodable, record);
   Uint16 bitsNow = 0; // a decompressor may change what the header said
   data.findAndGetUint16(DCM_BitsAllocated, bitsNow);
-  if (!BitsMakeSense(record) || bitsNow != record.bitsAllocated || record.samplesPerPixel != 1 ||
-      record.frames != 1)
-    return give(SliceStatus::Undecodable);
+  if (bitsNow != record.bitsAllocated)
+    return Give(SliceStatus::Undecodable, record);
   const std::size_t count = std::size_t(record.rows) * record.columns;
   SlicePixels pixels;
   unsigned long there = 0;
-  fits(record.bitsAllocated == 16 ? data.findAndGetUint16Array(DCM_PixelData, pixels.words, &there)
-                                  : data.findAndGetUint8Array(DCM_PixelData, pixels.bytes, &there));
+  Worked(record.bitsAllocated == 16
+           ? data.findAndGetUint16Array(DCM_PixelData, pixels.words, &there)
+           : data.findAndGetUint8Array(DCM_PixelData, pixels.bytes, &there));
   if (there < count || (!pixels.words && !pixels.bytes))
-    return give(SliceStatus::CutOff);
+    return Give(SliceStatus::CutOff, record);
+  record.pixelBytes = count * sizeof(std::uint16_t);
+  return pixels;
+}
+
+SlicePixels DecodeFrame(DcmDataset& data, SliceRecord& record)
+{
+  DcmElement* element = nullptr;
+  Uint32 size = 0, fragment = 0;
+  const std::size_t count = std::size_t(record.rows) * record.columns;
+  if (!IsPlain(record) || data.findAndGetElement(DCM_PixelData, element).bad() || !element ||
+      element->getUncompressedFrameSize(&data, size).bad() ||
+      size != count * (record.bitsAllocated / 8))
+    return Give(SliceStatus::Undecodable, record);
+  SlicePixels pixels;
+  pixels.own.resize((size + 1) / 2);
+  OFString colour;
+  const bool packed = DcmXfer(data.getOriginalXfer()).isEncapsulated();
+  if (!Worked(element->getUncompressedFrame(&data, record.frameNumber, fragment, pixels.own.data(),
+        static_cast<Uint32>(pixels.own.size() * sizeof(Uint16)), colour)))
+    return Give(packed ? SliceStatus::Undecodable : SliceStatus::CutOff, record);
+  if (record.bitsAllocated == 16)
+    pixels.words = pixels.own.data();
+  else
+    pixels.bytes = reinterpret_cast<const Uint8*>(pixels.own.data());
   record.pixelBytes = count * sizeof(std::uint16_t);
   return pixels;
 }

@@ -9,7 +9,7 @@
 DecoderAnswer RunDecoder(const std::string& mode, const std::filesystem::path& file,
   const std::filesystem::path& folder, const std::string& locale)
 {
-  std::ofstream(folder / "list", std::ios::binary) << file.string() << '\0';
+  std::ofstream(folder / "list", std::ios::binary) << "0:" + file.string() << '\0';
   const std::string in = folder.string(); // through cat, as the decoder may write no file
   const std::string command = "LC_ALL=" + locale + " '" HASP_DECODER "' " + mode +
                               " 67108864 60 < '" + in + "/list' | cat > '" + in + "/answer'";

@@ -1,8 +1,8 @@
 // A decoder that tries what the sandbox forbids: the act is the name of the file it is to read. It
 // ends with code 70 if the act was done, 71 if the system refused it and let it go on. With
 // HASP_PROBE_NO_FILTER set it first makes the kernel refuse filters, as some containers do.
-#include "Sandbox/Confinement.h"
 #include "Dicom/DicomWire.h"
+#include "Sandbox/Confinement.h"
 
 #include <fcntl.h>
 #include <pthread.h>
@@ -109,6 +109,7 @@ int main(int argc, char** argv)
   std::string path;
   for (std::uint32_t index = 0; std::getline(std::cin, path, '\0'); ++index)
   {
+    path.erase(0, path.find(':') + 1); // the frame
     const std::string act = std::filesystem::path(path).stem().string();
     if (act == "descriptor") // asking is itself forbidden where calls are filtered
     {

@@ -181,6 +181,20 @@ TEST_F(TransferSyntaxes, LossyJpegIsReadAndWarns)
     }
 }
 
+TEST_F(TransferSyntaxes, JpegThatHoldsTheParserForeverIsEnded)
+{
+  // DCMTK 3.6.7 looks for the bit depth from marker to marker and never gets past a TEM (FF 01).
+  const auto folder = this->Write({ 8, false }, EXS_JPEGProcess1);
+  std::string bytes = ReadBytes(this->FileOf(folder, 1));
+  const std::size_t tables = bytes.find("\xFF\xDB");
+  ASSERT_NE(tables, bytes.npos);
+  bytes[tables + 1] = '\x01';
+  WriteBytes(this->FileOf(folder, 1), bytes);
+  hasp::VolumeReadSettings settings;
+  settings.decoderSilenceSeconds = 0.3;
+  this->ExpectRefused(folder, { "hangs at", this->FileOf(folder, 1).filename() }, settings);
+}
+
 TEST_F(TransferSyntaxes, EarlierLossIsWarnedOf)
 {
   const auto with = [&](const char* text)
