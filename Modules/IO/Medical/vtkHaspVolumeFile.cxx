@@ -3,6 +3,7 @@
 #include "vtkHaspVolumeHash.h"
 #include "vtkHaspVolumeView.h"
 
+#include "Grid/GreyLevels.h"
 #include "Grid/ParallelFor.h"
 
 #include "vtkImageData.h"
@@ -101,6 +102,25 @@ void CompletePassport(
                            "); replace them by numbers before opening it");
 }
 
+/// Headers of cone beam scanners say what CT's say, so the samples may deny it.
+void AskSamplesForHounsfield(const AnyGridView& grid, Passport& passport)
+{
+  if (!passport.hounsfield)
+    return;
+  const GreyLevels levels = FindGreyLevels(grid);
+  passport.airLevel = levels.air;
+  passport.softTissueLevel = levels.softTissue;
+  if (!levels.DeniesHounsfield())
+    return;
+  passport.hounsfield = false;
+  const bool air = levels.airIsElsewhere;
+  passport.warnings.push_back(
+    "The file says HU, its samples do not: " + std::string(air ? "air" : "soft tissue") +
+    " lies at about " + Text(std::round(air ? *levels.air : *levels.softTissue)) +
+    (air ? ", not at -1000" : ", not at 40") +
+    ", as in cone beam CT. Thresholds in HU do not apply.");
+}
+
 OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSettings& settings,
   const ProgressFunction& progress)
 {
@@ -158,10 +178,12 @@ OpenedVolume OpenVolume(
 
 LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& progress)
 {
-  LoadedVolume volume{ opened.passport, opened.load(progress), opened.segments };
+  LoadedVolume volume{ opened.passport, {}, opened.segments };
+  volume.image = opened.load(progress, volume.passport);
   const AnyGridView grid = ViewImage(volume.image);
   volume.passport.sampleType = SampleTypeName(volume.image->GetScalarType());
   CompletePassport(std::filesystem::u8path(opened.file), grid, volume.passport);
+  AskSamplesForHounsfield(grid, volume.passport);
   if (opened.hash)
     volume.passport.hash = VolumeHash(grid);
   if (opened.hash && volume.passport.hash.empty())
@@ -169,6 +191,42 @@ LoadedVolume LoadVolume(const OpenedVolume& opened, const ProgressFunction& prog
       "There is no hash: this build of Hasp was made without OpenSSL (HASP_ENABLE_OPENSSL).");
   ReportProgress(progress, 1.0);
   return volume;
+}
+
+Passport InspectVolume(
+  const std::string& path, const VolumeReadSettings& settings, const ProgressFunction& progress)
+{
+  CheckSettings(settings);
+  if (path.empty())
+    throw std::invalid_argument("no file or folder is named");
+  Passport known;
+  try
+  {
+    const OpenedVolume opened = OpenVolume(path, settings, progress);
+    known = opened.passport;
+    return LoadVolume(opened, progress).passport;
+  }
+  catch (const ImportError& error)
+  {
+    return *error.passport;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception& error) // of a reader that knows one sentence only
+  {
+    std::string text = error.what();
+    const std::string label = FileLabel(std::filesystem::u8path(path)) + ": ";
+    if (text.rfind(label, 0) == 0)
+      text.erase(0, label.size());
+    known.faults.emplace_back(FaultKind::Damaged, text);
+    return known;
+  }
 }
 
 } // namespace hasp

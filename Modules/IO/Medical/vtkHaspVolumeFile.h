@@ -3,12 +3,18 @@
 
 #include "Grid/GridGeometry.h"      // for GridGeometry
 #include "Grid/Progress.h"          // for ProgressFunction
+#include "Grid/ResampleStack.h"     // for ResampleRecord
 #include "vtkHaspIOMedicalModule.h" // for export macro
+#include "vtkHaspImportFault.h"     // for ImportFault
 #include "vtkSmartPointer.h"        // for return values
 
 #include <array>      // for colours
 #include <cstddef>    // for size_t
+#include <filesystem> // for paths
 #include <functional> // for load
+#include <memory>     // for ImportError
+#include <optional>   // for what may be unknown
+#include <stdexcept>  // for ImportError
 #include <string>     // for texts
 #include <vector>     // for warnings
 
@@ -24,22 +30,58 @@ namespace hasp
 /// any sample is decoded (sampleType may then still be "int16 or float32": see below).
 struct Passport
 {
-  std::string format;                ///< "DICOM", "InVesalius", "MetaImage", "NRRD", "NRRD
-                                     ///< segmentation", "NIfTI-1", "NIfTI-2" or "VTI"
-  GridGeometry geometry;             ///< patient LPS, mm
-  std::string modality;              ///< as the file says, "CT" or "MR"; empty if it does not
-  bool hounsfield = false;           ///< values are HU by the file's own word (CBCT's are not)
-  std::string sampleType;            ///< "int16", "uint16", "uint8" or "float32"
-  double minimum = 0.0;              ///< smallest sample
-  double maximum = 0.0;              ///< largest sample
-  int seriesFound = 1;               ///< in the folder (DICOM), else 1
-  int seriesChosen = 1;              ///< 1-based, in the order the error text lists them
-  int filesSkipped = 0;              ///< files of the folder that are no DICOM images
-  double gapDeviationMm = 0.0;       ///< largest difference of a slice distance from spacing.z
-  std::string compression;           ///< the file's name for it; empty if not compressed
-  std::vector<std::string> warnings; ///< full sentences, for the user
-  std::string hash;                  ///< of samples and place, if asked for: see VolumeHash
-  int segments = 0;                  ///< named in a segmentation; 0 in any other volume
+  std::string format;             ///< "DICOM", "InVesalius", "MetaImage", "NRRD", "NRRD
+                                  ///< segmentation", "NIfTI-1", "NIfTI-2" or "VTI"
+  GridGeometry geometry;          ///< patient LPS, mm
+  std::string modality;           ///< as the file says, "CT" or "MR", "OTHER" for what is no known
+                                  ///< term; empty if it does not say
+  bool hounsfield = false;        ///< values are HU by the file's own word, and the samples do
+                                  ///< not deny it (CBCT's are not)
+  std::optional<double> airLevel; ///< measured where HU are claimed, in the file's values: HU
+                                  ///< have air at -1000; none: no plateau of air was found
+  std::optional<double> softTissueLevel; ///< likewise; HU have soft tissue at about 40
+  std::string sampleType;                ///< "int16", "uint16", "uint8" or "float32"
+  double minimum = 0.0;                  ///< smallest sample
+  double maximum = 0.0;                  ///< largest sample
+  int seriesFound = 1;                   ///< in the folder (DICOM), else 1
+  int seriesChosen = 1;                  ///< 1-based, in the order the error text lists them
+  int filesSkipped = 0;                  ///< files of the folder that are no DICOM images
+  double gapDeviationMm = 0.0;           ///< largest difference of a slice distance from their mean
+  std::string compression;               ///< the file's name for it; empty if not compressed
+  std::vector<std::string> warnings;     ///< full sentences, for the user
+  std::string hash;                      ///< of samples and place, if asked for: see VolumeHash
+  int segments = 0;                      ///< named in a segmentation; 0 in any other volume
+
+  // Of DICOM series only. Slices are counted along row x column of their pictures, whatever the
+  // files are called; a slice that is missing at either end of the stack cannot be seen.
+  std::string photometric;     ///< "MONOCHROME1" (to be shown inverted) or "MONOCHROME2"
+  std::string transferSyntax;  ///< the standard's name for how the pixels are packed
+  bool lossy = false;          ///< compressed with loss, now or once
+  std::string burnedIn;        ///< text burned into the pictures: "yes" or "no"; empty: not said
+  std::string patientPosition; ///< "HFS" and so on: how the patient lay; empty: not said
+  std::optional<double> thicknessMm; ///< of a slice, as the file says; not the slices' distance
+  std::optional<double> kvp;         ///< of the tube, kV, as the file says
+  std::vector<RescaleRun> rescale;   ///< in the stack's order; one if all slices are alike
+  double tiltDegrees = 0.0; ///< measured from the positions, in [0, 90); 0 if within the tenth of
+                            ///< a pixel that is forgiven
+  std::optional<double> tiltTagDegrees; ///< gantry tilt as the file says, its sign is the maker's
+  int missingSlices = 0;                ///< between the first and the last one
+  int doubledSlices = 0;                ///< beyond the first at their places
+  int unevenGaps = 0;                   ///< gaps that are no multiple of the usual one
+
+  std::vector<ImportFault> faults;         ///< why it is refused; empty: it is not
+  std::optional<ResampleRecord> resampled; ///< what was done to mend it, and its error in mm;
+                                           ///< none: the samples are as the scanner gave them
+};
+
+/// A volume was refused. what() says the first fault, how many more there are, and whether
+/// resampling would mend them all.
+class VTKHASPIOMEDICAL_EXPORT ImportError : public std::runtime_error
+{
+public:
+  /// `known` has at least one fault. The file is named as FileLabel does.
+  ImportError(const std::filesystem::path& file, Passport known);
+  std::shared_ptr<const Passport> passport; ///< as far as it is known, with all faults
 };
 
 /// What one label of a segmentation is. The name is free text of the file, a patient's perhaps: it
@@ -53,7 +95,9 @@ struct Segment
 
 struct VolumeReadSettings
 {
-  int series = 0;    ///< 1-based; 0 = there must be one only
+  int series = 0;        ///< 1-based; 0 = there must be one only
+  bool resample = false; ///< mend tilted, gappy and uneven DICOM stacks and leave copies of slices
+                         ///< out (Decisions/0010); sound ones stay byte for byte as they are
   int layer = 0;     ///< of a .seg.nrrd with several label maps, 1-based; 0 = all, which must not
                      ///< overlap and are merged
   bool hash = false; ///< fill the passport's hash; as costly as reading a raw file once more
@@ -70,12 +114,13 @@ struct VolumeReadSettings
   double decoderTotalSeconds = 600.0; ///< or after so long in all, in (0, 1e6]
 };
 
-/// A file whose header has been read and found good. `load` decodes the samples.
+/// A file whose header has been read and found good. `load` decodes the samples, and adds to the
+/// passport what only they tell.
 struct OpenedVolume
 {
   std::string file; ///< the path that was opened
   Passport passport;
-  std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&)> load;
+  std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&, Passport&)> load;
   std::vector<Segment> segments = {}; ///< of a segmentation
   bool hash = false;                  ///< as the settings ask
 };
@@ -94,18 +139,26 @@ struct LoadedVolume
 /// Slicer (.seg.nrrd), NIfTI (.nii, .nii.gz) or VTK image (.vti). UTF-8 path.
 ///
 /// DICOM is parsed by a child process (HASP_DICOM_DECODER overrides where it is) that may crash or
-/// hang without harm. Refused, by name and number: several series without a choice; slices that
-/// differ in size, orientation or frame of reference; absent or unusable spacing, position,
-/// orientation or rescale slope; missing, doubled or uneven slices; a tilted stack; colour.
-/// Throws std::invalid_argument (settings), std::runtime_error (file: text with its base name,
-/// what is wrong and what to do), Cancelled.
+/// hang without harm. Refused, by number: several series without a choice; slices that differ in
+/// size, orientation or frame of reference; absent or unusable spacing, position, orientation or
+/// rescale slope; missing, doubled or uneven slices and a tilted stack, unless they are to be
+/// resampled (VolumeReadSettings::resample) and that is within ResampleLimits; colour.
+/// Throws std::invalid_argument (settings), std::runtime_error (file: text with its label, what is
+/// wrong and what to do; ImportError where faults are known as data), Cancelled.
 VTKHASPIOMEDICAL_EXPORT OpenedVolume OpenVolume(const std::string& path,
   const VolumeReadSettings& settings = {}, const ProgressFunction& progress = {});
 
-/// Loads the samples, refuses NaN and infinity with their count and first index, and completes the
-/// passport. Throws std::runtime_error, Cancelled.
+/// Loads the samples, refuses NaN and infinity with their count and first index, asks them whether
+/// they can be HU, and completes the passport. Throws as OpenVolume.
 VTKHASPIOMEDICAL_EXPORT LoadedVolume LoadVolume(
   const OpenedVolume& opened, const ProgressFunction& progress = {});
+
+/// The passport of a volume that may be faulty: opens and loads it, and where that is refused gives
+/// what is known, with all faults that were found. A fault that hides others (several series, a
+/// damaged file of another format) is alone. Throws std::invalid_argument (settings), Cancelled and
+/// std::bad_alloc; nothing for the volume's own faults.
+VTKHASPIOMEDICAL_EXPORT Passport InspectVolume(const std::string& path,
+  const VolumeReadSettings& settings = {}, const ProgressFunction& progress = {});
 
 } // namespace hasp
 

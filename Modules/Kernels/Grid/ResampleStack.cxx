@@ -155,7 +155,7 @@ std::size_t MakeSlice(const ResamplePlan& plan, const T* samples, int m, T outsi
 
 } // namespace
 
-std::string BeyondLimits(const StackMeasures& measures, const ResampleLimits& limits)
+std::string GapsBeyondLimits(const StackMeasures& measures, const ResampleLimits& limits)
 {
   for (const SliceGap& gap : measures.gaps)
   {
@@ -173,6 +173,11 @@ std::string BeyondLimits(const StackMeasures& measures, const ResampleLimits& li
     return std::to_string(slices) + " slices would have to be made for " +
            std::to_string(measures.heights.size()) + " that were measured, at most " +
            Number(100.0 * limits.madeShare) + " % of all may be";
+  return {};
+}
+
+std::string TiltBeyondLimits(const StackMeasures& measures, const ResampleLimits& limits)
+{
   if (measures.tilted && measures.tiltDegrees > limits.tiltDegrees)
     return "a tilt of " + Number(measures.tiltDegrees) + " degrees, at most " +
            Number(limits.tiltDegrees) + " are rectified";
@@ -184,8 +189,9 @@ ResamplePlan PlanResampling(const SliceStack& stack, const ResampleLimits& limit
   ResamplePlan plan;
   plan.stack = stack;
   plan.measures = MeasureStack(stack);
-  if (const std::string beyond = BeyondLimits(plan.measures, limits); !beyond.empty())
-    throw std::invalid_argument("stack: " + beyond);
+  for (const auto check : { GapsBeyondLimits, TiltBeyondLimits })
+    if (const std::string beyond = check(plan.measures, limits); !beyond.empty())
+      throw std::invalid_argument("stack: " + beyond);
   if (plan.measures.tilted && !plan.measures.straight)
     throw std::invalid_argument(
       "stack: slice " + std::to_string(plan.measures.farthestSlice + 1) + " lies " +

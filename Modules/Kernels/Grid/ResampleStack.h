@@ -29,10 +29,10 @@ struct ResampleLimits
 ///
 /// The error is measured on the stack itself by leaving out: slices that were measured are
 /// predicted from their neighbours as the made ones are, over the same distance, and at strong
-/// edges the way along the gradient from the measured to the predicted surface is taken, at the worst
-/// gap. It says what resampling adds; what the scanner's own slices miss between them is not in it.
-/// Against closed forms (sphere, torus, gyroid, bone; tilts of 5 to 25 degrees, gaps of 1 to 5
-/// slices) error95 was 0.8 to 6 times the true one: TestResampleStack prints the table.
+/// edges the way along the gradient from the measured to the predicted surface is taken, at the
+/// worst gap. It says what resampling adds; what the scanner's own slices miss between them is not
+/// in it. Against closed forms (sphere, torus, gyroid, bone; tilts of 5 to 25 degrees, gaps of 1 to
+/// 5 slices) error95 was 0.8 to 6 times the true one: TestResampleStack prints the table.
 struct ResampleRecord
 {
   double tiltDegrees = 0.0;  ///< that was rectified, in [0, 90); 0: there was none
@@ -70,9 +70,10 @@ struct ResamplePlan
   ResampleRecord record;           ///< all but the outside share and the error
 };
 
-/// Why a stack is beyond the limits, as a part of a sentence ("... between slices 3 and 4 is 12 mm,
-/// more than 10"); empty if it is not. Throws like MeasureStack.
-std::string BeyondLimits(const StackMeasures& measures, const ResampleLimits& limits = {});
+/// Why a stack is beyond the limits, as a part of a sentence ("a gap of 12 mm needs 11 slices, at
+/// most 5 are made in one gap"); empty if it is not.
+std::string GapsBeyondLimits(const StackMeasures& measures, const ResampleLimits& limits = {});
+std::string TiltBeyondLimits(const StackMeasures& measures, const ResampleLimits& limits = {});
 
 /// The result's slices have the usual distance of the stack, stretched so that the first and the
 /// last measured slice are slices of the result; its rows and columns are those of the first slice,

@@ -1,6 +1,7 @@
 #include "Dicom/DecoderProcess.h"
 #include "Dicom/DicomSeries.h"
 #include "Volumes/VolumeFormat.h"
+#include "vtkHaspVolumeView.h"
 
 #include "Grid/ParallelFor.h"
 
@@ -42,6 +43,14 @@ std::vector<DicomSlice> ListFiles(const std::filesystem::path& folder)
   for (std::size_t n = 0; n < files.size(); ++n)
     files[n].number = static_cast<int>(n) + 1;
   return files;
+}
+
+/// The part [from, to] of a longer work's progress.
+ProgressFunction Part(const ProgressFunction& progress, double from, double to)
+{
+  if (!progress)
+    return {};
+  return [=](double share) { return progress(from + share * (to - from)); };
 }
 
 /// A decoded slice must be what its header promised when the volume was laid out.
@@ -102,12 +111,41 @@ void Rescale(const DicomStack& stack, const std::uint16_t* stored, T* into)
     });
 }
 
-vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& folder, const DicomStack& stack,
-  const VolumeReadSettings& settings, const ProgressFunction& progress)
+/// A slice at the place of another is left out if it is the same picture; which of two pictures is
+/// the right one, nobody can say here.
+void CheckDoubles(const std::filesystem::path& folder, const DicomStack& stack,
+  const std::uint16_t* stored, DecoderProcess& decoder, const ProgressFunction& progress)
 {
-  auto image = NewImage(stack.passport.geometry, VTK_SHORT);
+  std::vector<std::uint16_t> copy;
+  for (const DoubledSlice& doubled : stack.doubles)
+  {
+    const SliceRecord record = decoder.NextRecord(progress);
+    CheckDecoded(folder, doubled.slice, record);
+    copy.resize(record.pixelBytes / sizeof(std::uint16_t));
+    decoder.ReadPixels(record, copy.data(), progress);
+    if (std::equal(copy.begin(), copy.end(), stored + doubled.of * copy.size()))
+      continue;
+    Passport known = stack.passport;
+    known.resampled.reset();
+    known.faults.emplace_back(FaultKind::DoubledSlices,
+      SliceName(stack.slices[doubled.of]) + " and " + SliceName(doubled.slice) +
+        " lie at the same place and are different pictures; take one of them out of the folder");
+    known.faults.back().files = { doubled.slice.number };
+    throw ImportError(folder, std::move(known));
+  }
+}
+
+/// The series as it is stored: 16 bits a sample, to be rescaled.
+vtkSmartPointer<vtkImageData> Decode(const std::filesystem::path& folder, const DicomStack& stack,
+  const GridGeometry& geometry, const VolumeReadSettings& settings,
+  const ProgressFunction& progress)
+{
+  auto image = NewImage(geometry, VTK_SHORT);
   auto* stored = static_cast<std::uint16_t*>(image->GetScalarPointer());
-  DecoderProcess decoder(DecoderProcess::Mode::Decode, stack.slices, settings);
+  std::vector<DicomSlice> files = stack.slices;
+  for (const DoubledSlice& doubled : stack.doubles)
+    files.push_back(doubled.slice);
+  DecoderProcess decoder(DecoderProcess::Mode::Decode, files, settings);
   std::uint16_t* into = stored;
   for (const DicomSlice& slice : stack.slices)
   {
@@ -116,17 +154,78 @@ vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& folder, const Di
     decoder.ReadPixels(record, into, progress);
     into += record.pixelBytes / sizeof(std::uint16_t);
   }
+  CheckDoubles(folder, stack, stored, decoder, progress);
   decoder.Finish(progress);
+  return image;
+}
+
+/// int16 where that holds every value, else float.
+vtkSmartPointer<vtkImageData> Rescaled(const std::filesystem::path& folder, const DicomStack& stack,
+  vtkSmartPointer<vtkImageData> image, const VolumeReadSettings& settings)
+{
+  auto* stored = static_cast<std::uint16_t*>(image->GetScalarPointer());
   if (FitsInt16(stack, stored))
   {
     Rescale(stack, stored, reinterpret_cast<std::int16_t*>(stored)); // in place
     return image;
   }
-  const glm::ivec3& d = stack.passport.geometry.dims;
-  CheckSampleBytes(folder, d.x, d.y, d.z, sizeof(float), settings.memoryLimitBytes);
-  auto exact = NewImage(stack.passport.geometry, VTK_FLOAT);
+  const GridGeometry g = ImageGeometry(image);
+  const int slices = stack.plan ? g.dims.z + stack.plan->geometry.dims.z : g.dims.z;
+  const glm::ivec3 most = stack.plan ? stack.plan->geometry.dims : g.dims;
+  CheckSampleBytes(folder, most.x, most.y, slices, sizeof(float), settings.memoryLimitBytes);
+  auto exact = NewImage(g, VTK_FLOAT);
   Rescale(stack, stored, static_cast<float*>(exact->GetScalarPointer()));
   return exact;
+}
+
+std::string SayResampled(const ResampleRecord& r, int doubles)
+{
+  std::string did;
+  const auto add = [&](const std::string& what) { did += (did.empty() ? "" : ", ") + what; };
+  if (r.tiltDegrees > 0.0)
+    add("a tilt of " + Text(std::round(10.0 * r.tiltDegrees) / 10.0) + " degrees was rectified");
+  if (r.slicesMade > 0)
+    add(std::to_string(r.slicesMade) + " of " + std::to_string(r.slicesMade + r.slicesCopied) +
+        " slices were made, up to " + Millimetres(r.farthestMm) + " from a measured one");
+  if (doubles > 0)
+    add(std::to_string(doubles) + (doubles == 1 ? " copy of a slice was" : " copies were") +
+        " left out");
+  const auto mm = [](double error) { return Text(std::round(100.0 * error) / 100.0) + " mm"; };
+  if (!r.errorKnown)
+    return "Resampled: " + did + ". By how much surfaces are off could not be measured.";
+  if (r.edgesJudged == 0)
+    return "Resampled: " + did + ". No sample is other than measured.";
+  return "Resampled: " + did + ". Surfaces are off by " + mm(r.error50) + " (half of them) to " +
+         mm(r.error95) + " (95 %), measured on the series itself.";
+}
+
+vtkSmartPointer<vtkImageData> Mended(const ResamplePlan& plan, vtkImageData* measured,
+  Passport& passport, const ProgressFunction& progress)
+{
+  auto image = NewImage(plan.geometry, measured->GetScalarType());
+  const auto resample = [&](auto* samples)
+  {
+    return Resample(
+      plan, samples, static_cast<decltype(samples)>(image->GetScalarPointer()), progress);
+  };
+  passport.resampled = measured->GetScalarType() == VTK_SHORT
+                         ? resample(static_cast<std::int16_t*>(measured->GetScalarPointer()))
+                         : resample(static_cast<float*>(measured->GetScalarPointer()));
+  passport.warnings.push_back(SayResampled(*passport.resampled, passport.doubledSlices));
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& folder, const DicomStack& stack,
+  const VolumeReadSettings& settings, const ProgressFunction& progress, Passport& passport)
+{
+  if (!stack.plan)
+    return Rescaled(
+      folder, stack, Decode(folder, stack, stack.passport.geometry, settings, progress), settings);
+  GridGeometry measured = stack.passport.geometry; // a place for the slices, not where they lie
+  measured.dims = { stack.layout.dims, int(stack.slices.size()) };
+  const auto slices = Rescaled(
+    folder, stack, Decode(folder, stack, measured, settings, Part(progress, 0.0, 0.6)), settings);
+  return Mended(*stack.plan, slices, passport, Part(progress, 0.6, 1.0));
 }
 
 } // namespace
@@ -154,8 +253,8 @@ OpenedVolume OpenDicomFolder(const std::filesystem::path& folder,
   OpenedVolume opened;
   const DicomStack stack = StackSeries(folder, std::move(files), settings);
   opened.passport = stack.passport;
-  opened.load = [folder, stack, settings](const ProgressFunction& loading)
-  { return Load(folder, stack, settings, loading); };
+  opened.load = [folder, stack, settings](const ProgressFunction& loading, Passport& passport)
+  { return Load(folder, stack, settings, loading, passport); };
   return opened;
 }
 

@@ -2,7 +2,10 @@
 #include "Dicom/DicomWire.h"
 #include "vtkHaspVolumeFile.h"
 
+#include "Grid/ResampleStack.h"
+
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace hasp
@@ -17,19 +20,36 @@ struct DicomSlice
   SliceRecord record{};
 };
 
+/// A further slice at the place of slices[of].
+struct DoubledSlice
+{
+  std::size_t of = 0;
+  DicomSlice slice;
+};
+
 /// The slices of one series in order along their normal, and the volume they make.
 struct DicomStack
 {
   std::vector<DicomSlice> slices;
+  std::vector<DoubledSlice> doubles; ///< to be left out, if their pixels are the same
+  SliceStack layout;
+  std::optional<ResamplePlan> plan; ///< none: the slices are the volume as they are
   Passport passport;
 };
 
-/// Chooses the series and holds its headers against each other. `folder` only names the error.
-/// Throws std::runtime_error with what is wrong, at which slices, and what to do. No file is read.
+/// Chooses the series, holds its headers against each other and plans its resampling, if that is
+/// asked for and needed. `folder` only names the error. Throws ImportError with all faults. No file
+/// is read.
 DicomStack StackSeries(const std::filesystem::path& folder, std::vector<DicomSlice> files,
   const VolumeReadSettings& settings);
 
 /// "file 7 (instance 7)", or its name where names are shown: how errors speak of a slice.
 std::string SliceName(const DicomSlice& slice);
+
+/// Three numbers of a record.
+glm::dvec3 Vector(const double* numbers);
+
+/// "1.25 mm", to a ten thousandth.
+std::string Millimetres(double value);
 
 } // namespace hasp

@@ -175,7 +175,7 @@ OpenedVolume OpenInvesalius(const std::filesystem::path& file, const VolumeReadS
   if (matrix.dims.x == 0)
     ThrowFileError(file, "has no main.plist: it is no InVesalius project");
   opened.load = [file, matrix, settings, passport = opened.passport](
-                  const ProgressFunction& progress)
+                  const ProgressFunction& progress, Passport&)
   { return LoadMatrix(file, passport, matrix, settings, progress); };
   return opened;
 }

@@ -183,8 +183,8 @@ OpenedVolume OpenMetaImage(const std::filesystem::path& file, const VolumeReadSe
   opened.passport.format = "MetaImage";
   opened.passport.compression = samples.zipped ? "zlib" : "";
   opened.passport.modality = ModalityOf(Value(keys, "Modality"));
-  opened.load = [samples, geometry = opened.passport.geometry](const ProgressFunction& progress)
-  { return LoadSamples(samples, geometry, progress); };
+  opened.load = [samples, geometry = opened.passport.geometry](const ProgressFunction& progress,
+                  Passport&) { return LoadSamples(samples, geometry, progress); };
   return opened;
 }
 

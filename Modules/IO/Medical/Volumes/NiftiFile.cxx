@@ -186,7 +186,7 @@ OpenedVolume OpenNifti(const std::filesystem::path& file, const VolumeReadSettin
   SetIndexSteps(file, steps, passport.geometry);
   passport.format = h.version == 1 ? "NIfTI-1" : "NIfTI-2";
   passport.compression = zipped ? "gzip" : "";
-  opened.load = [samples, geometry = passport.geometry](const ProgressFunction& progress)
+  opened.load = [samples, geometry = passport.geometry](const ProgressFunction& progress, Passport&)
   { return LoadSamples(samples, geometry, progress); };
   return opened;
 }

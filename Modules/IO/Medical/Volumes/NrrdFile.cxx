@@ -37,8 +37,8 @@ OpenedVolume OpenNrrd(const std::filesystem::path& file, const VolumeReadSetting
   SetNrrdGeometry(file, header, axes, opened.passport);
   opened.passport.format = "NRRD";
   opened.passport.compression = samples.zipped ? "gzip" : "";
-  opened.load = [samples, geometry = opened.passport.geometry](const ProgressFunction& progress)
-  { return LoadSamples(samples, geometry, progress); };
+  opened.load = [samples, geometry = opened.passport.geometry](const ProgressFunction& progress,
+                  Passport&) { return LoadSamples(samples, geometry, progress); };
   return opened;
 }
 

@@ -227,7 +227,7 @@ OpenedVolume OpenSegmentation(const std::filesystem::path& file, const VolumeRea
   opened.passport.segments = static_cast<int>(segments.size());
   if (samples.components == 1)
   {
-    opened.load = [samples, geometry](const ProgressFunction& progress)
+    opened.load = [samples, geometry](const ProgressFunction& progress, Passport&)
     { return LoadSamples(samples, geometry, progress); };
     return opened;
   }
@@ -239,7 +239,7 @@ OpenedVolume OpenSegmentation(const std::filesystem::path& file, const VolumeRea
   if (settings.layer == 0)
     opened.passport.warnings.push_back("The file's " + std::to_string(samples.components) +
                                        " layers are merged; labels are counted anew from 1.");
-  opened.load = [samples, geometry, layers, vtkType](const ProgressFunction& progress)
+  opened.load = [samples, geometry, layers, vtkType](const ProgressFunction& progress, Passport&)
   { return LoadLayers(samples, geometry, layers, vtkType, progress); };
   return opened;
 }

@@ -20,20 +20,32 @@ std::string SafeText(const std::string& text)
   return safe;
 }
 
-std::size_t CheckSampleBytes(const std::filesystem::path& file, std::int64_t x, std::int64_t y,
-  std::int64_t z, std::size_t bytesPerSample, std::size_t limitBytes)
+std::string TooManySamples(std::int64_t x, std::int64_t y, std::int64_t z,
+  std::size_t bytesPerSample, std::size_t limitBytes)
 {
   const std::string size =
     std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z) + " samples";
   for (const std::int64_t n : { x, y, z })
     if (n < 1 || n > std::numeric_limits<int>::max())
-      ThrowFileError(file, "declares " + size + "; each number must be in [1, 2147483647]");
+      return "declares " + size + "; each number must be in [1, 2147483647]";
   // In double precision first: the exact product may not fit 64 bits.
   const double bytes = double(x) * double(y) * double(z) * double(bytesPerSample);
   if (bytes > double(limitBytes))
-    ThrowFileError(file, "declares " + size + ", " + Text(bytes / (1 << 20)) +
-                           " MiB; the memory limit is " + Text(double(limitBytes) / (1 << 20)) +
-                           " MiB. Crop or resample the scan, or raise memoryLimitBytes");
+    return "declares " + size + ", " + Text(bytes / (1 << 20)) + " MiB; the memory limit is " +
+           Text(double(limitBytes) / (1 << 20)) +
+           " MiB. Crop or resample the scan, or raise memoryLimitBytes";
+  return {};
+}
+
+std::size_t CheckSampleBytes(const std::filesystem::path& file, std::int64_t x, std::int64_t y,
+  std::int64_t z, std::size_t bytesPerSample, std::size_t limitBytes)
+{
+  Passport known;
+  if (const std::string text = TooManySamples(x, y, z, bytesPerSample, limitBytes); !text.empty())
+  {
+    known.faults.emplace_back(FaultKind::TooLarge, text);
+    throw ImportError(file, std::move(known));
+  }
   return std::size_t(x) * std::size_t(y) * std::size_t(z) * bytesPerSample;
 }
 

@@ -22,8 +22,13 @@ OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSet
 /// Text of a file that may be shown: what is not printable ASCII becomes "?".
 std::string SafeText(const std::string& text);
 
-/// Bytes of x*y*z samples. Throws like ThrowFileError if a size is below 1 or above INT_MAX, or the
-/// bytes are above the limit. Call before taking memory.
+/// What is wrong with x*y*z samples, if a size is below 1 or above INT_MAX or their bytes are above
+/// the limit; else empty.
+std::string TooManySamples(std::int64_t x, std::int64_t y, std::int64_t z,
+  std::size_t bytesPerSample, std::size_t limitBytes);
+
+/// Bytes of x*y*z samples. Throws ImportError (TooLarge) where TooManySamples says something. Call
+/// before taking memory.
 std::size_t CheckSampleBytes(const std::filesystem::path& file, std::int64_t x, std::int64_t y,
   std::int64_t z, std::size_t bytesPerSample, std::size_t limitBytes);
 

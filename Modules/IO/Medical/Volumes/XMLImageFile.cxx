@@ -98,7 +98,7 @@ OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSet
   opened.passport.geometry = GeometryOf(file, record);
   opened.passport.sampleType = SampleTypeName(record.vtkType);
   opened.load = [file, geometry = opened.passport.geometry, type = record.vtkType, settings](
-                  const ProgressFunction& progress)
+                  const ProgressFunction& progress, Passport&)
   { return Load(file, geometry, type, settings, progress); };
   return opened;
 }
