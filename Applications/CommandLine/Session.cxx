@@ -96,7 +96,7 @@ void RunSession(Session& session)
   }
   catch (const Failure& failure)
   {
-    if (failure.code == ExitCode::FailedCheck) // what was measured says why
+    if (failure.code == ExitCode::FailedCheck || session.resultStands) // the result says why
       PrintResult(session);
     throw;
   }

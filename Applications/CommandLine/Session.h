@@ -29,6 +29,7 @@ struct Session
   ProgressLine progress;
   ResourceList resources;             ///< built and skipped, in the order of making
   nlohmann::ordered_json result = {}; ///< printed as one document by --json
+  bool resultStands = false;          ///< print the result although the verb fails: it says why
   std::function<void()> run;          ///< the verb, once the command line is understood
 };
 

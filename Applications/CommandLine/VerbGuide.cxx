@@ -30,8 +30,8 @@ namespace
 
 struct GuideOptions
 {
-  std::string input, recipe, output;
-  int series = 0;
+  VolumeChoices volume;
+  std::string recipe, output;
   bool check = false;
   double leastShare = 0.95;
 };
@@ -110,7 +110,7 @@ void Run(const GuideOptions& options, Session& session)
 {
   RequireWritable(options.output, { ".stl" });
   const GuideRecipe recipe = ReadRecipe(options.recipe);
-  const LoadedVolume volume = ReadVolume(options.input, options.series, session);
+  const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   const auto guide = MakeGuide(volume.image, recipe, session);
   const auto inspect = [&](const std::string& pendingFile)
@@ -141,11 +141,10 @@ void AddGuideVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<GuideOptions>();
   CLI::App* verb = app.add_subcommand("guide", "Make a surgical guide from a CT and a recipe");
-  verb->add_option("IN", options->input, "Volume: a file, or a folder of slices")->required();
+  AddVolumeOptions(*verb, options->volume);
   verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
     ->required();
   verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
-  verb->add_option("--series", options->series, "Which DICOM series, from 1");
   verb->add_flag("--check", options->check,
     "Read the file back, print its certificate, and keep it only if that holds");
   verb

@@ -13,38 +13,38 @@ namespace hasp
 namespace
 {
 
-struct InfoOptions
+void Run(const VolumeChoices& choices, Session& session)
 {
-  std::string input;
-  int series = 0;
-};
-
-void Run(const InfoOptions& options, Session& session)
-{
-  const LoadedVolume volume = ReadVolume(options.input, options.series, session);
+  const Passport passport = InspectVolume(choices, session);
   session.progress.Wipe();
   if (session.json)
-    session.result["passport"] = PassportJson(volume.passport);
+    session.result["passport"] = PassportJson(passport);
   else
-    std::cout << PassportText(volume.passport);
+    std::cout << PassportText(passport);
+  if (passport.faults.empty())
+    return;
+  session.resultStands = true;
+  throw Failure(ExitCode::BadInput, ImportError(choices.input, passport).what());
 }
 
 } // namespace
 
 void AddInfoVerb(CLI::App& app, Session& session)
 {
-  auto options = std::make_shared<InfoOptions>();
+  auto options = std::make_shared<VolumeChoices>();
   CLI::App* verb = app.add_subcommand("info", "Check a volume and print its passport");
-  verb->add_option("IN", options->input, "Volume: a file, or a folder of slices")->required();
-  verb->add_option(
-    "--series", options->series, "Which DICOM series, from 1, where there are several");
+  AddVolumeOptions(*verb, *options);
   AddCommonOptions(*verb, session);
   verb->footer(
     "The passport holds size, place, orientation, values and warnings, and nothing of the "
-    "patient.\nExamples:\n"
+    "patient.\nA volume that no verb would take has faults; the passport lists all of them, with "
+    "what to do.\n--resample mends tilt, gaps of up to 5 slices or 10 mm, uneven slices and copies "
+    "of a slice,\nand says by how many millimetres surfaces may be off for it. A slice that is "
+    "missing at the\nfirst or last place cannot be seen.\nExamples:\n"
     "  hasp info head.mha\n"
     "  hasp info slices/ --series 2 --json\n"
-    "Exit codes: 0 done, 1 wrong use, 2 bad input.");
+    "  hasp info slices/ --resample\n"
+    "Exit codes: 0 done, 1 wrong use, 2 bad input: the volume has faults.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }

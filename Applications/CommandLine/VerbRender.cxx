@@ -19,9 +19,8 @@ namespace
 
 struct Choices
 {
-  std::string input;
+  VolumeChoices volume;
   std::string output;
-  int series = 0;
   double ignoreBelowMm3 = 0.0;
   std::string stereo = "mono";
   RenderOptions render;
@@ -30,7 +29,7 @@ struct Choices
 void Run(const Choices& choices, Session& session)
 {
   RequireWritable(choices.output, { ".png" });
-  const LoadedVolume volume = ReadVolume(choices.input, choices.series, session);
+  const LoadedVolume volume = ReadVolume(choices.volume, session);
   SayWarnings(volume.passport, session);
   RequireIsoValue(choices.render.isoValue, volume.passport);
   vtkSmartPointer<vtkImageData> image = volume.image;
@@ -92,11 +91,10 @@ void AddRenderVerb(CLI::App& app, Session& session)
 {
   auto choices = std::make_shared<Choices>();
   CLI::App* verb = app.add_subcommand("render", "Draw an isosurface into a PNG file");
-  verb->add_option("IN", choices->input, "Volume: a file, or a folder of slices")->required();
+  AddVolumeOptions(*verb, choices->volume);
   verb->add_option("--isovalue", choices->render.isoValue, "In the volume's units; bone in CT: 226")
     ->required();
   verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();
-  verb->add_option("--series", choices->series, "Which DICOM series, from 1");
   verb
     ->add_option("--ignore-below", choices->ignoreBelowMm3,
       "Leave out connected pieces smaller than this, mm3: specks, head-rests")

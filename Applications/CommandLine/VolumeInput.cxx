@@ -8,6 +8,8 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <CLI/CLI.hpp>
+
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -33,28 +35,23 @@ std::size_t Bytes(vtkImageData* image)
          static_cast<std::size_t>(samples->GetDataTypeSize());
 }
 
-} // namespace
-
-LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
+/// What `read` gives, its exceptions as failures of the verb.
+template <typename Read>
+auto Reading(const VolumeChoices& choices, Session& session, const Read& read)
 {
-  RequireInput(path);
-  session.progress.Step("reading " + FileLabel(path));
+  RequireInput(choices.input);
+  session.progress.Step("reading " + FileLabel(choices.input));
   const ProgressFunction progress = [&session](double share)
   {
     session.progress.Share(share);
     return true;
   };
   VolumeReadSettings settings;
-  settings.series = series;
+  settings.series = choices.series;
+  settings.resample = choices.resample;
   try
   {
-    const auto start = std::chrono::steady_clock::now();
-    LoadedVolume volume = LoadVolume(OpenVolume(path, settings, progress), progress);
-    const std::chrono::duration<double, std::milli> spent =
-      std::chrono::steady_clock::now() - start;
-    session.resources.push_back({ "volume", Bytes(volume.image), spent.count(),
-      volume.passport.format + ", " + volume.passport.sampleType });
-    return volume;
+    return read(settings, progress);
   }
   catch (const std::invalid_argument& error)
   {
@@ -68,6 +65,39 @@ LoadedVolume ReadVolume(const std::string& path, int series, Session& session)
   {
     throw Failure(ExitCode::BadInput, SafeText(error));
   }
+}
+
+} // namespace
+
+void AddVolumeOptions(CLI::App& verb, VolumeChoices& choices)
+{
+  verb.add_option("IN", choices.input, "Volume: a file, or a folder of slices")->required();
+  verb.add_option(
+    "--series", choices.series, "Which DICOM series, from 1, where there are several");
+  verb.add_flag("--resample", choices.resample,
+    "Make a regular volume of a tilted, gappy or uneven DICOM series, and say its error in mm");
+}
+
+LoadedVolume ReadVolume(const VolumeChoices& choices, Session& session)
+{
+  return Reading(choices, session,
+    [&](const VolumeReadSettings& settings, const ProgressFunction& progress)
+    {
+      const auto start = std::chrono::steady_clock::now();
+      LoadedVolume volume = LoadVolume(OpenVolume(choices.input, settings, progress), progress);
+      const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+      session.resources.push_back({ "volume", Bytes(volume.image), spent.count(),
+        volume.passport.format + ", " + volume.passport.sampleType });
+      return volume;
+    });
+}
+
+Passport InspectVolume(const VolumeChoices& choices, Session& session)
+{
+  return Reading(choices, session,
+    [&](const VolumeReadSettings& settings, const ProgressFunction& progress)
+    { return InspectVolume(choices.input, settings, progress); });
 }
 
 void SayWarnings(const Passport& passport, Session& session)

@@ -5,14 +5,34 @@
 
 #include <string>
 
+namespace CLI
+{
+class App;
+}
+
 namespace hasp
 {
 
 struct Session;
 
-/// Reads a file or a folder of slices (`series` as in VolumeReadSettings), with progress, and lists
-/// the "volume" among the resources. Throws Failure: BadInput; WrongUse for a bad series.
-LoadedVolume ReadVolume(const std::string& path, int series, Session& session);
+/// What verbs that read a volume let their users choose of it.
+struct VolumeChoices
+{
+  std::string input;     ///< a file, or a folder of slices
+  int series = 0;        ///< as in VolumeReadSettings
+  bool resample = false; ///< likewise
+};
+
+/// Adds IN, --series and --resample to a verb.
+void AddVolumeOptions(CLI::App& verb, VolumeChoices& choices);
+
+/// Reads a file or a folder of slices, with progress, and lists the "volume" among the resources.
+/// Throws Failure: BadInput; WrongUse for a bad series.
+LoadedVolume ReadVolume(const VolumeChoices& choices, Session& session);
+
+/// Reads it likewise, and gives its passport even if it is refused: then it holds the faults.
+/// Throws Failure where there is no file, and for a bad series.
+Passport InspectVolume(const VolumeChoices& choices, Session& session);
 
 /// Says the passport's warnings on standard error, unless --quiet: for verbs that use the values
 /// and print no passport.

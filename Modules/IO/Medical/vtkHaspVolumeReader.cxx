@@ -43,6 +43,19 @@ int vtkHaspVolumeReader::GetSeries() const
   return this->Inside->settings.series;
 }
 
+void vtkHaspVolumeReader::SetResample(bool resample)
+{
+  if (this->Inside->settings.resample == resample)
+    return;
+  this->Inside->settings.resample = resample;
+  this->Modified();
+}
+
+bool vtkHaspVolumeReader::GetResample() const
+{
+  return this->Inside->settings.resample;
+}
+
 void vtkHaspVolumeReader::SetSettings(const hasp::VolumeReadSettings& settings)
 {
   this->Inside->settings = settings;
@@ -79,6 +92,8 @@ int vtkHaspVolumeReader::RequestInformation(
   }
   catch (const std::exception& error)
   {
+    if (const auto* refused = dynamic_cast<const hasp::ImportError*>(&error))
+      inside.passport = *refused->passport;
     vtkErrorMacro(<< error.what());
     this->SetErrorCode(vtkErrorCode::UserError);
     this->GetOutput()->Initialize(); // nothing of an earlier file may stay
@@ -129,6 +144,7 @@ void vtkHaspVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   const hasp::Passport& p = this->GetPassport();
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
      << indent << "Series: " << this->GetSeries() << "\n"
+     << indent << "Resample: " << (this->GetResample() ? "on" : "off") << "\n"
      << indent << "Format: " << p.format << "\n"
      << indent << "Modality: " << p.modality << (p.hounsfield ? ", HU" : "") << "\n"
      << indent << "Samples: " << p.sampleType << ", " << p.minimum << " to " << p.maximum << "\n";

@@ -44,11 +44,18 @@ public:
   void SetSeries(int series);
   int GetSeries() const;
 
-  /// Limits of memory and time, and the series.
+  /// Off (default): a stack of slices that is tilted, lacks slices or is uneven is an error. On: it
+  /// is made a regular volume, and the passport says by how many millimetres surfaces may be off.
+  void SetResample(bool resample);
+  bool GetResample() const;
+  vtkBooleanMacro(Resample, bool);
+
+  /// Limits of memory and time, the series, and whether to resample.
   void SetSettings(const hasp::VolumeReadSettings& settings);
   const hasp::VolumeReadSettings& GetSettings() const;
 
-  /// What is known of the volume: after UpdateInformation all but minimum and maximum.
+  /// What is known of the volume: after UpdateInformation all but what samples tell; after an error
+  /// what was known, with the faults.
   const hasp::Passport& GetPassport() const;
 
 protected:
