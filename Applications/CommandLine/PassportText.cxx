@@ -102,8 +102,16 @@ void PutDicom(const Passport& passport, std::ostream& text)
 {
   if (!passport.transferSyntax.empty())
     text << "\npixels      " << passport.photometric << ", " << passport.transferSyntax;
+  if (passport.lossy)
+    text << "\nloss        compressed with loss";
   if (!passport.burnedIn.empty())
     text << "\nburned in   " << passport.burnedIn;
+  if (!passport.patientPosition.empty())
+    text << "\nposition    " << passport.patientPosition;
+  if (passport.thicknessMm)
+    text << "\nthickness   " << *passport.thicknessMm << " mm, as the file says";
+  if (passport.kvp)
+    text << "\ntube        " << *passport.kvp << " kV";
   PutRescale(passport.rescale, text);
   if (passport.tiltDegrees > 0.0 || passport.tiltTagDegrees)
     text << "\ntilt        " << Rounded(passport.tiltDegrees, 100.0) << " degrees measured";
@@ -199,6 +207,8 @@ Json PassportJson(const Passport& passport)
     { "files_skipped", passport.filesSkipped }, { "gap_deviation_mm", passport.gapDeviationMm },
     { "compression", passport.compression }, { "photometric", passport.photometric },
     { "transfer_syntax", passport.transferSyntax }, { "burned_in", passport.burnedIn },
+    { "lossy", passport.lossy }, { "patient_position", passport.patientPosition },
+    { "thickness_mm", Known(passport.thicknessMm) }, { "kvp", Known(passport.kvp) },
     { "rescale", RescaleJson(passport.rescale) }, { "tilt_degrees", passport.tiltDegrees },
     { "tilt_tag_degrees", Known(passport.tiltTagDegrees) },
     { "missing_slices", passport.missingSlices }, { "doubled_slices", passport.doubledSlices },

@@ -1,3 +1,4 @@
+#include "Failure.h"
 #include "PassportText.h"
 #include "Session.h"
 #include "Verbs.h"
