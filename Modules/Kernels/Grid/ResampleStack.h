@@ -31,8 +31,8 @@ struct ResampleLimits
 /// predicted from their neighbours as the made ones are, over the same distance, and at strong
 /// edges the way along the gradient from the measured to the predicted surface is taken, at the
 /// worst gap. It says what resampling adds; what the scanner's own slices miss between them is not
-/// in it. Against closed forms (sphere, torus, gyroid, bone; tilts of 5 to 25 degrees, gaps of 1 to
-/// 5 slices) error95 was 0.8 to 6 times the true one: TestResampleStack prints the table.
+/// in it. Against closed forms (sphere, torus, gyroid, shell; tilts of 5 to 25 degrees, gaps of 1
+/// to 5 slices) error95 was 0.8 to 6 times the true one: TestResampleStack prints the table.
 struct ResampleRecord
 {
   double tiltDegrees = 0.0;  ///< that was rectified, in [0, 90); 0: there was none
