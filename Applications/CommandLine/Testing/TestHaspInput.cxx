@@ -44,6 +44,23 @@ TEST_F(HaspInput, ACutFileIsTwo)
   ExpectFailure(RunHasp({ "info", this->Path("cut.mha") }), 2, "the .mha file: ");
 }
 
+TEST_F(HaspInput, TheFaultsOfABadVolumeAreData)
+{
+  this->WriteText("note.mha", "Dear colleague,\n");
+  const HaspRun run = RunHasp({ "info", this->Path("note.mha"), "--json" });
+  EXPECT_EQ(run.exitCode, 2);
+  const json passport = json::parse(run.out).at("passport");
+  ASSERT_EQ(passport.at("faults").size(), 1U);
+  EXPECT_EQ(passport.at("faults")[0].at("kind"), "damaged");
+  EXPECT_EQ(passport.at("faults")[0].at("resamplable"), false);
+  EXPECT_TRUE(passport.at("minimum").is_null());
+  const std::string sentence = passport.at("faults")[0].at("text");
+  EXPECT_NE(run.err.find(sentence), std::string::npos) << run.err;
+  const HaspRun text = RunHasp({ "info", this->Path("note.mha") });
+  EXPECT_EQ(text.exitCode, 2);
+  EXPECT_NE(text.out.find("fault       " + sentence), std::string::npos) << text.out;
+}
+
 TEST_F(HaspInput, ThePassportIsTheVolumes)
 {
   const HaspRun run = RunHasp({ "info", this->Phantom(), "--json" });

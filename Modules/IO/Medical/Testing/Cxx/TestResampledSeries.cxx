@@ -200,10 +200,11 @@ TEST_F(ResampledSeries, BoneOfATiltedGappySagittalSeriesIsWhereItIs)
     EXPECT_GT(compared, 100000U);
     EXPECT_LT(double(off), 1e-4 * double(compared)) << most;
     // The skull's side is nearly parallel to the slices, so the bridge of 4 mm costs much; never
-    // more than itself. How near the record is to the truth: TestResampleStack.
+    // more than itself and half a pixel for the tilt. How near the record is to the truth:
+    // TestResampleStack.
     EXPECT_TRUE(record.errorKnown);
     EXPECT_GT(record.error95, 0.0);
-    EXPECT_LT(record.error95, 4.1);
+    EXPECT_LE(record.error95, 4.0 + 0.5 * 1.25);
   }
 }
 
