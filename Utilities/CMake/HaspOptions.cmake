@@ -44,7 +44,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   RenderingCore RenderingOpenGL2
   OPTIONAL_COMPONENTS glew opengl glad
-  IOImage IOGeometry IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
+  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
   RenderingVolume RenderingVolumeOpenGL2 TestingRendering)
 
 # After VTK: its configuration would search for all of VTK's modules by itself.

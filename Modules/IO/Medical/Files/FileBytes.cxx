@@ -15,8 +15,7 @@ namespace hasp
 FileBytes::FileBytes(const std::filesystem::path& file, const ProgressFunction& progress)
   : Named(file),
     Progress(progress),
-    Descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)), // a pipe must not block
-    Buffer(Piece)
+    Descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) // a pipe must not block
 {
   struct stat facts
   {
@@ -34,6 +33,7 @@ FileBytes::FileBytes(const std::filesystem::path& file, const ProgressFunction& 
     ThrowFileError(file, "is no regular file");
   }
   this->Bytes = static_cast<std::uint64_t>(facts.st_size);
+  this->Buffer.resize(std::clamp<std::uint64_t>(this->Bytes, 1, Piece));
 }
 
 FileBytes::~FileBytes()
@@ -123,7 +123,7 @@ bool FileBytes::Line(std::string_view& line)
     const std::size_t there = this->End - this->Next;
     end = static_cast<const char*>(std::memchr(start + searched, '\n', there - searched));
     searched = there;
-    if (!end && searched >= this->Buffer.size())
+    if (!end && searched >= Piece)
       ThrowFileError(this->Named, "line " + std::to_string(this->Lines + 1) +
                                     " has more than 1048576 bytes; this is no text of a surface");
   } while (!end && this->Fill());

@@ -137,14 +137,11 @@ public:
 
   void Read()
   {
+    std::uint64_t faces = 0;
     for (const PlyElement& element : this->Header.elements)
-      if (element.kind == PlyElement::Vertex)
-      {
-        this->Points = element.count;
-        this->Builder.Expect(element.count, 0);
-      }
-      else if (element.kind == PlyElement::Face)
-        this->Builder.Expect(0, element.count);
+      if (element.kind != PlyElement::Other)
+        (element.kind == PlyElement::Vertex ? this->Points : faces) = element.count;
+    this->Builder.Expect(this->Points, faces);
     for (const PlyElement& element : this->Header.elements)
       if (!element.properties.empty())
         for (std::uint64_t n = 0; n < element.count; ++n)

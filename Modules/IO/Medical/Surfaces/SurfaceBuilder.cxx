@@ -47,8 +47,11 @@ SurfaceBuilder::SurfaceBuilder(
 {
 }
 
-void SurfaceBuilder::CheckRoom(double points, double triangles) const
+void SurfaceBuilder::CheckRoom() const
 {
+  const double points = std::max(double(this->ExpectedPoints), double(this->Points.size()));
+  const double triangles =
+    std::max(double(this->ExpectedTriangles), double(this->Triangles.size()));
   if (points > double(MostPoints) || triangles > double(MostTriangles))
     ThrowFileError(this->File, "has " + Text(points) + " points and " + Text(triangles) +
                                  " triangles; at most " + std::to_string(MostPoints) + " and " +
@@ -64,10 +67,11 @@ void SurfaceBuilder::CheckRoom(double points, double triangles) const
 
 void SurfaceBuilder::Expect(std::uint64_t points, std::uint64_t triangles)
 {
-  this->CheckRoom(double(this->Points.size()) + double(points),
-    double(this->Triangles.size()) + double(triangles));
-  this->Points.reserve(this->Points.size() + points);
-  this->Triangles.reserve(this->Triangles.size() + triangles);
+  this->ExpectedPoints = points;
+  this->ExpectedTriangles = triangles;
+  this->CheckRoom();
+  this->Points.reserve(points);
+  this->Triangles.reserve(triangles);
 }
 
 void SurfaceBuilder::AddPoint(const glm::dvec3& point, const Place& place)
@@ -77,9 +81,9 @@ void SurfaceBuilder::AddPoint(const glm::dvec3& point, const Place& place)
       ThrowAt(this->File, place,
         std::string("a point has the ") + "xyz"[a] + " coordinate " + Text(point[a]) +
           ", which is no number or a kilometre away; write the surface again, in mm");
-  if (this->Points.size() == this->Points.capacity())
-    this->CheckRoom(double(this->Points.size() + 1), double(this->Triangles.size()));
   this->Points.push_back(point);
+  if (this->Points.size() > this->ExpectedPoints)
+    this->CheckRoom();
 }
 
 std::size_t SurfaceBuilder::Slot(const glm::dvec3& point) const
@@ -129,9 +133,9 @@ void SurfaceBuilder::AddFace(std::span<const std::uint32_t> corners, const Place
     this->Polygons.push_back({ this->Triangles.size(), corners.size() - 2 });
   for (std::size_t n = 2; n < corners.size(); ++n)
   {
-    if (this->Triangles.size() == this->Triangles.capacity())
-      this->CheckRoom(double(this->Points.size()), double(this->Triangles.size() + 1));
     this->Triangles.emplace_back(corners[0], corners[n - 1], corners[n]);
+    if (this->Triangles.size() > this->ExpectedTriangles)
+      this->CheckRoom();
   }
 }
 

@@ -38,8 +38,8 @@ class SurfaceBuilder
 public:
   SurfaceBuilder(const std::filesystem::path& file, const SurfaceReadSettings& settings);
 
-  /// As many are to come: refused beyond the memory limit, else room is made for them. Call when
-  /// the file is known to be long enough.
+  /// As many are to come: refused beyond the memory limit, else room is made for them. Call once,
+  /// when the file is known to be long enough.
   void Expect(std::uint64_t points, std::uint64_t triangles);
   /// Refuses what is not finite or more than 1e6 mm from the origin on any axis.
   void AddPoint(const glm::dvec3& point, const Place& place);
@@ -61,7 +61,7 @@ private:
   {
     std::size_t firstTriangle, triangles;
   };
-  void CheckRoom(double points, double triangles) const;
+  void CheckRoom() const; ///< for what is there and what is expected
   void GrowTable();
   std::size_t Slot(const glm::dvec3& point) const;
   void ApplyNotes(const SurfaceNotes& notes);
@@ -70,6 +70,7 @@ private:
 
   const std::filesystem::path File;
   const std::size_t LimitBytes;
+  std::uint64_t ExpectedPoints = 0, ExpectedTriangles = 0;
   SurfacePassport Passport;
   std::vector<glm::dvec3> Points;
   std::vector<glm::uvec3> Triangles;
