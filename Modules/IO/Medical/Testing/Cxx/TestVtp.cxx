@@ -70,12 +70,12 @@ protected:
 
 TEST_F(Vtp, EveryWayOfWritingIsRead)
 {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(hasp::MakePolyData(Truth()));
-  writer->SetFileName((this->Folder / "a.vtp").c_str());
   for (int compressor = 0; compressor < 4; ++compressor)
     for (int mode = 0; mode < 4; ++mode)
     {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetInputData(hasp::MakePolyData(Truth()));
+      writer->SetFileName((this->Folder / "a.vtp").c_str());
       writer->SetCompressorType(compressor);
       writer->SetDataMode(mode == 3 ? vtkXMLWriter::Appended : mode);
       writer->SetEncodeAppendedData(mode != 3);
