@@ -19,7 +19,7 @@ struct RenderOptions
   std::array<int, 2> resolution{ 800, 800 };            ///< pixels of one eye
   std::array<double, 3> color{ 0.93, 0.87, 0.76 };      ///< of the isosurface, in [0,1]
   std::array<double, 3> background{ 0.10, 0.11, 0.13 }; ///< in [0,1]
-  std::vector<std::string> surfaces;                    ///< STL files drawn with it
+  std::vector<std::string> surfaces;                    ///< files drawn with it
   CameraOptions camera;
   StereoLayout stereo = StereoLayout::Mono;
   double eyeAngle = 2.0; ///< degrees

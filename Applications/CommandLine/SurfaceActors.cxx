@@ -1,8 +1,8 @@
 #include "SurfaceActors.h"
 
 #include "Failure.h"
-#include "Files.h"
 #include "Session.h"
+#include "SurfaceInput.h"
 #include "VtkMessages.h"
 #include "vtkHaspFileNames.h"
 
@@ -16,17 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkSTLReader.h"
 
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <string_view>
-#include <system_error>
 
 namespace hasp
 {
@@ -75,35 +66,6 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
   return result;
 }
 
-/// VTK's reader takes what is there of a binary STL file that is cut off, without a word.
-void RequireWholeStl(const std::string& path, const std::string& name)
-{
-  std::array<char, 84> start{}; // text, and the number of triangles
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), start.size());
-  if (std::string_view(start.data(), 5) == "solid") // STL as text; the reader sees its end
-    return;
-  std::uint32_t count = 0;
-  std::memcpy(&count, start.data() + 80, sizeof count);
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  if (error || bytes < start.size() + std::uintmax_t(50) * count)
-    throw Failure(ExitCode::BadInput, name + ": declares " + std::to_string(count) +
-                                        " triangles, the file is too short for them: it is cut "
-                                        "off or no STL. Copy it again");
-}
-
-/// One wild corner would push all else out of the picture, or make the surface invisible.
-void RequirePlausible(vtkPolyData* mesh, const std::string& name)
-{
-  constexpr double farthestMm = 1e6; // a kilometre: no patient, and no wrong unit either
-  for (vtkIdType n = 0; n < mesh->GetNumberOfPoints(); ++n)
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(std::abs(mesh->GetPoint(n)[axis]) <= farthestMm))
-        throw Failure(ExitCode::BadInput,
-          name + ": has a corner that is no number or a kilometre away; write it again, in mm");
-}
-
 #if HASP_WITH_CELLS
 SurfaceActor MakeCellIsosurface(vtkImageData* image, double isoValue, Session& session)
 {
@@ -150,26 +112,19 @@ SurfaceActor MakeIsosurface(
 
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session)
 {
-  RequireInput(path);
   const std::string name =
     "surface " + std::to_string(number) + (FileNamesShown() ? ", " + FileLabel(path) : "");
-  session.progress.Step("reading " + name);
-  RequireWholeStl(path, name);
-  vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(path.c_str());
-  const ResourceUse read = UpdateMesh(reader, name, "--surface", session);
-  ThrowVtkError(ExitCode::BadInput, name + ": cannot be read as STL");
-  if (reader->GetOutput()->GetNumberOfPolys() == 0)
-    throw Failure(ExitCode::BadInput, name + ": no triangles in it; give an STL file");
-  RequirePlausible(reader->GetOutput(), name);
-  vtkNew<vtkPolyDataNormals>
-    normals; // STL has none at its points; edges stay sharp from 30 degrees
-  normals->SetInputConnection(reader->GetOutputPort());
+  const auto start = std::chrono::steady_clock::now();
+  const LoadedSurface read = ReadSurface(path, name, session.quiet, session);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  vtkNew<vtkPolyDataNormals> normals; // files bring none; edges stay sharp from 30 degrees
+  normals->SetInputData(read.surface);
   normals->SetFeatureAngle(30.0);
   normals->ConsistencyOff();
-  const ResourceUse smooth = UpdateMesh(normals, read.resource, read.reason, session);
+  const ResourceUse smooth =
+    UpdateMesh(normals, name, "--surface, " + read.passport.format, session);
   return MakeMeshActor(normals->GetOutput(),
-    { read.resource, smooth.bytes, read.milliseconds + smooth.milliseconds, read.reason });
+    { name, smooth.bytes, spent.count() + smooth.milliseconds, smooth.reason });
 }
 
 } // namespace hasp

@@ -31,7 +31,7 @@ const std::vector<std::string>& SurfaceMappers();
 SurfaceActor MakeIsosurface(
   vtkImageData* image, double isoValue, const std::string& mapper, Session& session);
 
-/// The triangles of an STL file, called "surface 2" by its number. Throws Failure: BadInput.
+/// The triangles of a surface file, called "surface 2" by its number. Throws Failure: BadInput.
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session);
 
 } // namespace hasp

@@ -1,11 +1,17 @@
+#include "Evaluation/MeshCheck.h"
 #include "Failure.h"
 #include "PassportText.h"
 #include "Session.h"
+#include "SurfaceInput.h"
+#include "SurfacePassportText.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
+#include "vtkHaspFileNames.h"
+#include "vtkHaspVolumeView.h"
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -14,8 +20,29 @@ namespace hasp
 namespace
 {
 
+void RunOnSurface(const VolumeChoices& choices, Session& session)
+{
+  if (choices.series != 0 || choices.resample)
+    throw Failure(
+      ExitCode::WrongUse, "--series and --resample are for volumes; leave them out for a surface");
+  const auto start = std::chrono::steady_clock::now();
+  const LoadedSurface read = ReadSurface(choices.input, FileLabel(choices.input), true, session);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  session.resources.push_back({ "surface", BytesOf(read), spent.count(),
+    read.passport.format + ", " + read.passport.coordinateType });
+  session.progress.Step("checking the mesh");
+  const MeshCheck mesh = CheckMesh(WeldPoints(MakeTriangleMesh(read.surface)));
+  session.progress.Wipe();
+  if (session.json)
+    session.result["passport"] = SurfacePassportJson(read.passport, mesh);
+  else
+    std::cout << SurfacePassportText(read.passport, mesh);
+}
+
 void Run(const VolumeChoices& choices, Session& session)
 {
+  if (IsSurfaceName(choices.input))
+    return RunOnSurface(choices, session);
   const Passport passport = InspectVolume(choices, session);
   session.progress.Wipe();
   if (session.json)
@@ -33,7 +60,7 @@ void Run(const VolumeChoices& choices, Session& session)
 void AddInfoVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<VolumeChoices>();
-  CLI::App* verb = app.add_subcommand("info", "Check a volume and print its passport");
+  CLI::App* verb = app.add_subcommand("info", "Check a volume or a surface and print its passport");
   AddVolumeOptions(*verb, *options);
   AddCommonOptions(*verb, session);
   verb->footer(
@@ -45,6 +72,7 @@ void AddInfoVerb(CLI::App& app, Session& session)
     "  hasp info head.mha\n"
     "  hasp info slices/ --series 2 --json\n"
     "  hasp info slices/ --resample\n"
+    "  hasp info guide.stl\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input: the volume has faults.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

@@ -103,7 +103,9 @@ void AddRenderVerb(CLI::App& app, Session& session)
   verb->add_option("--mapper", choices->render.mapper, "cells: exact, no mesh; mesh: Flying Edges")
     ->check(CLI::IsMember(SurfaceMappers()))
     ->capture_default_str();
-  verb->add_option("--surface", choices->render.surfaces, "STL file drawn with it; repeatable")
+  verb
+    ->add_option("--surface", choices->render.surfaces,
+      ".stl, .ply, .obj or .vtp file drawn with it; repeatable")
     ->expected(1)
     ->take_all();
   AddLookOptions(*verb, *choices);

@@ -89,6 +89,33 @@ TEST_F(HaspInput, PathsOfTheWorldAreRead)
   }
 }
 
+TEST_F(HaspInput, ASurfaceHasAPassport)
+{
+  this->WriteText("Erika.obj", "# SPACE=RAS\nv 0 0 0\nv 10 0 0\nv 0 20 0\nv 0 0 30\n"
+                               "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const HaspRun run = RunHasp({ "info", this->Path("Erika.obj"), "--json", "--explain" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ((run.out + run.err).find("Erika"), std::string::npos) << run.out << run.err;
+  const json document = json::parse(run.out), passport = document.at("passport");
+  EXPECT_EQ(passport.at("format"), "OBJ");
+  EXPECT_EQ(passport.at("space"), "RAS");
+  EXPECT_EQ(passport.at("triangles"), 4);
+  EXPECT_EQ(passport.at("minimum_mm"), (json{ -10.0, -20.0, 0.0 })); // in LPS
+  EXPECT_EQ(passport.at("closed"), true);
+  EXPECT_EQ(passport.at("outward"), true);
+  EXPECT_NEAR(passport.at("volume_mm3").get<double>(), 1000.0, 1e-9);
+  EXPECT_EQ(passport.at("warnings"), json::array());
+  EXPECT_NE(run.out.find("\"surface\""), std::string::npos); // among the resources
+  this->WriteText("open.obj", "v 0 0 0\nv 10 0 0\nv 0 20 0\nf 1 3 2\n");
+  const HaspRun text = RunHasp({ "info", this->Path("open.obj"), "--quiet" });
+  EXPECT_NE(text.out.find("closed      no, 3 edges at holes"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("warning     the file does not say"), std::string::npos) << text.out;
+  ExpectFailure(RunHasp({ "info", this->Path("open.obj"), "--series", "2" }), 1, "--series");
+  this->WriteText("cut.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\n");
+  ExpectFailure(
+    RunHasp({ "info", this->Path("cut.obj") }), 2, "the .obj file: line 3: a face names");
+}
+
 TEST_F(HaspInput, ProgressIsPlainStepsWithoutATerminal)
 {
   const HaspRun run = RunHasp({ "info", this->Phantom() });

@@ -103,6 +103,38 @@ TEST_F(HaspRender, BrokenSurfacesAreTwoNotInvisible)
   }
 }
 
+TEST_F(HaspRender, ASurfaceLooksTheSameInEveryFormat)
+{
+  this->Phantom();
+  this->WriteText("s.obj", "# SPACE=LPS\nv 0 0 0\nv 90 0 0\nv 0 90 90\nf 1 2 3\n");
+  this->WriteText("s.ply",
+    "ply\nformat ascii 1.0\ncomment SPACE=LPS\nelement vertex 3\nproperty float x\n"
+    "property float y\nproperty float z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n90 0 0\n0 90 90\n3 0 1 2\n");
+  this->WriteText("s.stl",
+    "solid SPACE=LPS\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 90 0 0\n"
+    "vertex 0 90 90\nendloop\nendfacet\nendsolid\n");
+  this->WriteText(
+    "s.vtp", R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="3" NumberOfPolys="1"><Points>
+<DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 90 0 0 0 90 90</DataArray></Points>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>)");
+  ASSERT_EQ(this->Render({}, "none.png").exitCode, 0);
+  ASSERT_EQ(this->Render({ "--surface", this->Path("s.stl") }, "s.stl.png").exitCode, 0);
+  EXPECT_NE(ReadBytes(this->Path("s.stl.png")), ReadBytes(this->Path("none.png")));
+  for (const std::string name : { "s.obj", "s.ply", "s.vtp" })
+  {
+    const HaspRun run = this->Render({ "--surface", this->Path(name) }, name + ".png");
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(
+      run.err.find("warning: surface 1: the file does not say") != run.err.npos, name == "s.vtp")
+      << run.err;
+    EXPECT_TRUE(ReadBytes(this->Path(name + ".png")) == ReadBytes(this->Path("s.stl.png"))) << name;
+  }
+}
+
 TEST_F(HaspRender, CameraVectorsMustSpanAView)
 {
   this->Phantom();

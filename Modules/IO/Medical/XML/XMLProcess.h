@@ -20,8 +20,8 @@ public:
     double silenceSeconds, totalSeconds;
     const char* memoryRemedy;
   };
-  /// What the child takes before it has read anything: VTK's libraries.
-  static constexpr std::size_t RoomBytes = std::size_t(512) << 20;
+  /// For the parser, a line of text, a block: beside the data and what the child holds at its start.
+  static constexpr std::size_t RoomBytes = std::size_t(64) << 20;
 
   XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,
     const ProgressFunction& progress);

@@ -105,7 +105,7 @@ protected:
         "form %d: %d of %d mutated files were read, the others refused\n", int(form), read, files);
       std::fflush(stdout);
       // Else the changes were so coarse that nothing behind the first check was met.
-      _exit(read * 50 > files && read * 50 < files * 49 ? 0 : 2);
+      _exit(read * 100 > files && read * 100 < files * 99 ? 0 : 2);
     }
     int status = -1;
     waitpid(child, &status, 0);
