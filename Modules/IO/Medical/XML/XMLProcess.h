@@ -20,7 +20,8 @@ public:
     double silenceSeconds, totalSeconds;
     const char* memoryRemedy;
   };
-  /// For the parser, a line of text, a block: beside the data and what the child holds at its start.
+  /// For the parser, a line of text, a block: beside the data and what the child holds at its
+  /// start.
   static constexpr std::size_t RoomBytes = std::size_t(64) << 20;
 
   XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,

@@ -1,6 +1,11 @@
 #include "SurfaceFixture.h"
 
-#include <locale.h>
+#include "vtkHaspOutputFile.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkPolyData.h"
+
+#include <locale>
 
 namespace
 {
@@ -63,16 +68,26 @@ TEST_F(Obj, ALineWithoutAnEndAtTheEndIsAWarning)
   EXPECT_NE(cut.passport.warnings[0].find("may be cut off"), std::string::npos);
 }
 
+/// A decimal comma, as German has it; no such locale need be installed.
+struct Comma : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
 TEST_F(Obj, DecimalsDoNotDependOnTheLocale)
 {
-  const locale_t comma = newlocale(LC_ALL_MASK, "de_DE.UTF-8", nullptr);
-  if (!comma)
-    GTEST_SKIP() << "no locale with a decimal comma is installed";
-  const locale_t before = uselocale(comma);
-  EXPECT_EQ(
-    this->Read(Form::Obj, "v 0 0 0\nv 10.5 0 0\nv 0 1 0\nf 1 2 3\n").passport.maximum.x, 10.5);
-  uselocale(before);
-  freelocale(comma);
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
+  const hasp::TriangleMesh mesh{ { { 0, 0, 0 }, { 1000.5, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  EXPECT_EQ(this->Read(Form::Obj, Bytes(Form::Obj, mesh, "")).passport.maximum.x, 1000.5);
+  for (const char* name : { "a.obj", "a.ply" })
+  {
+    const auto file = (this->Folder / name).string();
+    hasp::WriteSurface(hasp::MakePolyData(mesh), file);
+    EXPECT_EQ(hasp::LoadSurface(file).passport.maximum.x, 1000.5) << name;
+  }
+  std::locale::global(before);
 }
 
 } // namespace
