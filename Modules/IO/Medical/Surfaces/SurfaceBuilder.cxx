@@ -157,7 +157,7 @@ void SurfaceBuilder::ApplyNotes(const SurfaceNotes& notes)
   this->Passport.space = notes.lps ? "LPS" : notes.ras ? "RAS" : "";
   if (notes.ras)
     for (glm::dvec3& point : this->Points)
-      point = { -point.x, -point.y, point.z };
+      point = { 0.0 - point.x, 0.0 - point.y, point.z }; // 0 stays 0, not -0
   if (notes.otherSpace && this->Passport.space.empty())
     this->Warn("the file names a coordinate system that is neither LPS nor RAS; LPS is taken");
   else if (this->Passport.space.empty())
