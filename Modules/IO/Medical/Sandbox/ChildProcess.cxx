@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,6 +76,15 @@ int Spawn(const ChildProgram& program, const std::filesystem::path& file,
     ThrowSystem(program, program.file);
   }
   return child;
+}
+
+/// Returns once the child has ended, or after so long.
+void AwaitEnd(int child, int milliseconds)
+{
+  const Descriptor process{ static_cast<int>(syscall(SYS_pidfd_open, child, 0)) };
+  pollfd wait{ process.number, POLLIN, 0 };
+  if (process.number >= 0)
+    poll(&wait, 1, milliseconds);
 }
 
 } // namespace
@@ -172,7 +182,8 @@ void ChildProcess::ThrowEnded()
 {
   const std::string& name = this->Settings.program.name;
   const std::string at = this->At(), remedy = ". " + this->Settings.remedy;
-  // It has closed its output but need not have ended: it does now.
+  // Its output is closed a little before its exit code is there; one that stays is ended.
+  AwaitEnd(this->Child, 1000);
   kill(this->Child, SIGKILL);
   const int status = this->Reap();
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
