@@ -248,7 +248,9 @@ DicomOutput WriteDicomSeries(vtkImageData* image, const std::string& folder,
   if (stored.error > 0.0 && !settings.allowQuantisation)
     throw std::invalid_argument(
       "volume: DICOM stores 65536 levels; these samples would be changed by up to " +
-      Text(stored.error) + " grey values. Allow that, or choose a format that keeps float");
+      Text(stored.error) +
+      " grey values. Allow that (--quantise, or allowQuantisation), or choose a format that "
+      "keeps float");
   series.MakeUids(progress);
   const TemporaryFolder stage(target);
   const auto slices = stage.Name() / "slices";
