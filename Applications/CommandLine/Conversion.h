@@ -37,4 +37,7 @@ std::size_t BytesOf(const std::string& path);
 /// read and written. Throws Failure: WrongUse, BadInput; FailedCheck with what differs.
 void ConvertVolume(const ConvertOptions& options, OutputKind kind, Session& session);
 
+/// The same of a surface: every triangle, in order.
+void ConvertSurface(const ConvertOptions& options, Session& session);
+
 } // namespace hasp

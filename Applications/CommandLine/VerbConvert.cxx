@@ -5,6 +5,7 @@
 #include "Verbs.h"
 #include "VolumeInput.h"
 #include "vtkHaspFileNames.h"
+#include "vtkHaspSurfaceFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +33,7 @@ bool EndsLike(const std::string& path, std::initializer_list<const char*> ending
 void Run(const ConvertOptions& options, Session& session)
 {
   const OutputKind kind = KindOfOutput(options.output);
-  const bool surface = EndsLike(options.volume.input, { ".stl", ".ply", ".obj", ".vtp" });
+  const bool surface = IsSurfaceName(options.volume.input);
   if (kind == OutputKind::Unknown)
     throw Failure(
       ExitCode::WrongUse, std::string("OUT has an ending that nothing is written for; known are ") +
@@ -50,8 +51,9 @@ void Run(const ConvertOptions& options, Session& session)
   else
     RequireWritable(options.output, {});
   if (surface)
-    throw Failure(ExitCode::WrongUse, "surfaces are not converted yet");
-  ConvertVolume(options, kind, session);
+    ConvertSurface(options, session);
+  else
+    ConvertVolume(options, kind, session);
   session.result["output"] =
     kind == OutputKind::Slices && !session.showNames ? "the folder" : FileLabel(options.output);
 }
@@ -85,12 +87,13 @@ std::size_t BytesOf(const std::string& path)
 void AddConvertVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* verb =
-    app.add_subcommand("convert", "Write a volume in another format, read back and compared");
+  CLI::App* verb = app.add_subcommand(
+    "convert", "Write a volume or surface in another format, read back and compared");
   AddVolumeOptions(*verb, options->volume);
+  verb->get_option("IN")->description("Volume or surface: a file, or a folder of slices");
   verb
     ->add_option("OUT", options->output,
-      std::string("Its ending decides: ") + VolumeEndings +
+      std::string("Its ending decides: ") + VolumeEndings + ", " + SurfaceEndings +
         "; without one a folder of DICOM slices, new or empty")
     ->required();
   verb->add_option("--modality", options->modality, "Of DICOM slices, if IN does not say it")

@@ -131,6 +131,29 @@ TEST_F(HaspConvert, AnInterruptLeavesNothing)
 }
 #endif
 
+TEST_F(HaspConvert, SurfacesKeepEveryTriangle)
+{
+  this->WriteText("a.obj", "v 0 0 0\nv 10 0 0.25\nv 0 10 0\nv 0 0 10\nf 1 2 3\nf 1 4 2\n");
+  std::string from = "a.obj";
+  for (const std::string to : { "b.ply", "c.stl", "d.obj" })
+  {
+    const HaspRun run = this->Convert(from, to, { "--json" });
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json document = json::parse(run.out);
+    EXPECT_EQ(document.at("compared").at("identical"), true) << to; // quarters are exact in float
+    EXPECT_EQ(document.at("written").at("triangles"), 2);
+    from = to;
+  }
+  // float32 keeps 0.01 mm there.
+  this->WriteText("far.obj", "v 200000.01 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+  ExpectFailure(this->Convert("far.obj", "far.stl"), 3, "mm from their place");
+  EXPECT_EQ(this->Convert("far.obj", "far.ply").exitCode, 0);
+  this->WriteText("empty.stl", "solid x\nendsolid x\n");
+  ExpectFailure(this->Convert("empty.stl", "x.ply"), 2, "the .stl file");
+  EXPECT_EQ(this->Names(),
+    (Words{ "a.obj", "b.ply", "c.stl", "d.obj", "empty.stl", "far.obj", "far.ply" }));
+}
+
 TEST_F(HaspConvert, WhatIsNoConversionIsOne)
 {
   this->Phantom();
