@@ -75,10 +75,10 @@ std::string Mha()
          "ElementSpacing = 2 2 2\nElementType = MET_SHORT\n";
 }
 
-std::string Nrrd(const std::string& more)
+std::string Nrrd(const std::string& type, const std::string& more)
 {
-  return "NRRD0005\n# " + Name() + "\ncontent: " + Name() +
-         "\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
+  return "NRRD0005\n# " + Name() + "\ncontent: " + Name() + "\ntype: " + type +
+         "\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
          "space directions: (2,0,0) (0,2,0) (0,0,2)\nkinds: domain domain domain\n"
          "endian: little\nencoding: raw\nspace origin: (0,0,0)\n" +
          Family + ":=" + Given + "\npatient:=" + Name() + "\n" + more;
@@ -169,11 +169,12 @@ std::vector<Input> MakeVolumes(const std::filesystem::path& folder)
   WriteTo(folder / (name + ".raw"), Ball());
   add(name + ".mhd", Mha() + "ElementDataFile = " + name + ".raw\n");
   add(name + "3.mhd", Mha() + "ElementDataFile = " + Given + ".raw\n", false);
-  add(name + ".nrrd", Nrrd("\n") + Ball());
+  add(name + ".nrrd", Nrrd("short", "\n") + Ball());
   add(name + ".seg.nrrd",
-    Nrrd("Segment0_ID:=" + Family + "\nSegment0_Name:=" + Family + " " + Given +
-         "\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Tags:=" + Name() + "\n\n") +
-      std::string(1024, '\0'));
+    Nrrd("uchar", "Segment0_ID:=" + Family + "\nSegment0_Name:=" + Family + " " + Given +
+                    "\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Tags:=" + Name() +
+                    "\n\n") +
+      std::string(300, '\0') + std::string(212, '\1'));
   add(name + ".nii", Nii());
   add(name + ".nii.gz", Gzip(Nii()));
   add(name + ".vti", Vti(name));

@@ -145,8 +145,7 @@ protected:
       this->ExpectNone({ "info", damaged });
       this->ExpectNone({ "convert", damaged, this->OutFile("x.mha") });
     }
-    if (input.opens)
-      EXPECT_GT(this->FilesSeen, 5);
+    EXPECT_GT(this->FilesSeen, input.opens ? 5 : -1);
     EXPECT_GT(this->NamesSeen, this->FilesSeen);
   }
 
@@ -185,7 +184,7 @@ TEST_F(Canary, WithShowNamesTheyAreThere)
 class CanaryVolume : public Canary, public testing::WithParamInterface<int>
 {
 };
-constexpr int Volumes = HASP_WITH_LIBARCHIVE ? 13 : 11;
+constexpr int Volumes = HASP_WITH_LIBARCHIVE ? 11 : 9;
 
 TEST_P(CanaryVolume, GivesNothingAway)
 {
