@@ -78,6 +78,27 @@ void RequireWritable(const std::string& path, const std::vector<std::string>& en
     throw CannotWrite(path, "its folder is not yours to write to; choose another");
 }
 
+void RequireWritableFolder(const std::string& path)
+{
+  const fs::path given(path), place = given.has_filename() ? given : given.parent_path();
+  const auto refuse = [](const std::string& reason)
+  {
+    throw Failure(
+      ExitCode::WrongUse, "cannot write the folder of slices: " + reason + "; nothing was written");
+  };
+  std::error_code error;
+  const fs::path parent = FolderOf(place.string());
+  if (!fs::is_directory(parent, error))
+    refuse("the folder it is to lie in does not exist; make it first");
+  const bool there = fs::exists(place, error);
+  if (there && !fs::is_directory(place, error))
+    refuse("a file has this name; choose another");
+  if (there && !fs::is_empty(place, error))
+    refuse("a folder that is not empty has this name; choose another");
+  if (access(parent.c_str(), W_OK | X_OK) != 0)
+    refuse("the folder it is to lie in is not yours to write to; choose another");
+}
+
 void WriteFile(const std::string& path, std::string_view bytes)
 {
   try

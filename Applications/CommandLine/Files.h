@@ -12,6 +12,10 @@ namespace hasp
 /// what is there already, if anything, is a regular file.
 void RequireWritable(const std::string& path, const std::vector<std::string>& endings);
 
+/// The same for a folder that is to be made. Throws Failure: WrongUse unless nothing or an empty
+/// folder is there, and the folder it lies in exists and can be written to.
+void RequireWritableFolder(const std::string& path);
+
 /// Writes all bytes or nothing, as hasp::WriteBytes does. Throws Failure: WrongUse with the
 /// system's reason.
 void WriteFile(const std::string& path, std::string_view bytes);

@@ -6,6 +6,7 @@ namespace hasp
 void AddVerbs(CLI::App& app, Session& session)
 {
   AddInfoVerb(app, session);
+  AddConvertVerb(app, session);
   AddRenderVerb(app, session);
 #if HASP_WITH_GUIDES
   AddGuideVerb(app, session);

@@ -99,7 +99,7 @@ TEST_F(HaspUse, EveryVerbHelpsWithExamplesAndExitCodes)
   const HaspRun top = RunHasp({ "--help" });
   EXPECT_EQ(top.exitCode, 0);
   EXPECT_NE(top.out.find("4 cannot draw"), std::string::npos);
-  for (const std::string verb : { "info", "render", "phantom", "report" })
+  for (const std::string verb : { "info", "convert", "render", "phantom", "report" })
   {
     EXPECT_NE(top.out.find("\n  " + verb), std::string::npos) << top.out;
     const HaspRun help = RunHasp({ verb, "--help" });

@@ -19,7 +19,7 @@ struct DicomOutputSettings
   std::string modality;           ///< "CT" or "MR"; any other becomes a Secondary Capture, "OT"
   bool hounsfield = false;        ///< the values are HU: for "CT" only
   bool knownNotBurnedIn = false;  ///< nobody's name is in the pixels: Burned In Annotation NO
-  double sliceThicknessMm = 0.0;  ///< of the scan, not the distance of slices; 0: not known
+  double sliceThicknessMm = 0.0;  ///< of the scan; 0: not known, the distance of slices is written
   double kVp = 0.0;               ///< 0: not known
   bool allowQuantisation = false; ///< float samples may be rounded to 65536 levels
 };

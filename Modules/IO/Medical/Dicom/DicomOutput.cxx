@@ -117,7 +117,10 @@ public:
     data->Set(DC::SeriesNumber, "1");
     data->Set(DC::ImageOrientationPatient, Decimals({ x.x, x.y, x.z, y.x, y.y, y.z }));
     data->Set(DC::PixelSpacing, Decimals({ g.spacing.y, g.spacing.x }));
-    data->Set(DC::SliceThickness, Known(this->Settings.sliceThicknessMm));
+    // Empty is allowed, but vtkDICOMImageReader of VTK 9.1 ends the process on it.
+    data->Set(DC::SliceThickness,
+      Decimals(
+        { this->Settings.sliceThicknessMm > 0.0 ? this->Settings.sliceThicknessMm : g.spacing.z }));
     data->Set(DC::SpacingBetweenSlices, Decimals({ g.spacing.z }));
     data->Set(DC::SamplesPerPixel, 1.0);
     data->Set(DC::PhotometricInterpretation, "MONOCHROME2");
@@ -248,7 +251,9 @@ DicomOutput WriteDicomSeries(vtkImageData* image, const std::string& folder,
   if (stored.error > 0.0 && !settings.allowQuantisation)
     throw std::invalid_argument(
       "volume: DICOM stores 65536 levels; these samples would be changed by up to " +
-      Text(stored.error) + " grey values. Allow that, or choose a format that keeps float");
+      Text(stored.error) +
+      " grey values. Allow that (--quantise, or allowQuantisation), or choose a format that "
+      "keeps float");
   series.MakeUids(progress);
   const TemporaryFolder stage(target);
   const auto slices = stage.Name() / "slices";

@@ -4,7 +4,9 @@
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeView.h"
 
+#include "vtkDICOMImageReader.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -124,6 +126,29 @@ TEST_F(DicomOutput, LeftStaysLeftWhateverTheAxes)
     EXPECT_TRUE(back.passport.hounsfield);
     EXPECT_TRUE(back.passport.warnings.empty());
   }
+}
+
+/// Another implementation: VTK's own reader. It turns rows and slices about, has no orientation and
+/// takes the distance of rows for that of columns.
+TEST_F(DicomOutput, VtkReadsTheSameSamples)
+{
+  const GridGeometry g{ { 9, 7, 5 }, { 1, 2, 3 }, { 0.5, 0.5, 1.25 }, glm::dmat3(1) };
+  const auto samples = Samples(g);
+  this->Write(g, samples, CT());
+  vtkNew<vtkDICOMImageReader> reader;
+  reader->SetDirectoryName(this->Path("out").c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  ASSERT_EQ(
+    glm::ivec3(image->GetDimensions()[0], image->GetDimensions()[1], image->GetDimensions()[2]),
+    g.dims);
+  for (int a = 0; a < 3; ++a)
+    EXPECT_NEAR(image->GetSpacing()[a], g.spacing[a], 1e-6); // it keeps float
+  for (int k = 0; k < g.dims.z; ++k)
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i)
+        ASSERT_EQ(image->GetScalarComponentAsDouble(i, g.dims.y - 1 - j, g.dims.z - 1 - k, 0),
+          samples[(std::size_t(k) * g.dims.y + j) * g.dims.x + i]);
 }
 
 TEST_F(DicomOutput, IntegersOfAllTypesAreExact)
