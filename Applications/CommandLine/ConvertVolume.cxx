@@ -108,7 +108,7 @@ void Compare(
   try
   {
     const LoadedVolume back =
-      LoadVolume(OpenVolume(name, {}, Progress(session)), Progress(session));
+      LoadVolume(OpenVolume(name, { .hash = true }, Progress(session)), Progress(session));
     outcome.back = back.passport;
     outcome.difference = CompareVolumes(ViewImage(volume.image), ViewImage(back.image));
   }
@@ -163,12 +163,17 @@ void Print(const Passport& before, const Outcome& outcome, Session& session)
       std::cout << d.samples << " samples rounded, by up to " << Number(d.largest)
                 << "; all others identical";
     std::cout << ", places within " << Number(d.positionMm) << " mm\n";
+    if (!after.hash.empty())
+      std::cout << "hash        " << after.hash << "\n";
     for (const std::string& what : lost)
       std::cout << "lost        " << what << ": the format has no place for it\n";
   }
   session.result["read"] = { { "format", before.format }, { "sample_type", before.sampleType } };
   session.result["written"] = { { "format", after.format }, { "sample_type", after.sampleType },
     { "bytes", outcome.bytes } };
+  session.result["written"]["hash"] = after.hash;
+  if (after.hash.empty()) // built without OpenSSL
+    session.result["written"]["hash"] = nullptr;
   if (outcome.slices.slices > 0)
     session.result["written"]["slices"] = outcome.slices.slices;
   session.result["compared"] = { { "identical", d.samples == 0 }, { "position_mm", d.positionMm },

@@ -183,6 +183,10 @@ std::string PassportText(const Passport& passport)
   if (passport.gapDeviationMm > 0.0)
     text << "\nslice gaps  differ from their mean by up to " << passport.gapDeviationMm << " mm";
   PutDicom(passport, text);
+  if (passport.segments > 0)
+    text << "\nsegments    " << passport.segments;
+  if (!passport.hash.empty())
+    text << "\nhash        " << passport.hash;
   for (const std::string& warning : passport.warnings)
     text << "\nwarning     " << warning;
   for (const ImportFault& fault : passport.faults)
@@ -213,7 +217,8 @@ Json PassportJson(const Passport& passport)
     { "tilt_tag_degrees", Known(passport.tiltTagDegrees) },
     { "missing_slices", passport.missingSlices }, { "doubled_slices", passport.doubledSlices },
     { "uneven_gaps", passport.unevenGaps }, { "warnings", passport.warnings },
-    { "faults", FaultsJson(passport.faults) } };
+    { "segments", passport.segments }, { "faults", FaultsJson(passport.faults) } };
+  json["hash"] = passport.hash.empty() ? Json(nullptr) : Json(passport.hash);
   json["resampled"] =
     whole && passport.resampled ? ResampledJson(*passport.resampled) : Json(nullptr);
   return json;

@@ -60,6 +60,7 @@ void Run(const VolumeChoices& choices, Session& session)
 void AddInfoVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<VolumeChoices>();
+  options->hash = true;
   CLI::App* verb = app.add_subcommand("info", "Check a volume or a surface and print its passport");
   AddVolumeOptions(*verb, *options);
   AddCommonOptions(*verb, session);

@@ -28,6 +28,14 @@ std::string Number(double value)
   return text;
 }
 
+std::size_t SampleBytes(const Passport& passport)
+{
+  const std::size_t each = passport.sampleType == "float32" ? 4
+                           : passport.sampleType == "uint8" ? 1
+                                                            : 2;
+  return passport.faults.empty() ? each * passport.geometry.Size() : 0;
+}
+
 std::size_t Bytes(vtkImageData* image)
 {
   const vtkDataArray* samples = image->GetPointData()->GetScalars();
@@ -49,6 +57,7 @@ auto Reading(const VolumeChoices& choices, Session& session, const Read& read)
   VolumeReadSettings settings;
   settings.series = choices.series;
   settings.resample = choices.resample;
+  settings.hash = choices.hash;
   try
   {
     return read(settings, progress);
@@ -97,7 +106,15 @@ Passport InspectVolume(const VolumeChoices& choices, Session& session)
 {
   return Reading(choices, session,
     [&](const VolumeReadSettings& settings, const ProgressFunction& progress)
-    { return InspectVolume(choices.input, settings, progress); });
+    {
+      const auto start = std::chrono::steady_clock::now();
+      Passport passport = InspectVolume(choices.input, settings, progress);
+      const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+      session.resources.push_back({ "volume", SampleBytes(passport), spent.count(),
+        passport.format + ", " + passport.sampleType + ", for the passport" });
+      return passport;
+    });
 }
 
 void SayWarnings(const Passport& passport, Session& session)

@@ -21,6 +21,7 @@ struct VolumeChoices
   std::string input;     ///< a file, or a folder of slices
   int series = 0;        ///< as in VolumeReadSettings
   bool resample = false; ///< likewise
+  bool hash = false;     ///< likewise; no option, the verb decides
 };
 
 /// Adds IN, --series and --resample to a verb.
@@ -30,7 +31,8 @@ void AddVolumeOptions(CLI::App& verb, VolumeChoices& choices);
 /// Throws Failure: BadInput; WrongUse for a bad series.
 LoadedVolume ReadVolume(const VolumeChoices& choices, Session& session);
 
-/// Reads it likewise, and gives its passport even if it is refused: then it holds the faults.
+/// Reads it likewise, and gives its passport even if it is refused: then it holds the faults. The
+/// samples are dropped again.
 /// Throws Failure where there is no file, and for a bad series.
 Passport InspectVolume(const VolumeChoices& choices, Session& session);
 

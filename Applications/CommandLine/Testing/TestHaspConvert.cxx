@@ -32,6 +32,8 @@ TEST_F(HaspConvert, EveryFormatKeepsEverySampleAndPlace)
 {
   this->Phantom();
   std::string from = "head.mha";
+  const json truth =
+    json::parse(RunHasp({ "info", this->Path(from), "--json" }).out).at("passport").at("hash");
   for (const std::string to : { "a.vti", "a.nrrd", "a.nii", "a.nii.gz", "a.mha" })
   {
     const HaspRun run = this->Convert(from, to, { "--json" }); // a chain: errors would add up
@@ -39,6 +41,7 @@ TEST_F(HaspConvert, EveryFormatKeepsEverySampleAndPlace)
     const json document = json::parse(run.out);
     EXPECT_EQ(document.at("compared").at("identical"), true) << to;
     EXPECT_LE(document.at("compared").at("position_mm"), 1e-4) << to;
+    EXPECT_EQ(document.at("written").at("hash"), truth) << to;
     EXPECT_EQ(document.at("written").at("bytes"), std::filesystem::file_size(this->Path(to)));
     from = to;
   }

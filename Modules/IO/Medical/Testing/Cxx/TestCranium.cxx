@@ -1,3 +1,4 @@
+#include "vtkHaspDicomOutput.h"
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
@@ -138,6 +139,13 @@ TEST(Cranium, HashIsOneInEachFormat)
     hasp::WriteVolume(Cranium().image, file);
     EXPECT_EQ(hasp::LoadVolume(hasp::OpenVolume(file, settings)).passport.hash, hash) << name;
   }
+#if HASP_WITH_DICOM // a folder of slices, through the decoder's process
+  hasp::WriteDicomSeries(
+    Cranium().image, folder + "/slices", { .modality = "CT", .hounsfield = true });
+  const auto slices = hasp::LoadVolume(hasp::OpenVolume(folder + "/slices", settings));
+  EXPECT_EQ(slices.passport.hash, hash);
+  EXPECT_TRUE(slices.passport.hounsfield);
+#endif
   std::filesystem::remove_all(folder);
 }
 
