@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -35,18 +36,37 @@ struct TemporaryFolder
   std::filesystem::path path;
 };
 
+/// Mutating what is refused anyway would prove nothing.
+bool SeedsAreSound(const hasp::Target& target, const std::vector<std::string>& seeds,
+  const std::filesystem::path& folder, const std::filesystem::path& seedFolder)
+{
+  hasp::BatchSettings settings;
+  settings.count = seeds.size();
+  settings.folder = folder;
+  const hasp::BatchResult result =
+    hasp::RunBatch(settings, [&](std::uint64_t number, const std::filesystem::path& inputs)
+      { return hasp::Try(target, seeds[number], inputs, seedFolder); });
+  if (result.Good() && result.opened == seeds.size())
+    return true;
+  std::printf("%-8s only %llu of %zu seeds are opened\n", target.name.c_str(),
+    static_cast<unsigned long long>(result.opened), seeds.size());
+  return false;
+}
+
 bool Fuzz(const hasp::Target& target, std::uint64_t first, std::uint64_t count)
 {
   const TemporaryFolder seedFolder, inputs, temporary;
   const auto seeds = hasp::SeedsOf(target, seedFolder.path);
   setenv("TMPDIR", temporary.path.c_str(), 1);
+  if (!SeedsAreSound(target, seeds, inputs.path, seedFolder.path))
+    return false;
   hasp::BatchSettings settings;
   settings.first = first;
   settings.count = count;
   settings.folder = inputs.path;
   const hasp::BatchResult result =
     hasp::RunBatch(settings, [&](std::uint64_t number, const std::filesystem::path& folder)
-      { return hasp::Try(target, hasp::Mutate(seeds, number), folder); });
+      { return hasp::Try(target, hasp::Mutate(seeds, number), folder, seedFolder.path); });
   unsetenv("TMPDIR");
   const bool temporaryLeft = !std::filesystem::is_empty(temporary.path);
   std::printf("%-8s %8llu inputs from %llu: %llu opened, %llu refused, %zu crashes, %zu hangs, "

@@ -116,7 +116,7 @@ std::string Mutate(const std::vector<std::string>& seeds, std::uint64_t number)
   Engine engine(number);
   std::string bytes = seeds[Below(engine, seeds.size())];
   const std::string& other = seeds[Below(engine, seeds.size())];
-  for (std::size_t faults = 1 + Below(engine, 8); faults > 0 && !bytes.empty(); --faults)
+  for (std::size_t faults = 1 + Below(engine, 4); faults > 0 && !bytes.empty(); --faults)
     AddFault(engine, other, bytes);
   return bytes;
 }

@@ -6,7 +6,7 @@
 namespace hasp
 {
 
-/// One of the seeds with one to eight faults: bits turned, bytes replaced by telling values, pieces
+/// One of the seeds with one to four faults: bits turned, bytes replaced by telling values, pieces
 /// removed, doubled, zeroed or taken from another seed, the end cut off, a number in a text
 /// replaced by a wild one. Half of the faults fall into the first kibibyte, where headers are.
 ///

@@ -5,6 +5,9 @@
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <glm/geometric.hpp>
 
@@ -67,6 +70,52 @@ void MakeSegmentationSeeds(const std::filesystem::path& folder)
        "Segment0_ID:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=b\n"
        "Segment1_LabelValue:=1\nSegment1_Layer:=1\n\n"
     << std::string("\1\0\0\1", 4) << std::string(44, '\0');
+}
+
+namespace
+{
+
+constexpr const char* TextStl =
+  "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+  "vertex 10 0 0\nvertex 0 20 0\nendloop\nendfacet\nfacet normal 1 0 0\n"
+  "outer loop\nvertex 0 0 0\nvertex 0 20 0\nvertex 0 0 30.125\n"
+  "endloop\nendfacet\nendsolid t\n";
+constexpr const char* TextPly =
+  "ply\nformat ascii 1.0\ncomment SPACE=RAS\nelement vertex 4\nproperty double x\n"
+  "property double y\nproperty double z\nproperty uchar red\nelement face 2\n"
+  "property list uchar int vertex_indices\nend_header\n0 0 0 1\n10 0 0 2\n0 20 0 3\n"
+  "0 0 30.125 4\n3 0 1 2\n4 0 1 2 3\n";
+constexpr const char* TextObj =
+  "# SPACE=RAS\no a\nv 0 0 0\nv 10 0 0\nv 0 20 0\nv 0 0 30.125\nvt 0 0\nvn 0 0 1\n"
+  "f 1/1/1 2/1/1 3/1/1\nf -1 -2 -3 \\\n-4\nusemtl m\nf 1//1 2//1 4//1\n";
+
+vtkSmartPointer<vtkPolyData> SmallSurface()
+{
+  return MakePolyData({ { { 0, 0, 0 }, { 10, 0, 0 }, { 0, 20, 0 }, { 0, 0, 30.125 } },
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } } });
+}
+
+} // namespace
+
+void MakeSurfaceSeeds(const std::filesystem::path& folder, const std::string& fileName)
+{
+  const std::string ending = std::filesystem::path(fileName).extension();
+  if (ending == ".vtp")
+  {
+    for (const bool appended : { true, false })
+    {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetFileName((folder / (appended ? "appended.vtp" : "inline.vtp")).c_str());
+      writer->SetInputData(SmallSurface());
+      appended ? writer->SetDataModeToAppended() : writer->SetDataModeToAscii();
+      if (writer->Write() != 1)
+        throw std::runtime_error("the seed surface cannot be written");
+    }
+    return;
+  }
+  WriteSurface(SmallSurface(), folder / ("binary" + ending));
+  const char* text = ending == ".stl" ? TextStl : ending == ".ply" ? TextPly : TextObj;
+  std::ofstream(folder / ("text" + ending), std::ios::binary) << text;
 }
 
 #if HASP_WITH_LIBARCHIVE

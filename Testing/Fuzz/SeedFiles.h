@@ -10,5 +10,10 @@ namespace hasp
 void MakeVolumeSeeds(const std::filesystem::path& folder, const std::string& fileName);
 void MakeSegmentationSeeds(const std::filesystem::path& folder);
 void MakeInvesaliusSeeds(const std::filesystem::path& folder);
+void MakeSurfaceSeeds(const std::filesystem::path& folder, const std::string& fileName);
+
+/// A series of five plain slices in folder/plain, and its third slice in each transfer syntax that
+/// can be written here.
+void MakeDicomSeeds(const std::filesystem::path& folder);
 
 } // namespace hasp

@@ -1,6 +1,7 @@
 #include "Targets.h"
 
 #include "SeedFiles.h"
+#include "vtkHaspSurfaceFile.h"
 #include "vtkHaspVolumeFile.h"
 
 #include <sys/wait.h>
@@ -17,6 +18,16 @@ namespace hasp
 namespace
 {
 
+struct RemovedAtEnd
+{
+  std::filesystem::path folder;
+  ~RemovedAtEnd()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(this->folder, ignored);
+  }
+};
+
 VolumeReadSettings SmallLimits()
 {
   VolumeReadSettings settings;
@@ -24,9 +35,36 @@ VolumeReadSettings SmallLimits()
   return settings;
 }
 
-void ReadVolume(const std::filesystem::path& file)
+using Path = std::filesystem::path;
+
+void ReadVolume(const Path& file, const Path&)
 {
   LoadVolume(OpenVolume(file.string(), SmallLimits()));
+}
+
+void ReadSurface(const Path& file, const Path&)
+{
+  SurfaceReadSettings settings;
+  settings.memoryLimitBytes = std::size_t(256) << 20;
+  LoadSurface(file.string(), settings);
+}
+
+/// The third slice of a sound series is the file.
+void ReadSeries(const Path& file, const Path& seeds)
+{
+  const Path series = file.parent_path() / "series";
+  std::filesystem::copy(seeds / "plain", series);
+  std::filesystem::copy_file(
+    file, series / "slice-00003.dcm", std::filesystem::copy_options::overwrite_existing);
+  const RemovedAtEnd removed{ series };
+  LoadVolume(OpenVolume(series.string(), SmallLimits()));
+}
+
+Target SurfaceTarget(const std::string& name)
+{
+  const std::string fileName = "input." + name;
+  return { name, fileName, [fileName](const Path& folder) { MakeSurfaceSeeds(folder, fileName); },
+    ReadSurface };
 }
 
 Target VolumeTarget(const std::string& name, const std::string& fileName)
@@ -49,9 +87,13 @@ std::vector<Target> Targets()
   std::vector<Target> targets{ VolumeTarget("mha", "input.mha"), VolumeTarget("vti", "input.vti"),
     VolumeTarget("nrrd", "input.nrrd"), VolumeTarget("nii", "input.nii"),
     VolumeTarget("nii.gz", "input.nii.gz"),
-    { "seg.nrrd", "input.seg.nrrd", MakeSegmentationSeeds, ReadVolume } };
+    { "seg.nrrd", "input.seg.nrrd", MakeSegmentationSeeds, ReadVolume }, SurfaceTarget("stl"),
+    SurfaceTarget("ply"), SurfaceTarget("obj"), SurfaceTarget("vtp") };
 #if HASP_WITH_LIBARCHIVE
   targets.push_back({ "inv3", "input.inv3", MakeInvesaliusSeeds, ReadVolume });
+#endif
+#if HASP_WITH_DICOM
+  targets.push_back({ "dicom", "input.dcm", MakeDicomSeeds, ReadSeries });
 #endif
   return targets;
 }
@@ -68,7 +110,7 @@ std::vector<std::string> SeedsOf(const Target& target, const std::filesystem::pa
   if (child < 0 || waitpid(child, &status, 0) != child || status != 0)
     throw std::runtime_error("the seeds of " + target.name + " cannot be made");
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(emptyFolder))
+  for (const auto& entry : std::filesystem::directory_iterator(emptyFolder))
     if (entry.is_regular_file())
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
@@ -78,14 +120,15 @@ std::vector<std::string> SeedsOf(const Target& target, const std::filesystem::pa
   return seeds;
 }
 
-Outcome Try(const Target& target, const std::string& bytes, const std::filesystem::path& folder)
+Outcome Try(const Target& target, const std::string& bytes, const std::filesystem::path& folder,
+  const std::filesystem::path& seeds)
 {
   const auto file = folder / target.fileName;
   std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
   Outcome outcome = Outcome::Opened;
   try
   {
-    target.read(file);
+    target.read(file, seeds);
   }
   catch (const std::bad_alloc&)
   {

@@ -17,18 +17,19 @@ struct Target
   /// Sound files of the format, of different kinds, into an empty folder.
   std::function<void(const std::filesystem::path& folder)> makeSeeds;
   /// Reads the file. std::exception: refused. std::bad_alloc is let through, because a reader that
-  /// takes memory before it checks is at fault.
-  std::function<void(const std::filesystem::path& file)> read;
+  /// takes memory before it checks is at fault. The seeds are still there.
+  std::function<void(const std::filesystem::path& file, const std::filesystem::path& seeds)> read;
 };
 
 /// Every reader of this build.
 std::vector<Target> Targets();
 
-/// The bytes of each seed, in the order of their names. They are made in a process of their own:
+/// The bytes of each seed, a file directly in the folder, in the order of their names. They are made in a process of their own:
 /// libraries that start threads cannot be used before a fork.
 std::vector<std::string> SeedsOf(const Target& target, const std::filesystem::path& emptyFolder);
 
 /// Writes the bytes to folder/fileName, reads them and removes them.
-Outcome Try(const Target& target, const std::string& bytes, const std::filesystem::path& folder);
+Outcome Try(const Target& target, const std::string& bytes, const std::filesystem::path& folder,
+  const std::filesystem::path& seeds);
 
 } // namespace hasp

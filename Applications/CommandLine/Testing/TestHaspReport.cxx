@@ -40,4 +40,14 @@ TEST_F(HaspReport, WritesWhatItMeasured)
   EXPECT_NE(ReadBytes(this->Path("s.html")).find("<svg"), std::string::npos);
 }
 
+TEST_F(HaspReport, ImportKeepsPlacesAndAcceptsNoFaultyFolder)
+{
+  const HaspRun run = RunHasp({ "report", "import", "--quick", "--json", this->Path("i.json") });
+  ASSERT_EQ(run.exitCode, 0) << run.err; // places in extreme volumes are held by the report itself
+  const auto report = nlohmann::json::parse(ReadBytes(this->Path("i.json")));
+  ASSERT_GE(report.at("rows").size(), 5U);
+  for (const auto& row : report.at("rows"))
+    EXPECT_LE(row.at("error"), 1e-4) << row; // mm, or folders accepted with a fault
+}
+
 } // namespace
