@@ -115,7 +115,7 @@ TEST_F(Batch, MemoryIsLimited)
 TEST(Mutation, IsTheSameForTheSameNumberAndElseNearlyNever)
 {
   const std::vector<std::string> seeds{ std::string(2000, 'a') + "DimSize = 12 7 5",
-    std::string("0123456789", 10) };
+    std::string(3000, 'b') + "1 2 3" };
   std::set<std::string> all;
   std::size_t unchanged = 0;
   for (std::uint64_t number = 0; number < 2000; ++number)
@@ -125,7 +125,7 @@ TEST(Mutation, IsTheSameForTheSameNumberAndElseNearlyNever)
     all.insert(bytes);
     unchanged += bytes == seeds[0] || bytes == seeds[1] ? 1 : 0;
   }
-  EXPECT_GT(all.size(), 1600U); // short seeds cut off or emptied coincide
+  EXPECT_GT(all.size(), 1800U); // cut off at the same place, say
   EXPECT_LT(unchanged, 40U);
   EXPECT_THROW(Mutate({}, 1), std::invalid_argument);
 }
