@@ -303,9 +303,11 @@ void SetNrrdGeometry(const std::filesystem::path& file, const NrrdHeader& header
     if (!numbers)
       ThrowFileError(file, "lacks space directions or three spacings; a spacing is never guessed");
     for (int a = 0; a < 3; ++a)
+    {
       steps[a][a] = (*numbers)[a];
-    if (glm::determinant(steps) < 0.0)
-      ThrowFileError(file, "spacings must be > 0");
+      if (!(steps[a][a] > 0.0)) // two of them would else be a half turn
+        ThrowFileError(file, "spacings must be > 0");
+    }
   }
   for (int a = 0; a < 3; ++a)
   {
