@@ -1,5 +1,5 @@
 #include "Files/SafeArchive.h"
-#include "Volumes/HeaderText.h"
+#include "Files/Words.h"
 #include "Volumes/VolumeFormat.h"
 
 #include "vtkCallbackCommand.h"

@@ -1,4 +1,4 @@
-#include "Volumes/HeaderText.h"
+#include "Files/Words.h"
 #include "Volumes/NrrdHeader.h"
 
 #include "vtkImageData.h"
