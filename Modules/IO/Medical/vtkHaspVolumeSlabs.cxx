@@ -186,11 +186,10 @@ void VolumeSlabWriter::Commit()
   if (in.slicesLeft > 0)
     throw std::invalid_argument(
       std::to_string(in.slicesLeft) + " slices are missing; append them before Commit");
-  if (in.gzip)
-    in.gzip->Finish();
-  in.gzip.reset();
-  in.output->Commit();
-  in.output.reset();
+  const auto output = std::move(in.output); // whatever fails, there is no second try
+  if (const auto gzip = std::move(in.gzip))
+    gzip->Finish();
+  output->Commit();
 }
 
 } // namespace hasp

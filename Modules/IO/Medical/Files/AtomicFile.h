@@ -10,8 +10,8 @@ namespace hasp
 
 /// A file that appears whole or not at all: written under a temporary name in the same folder,
 /// flushed to the disk, then renamed over the old one. Without Commit the old file is untouched and
-/// the temporary one is removed. All errors throw std::runtime_error with the file's base name and
-/// the system's reason.
+/// the temporary one is removed. All errors throw std::runtime_error with the file's label and the
+/// system's reason.
 class AtomicFile
 {
 public:

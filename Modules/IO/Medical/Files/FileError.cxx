@@ -1,9 +1,9 @@
 #include "Files/FileError.h"
+#include "Files/Words.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
-#include <cstring>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -48,9 +48,7 @@ std::string FileLabel(const std::filesystem::path& path)
 
 std::string LowerExtension(const std::filesystem::path& path)
 {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = LowerCase(path.filename().string());
   for (const std::string two : { ".nii.gz", ".seg.nrrd" })
     if (name.size() > two.size() && name.ends_with(two))
       return two;

@@ -5,7 +5,9 @@
 #include <archive_entry.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <clocale>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <set>
@@ -43,10 +45,11 @@ private:
 constexpr std::size_t EntryLimit = 4096;
 constexpr std::size_t BesideSamples = std::size_t(512) << 20; // masks and surfaces of a project
 
+/// In our words: libarchive's name the file.
 std::string Reason(archive* from)
 {
-  const char* text = archive_error_string(from);
-  return text ? text : "unknown reason";
+  const int number = archive_errno(from);
+  return number > 0 && number != EILSEQ ? strerror(number) : "broken format";
 }
 
 [[noreturn]] void ThrowDamaged(const std::filesystem::path& file, archive* from)

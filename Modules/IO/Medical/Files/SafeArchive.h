@@ -33,7 +33,7 @@ private:
 };
 
 /// Calls visit for each regular file of a tar or gzipped tar, until it returns false. Nothing is
-/// ever extracted to disk. Throws std::runtime_error, with the archive's base name, on an entry
+/// ever extracted to disk. Throws std::runtime_error, with the archive's label, on an entry
 /// that is a link or device, has an absolute path, "..", a second top folder or a name seen before;
 /// on more than 4096 entries or more declared bytes than the limit plus 512 MiB; and on damage.
 void WalkArchive(const std::filesystem::path& file, std::size_t limitBytes,

@@ -7,15 +7,20 @@ namespace hasp
 namespace
 {
 
+constexpr std::string_view LettersAndDigits =
+  "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+
 /// What follows `key` in the text, up to the first that is no letter or digit; empty without it.
+/// "COLORSPACE=" is not "SPACE=".
 std::string_view ValueOf(std::string_view text, std::string_view key)
 {
-  const std::size_t at = text.find(key);
+  std::size_t at = text.find(key);
+  while (at != 0 && at != text.npos && LettersAndDigits.find(text[at - 1]) != text.npos)
+    at = text.find(key, at + 1);
   if (at == text.npos)
     return {};
   const std::string_view rest = text.substr(at + key.size());
-  return rest.substr(0, rest.find_first_not_of("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                               "abcdefghijklmnopqrstuvwxyz"));
+  return rest.substr(0, rest.find_first_not_of(LettersAndDigits));
 }
 
 } // namespace

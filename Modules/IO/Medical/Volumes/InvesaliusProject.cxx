@@ -1,11 +1,12 @@
 #include "Files/SafeArchive.h"
-#include "Volumes/HeaderText.h"
+#include "Files/Words.h"
 #include "Volumes/VolumeFormat.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
 
@@ -32,6 +33,34 @@ struct Matrix
 {
   std::string fileName;
   glm::ivec3 dims{ 0 };
+};
+
+/// Leaves out what lies deeper than a property list goes: VTK's elements end each other in turn, so
+/// that a hundred thousand of them overrun the stack.
+class ShallowParser : public vtkXMLDataParser
+{
+public:
+  static ShallowParser* New() { VTK_STANDARD_NEW_BODY(ShallowParser); }
+  bool WasDeep() const { return this->Deep; }
+
+protected:
+  void StartElement(const char* name, const char** attributes) override
+  {
+    if (++this->Depth <= Deepest)
+      vtkXMLDataParser::StartElement(name, attributes);
+    else
+      this->Deep = true;
+  }
+  void EndElement(const char* name) override
+  {
+    if (this->Depth-- <= Deepest)
+      vtkXMLDataParser::EndElement(name);
+  }
+
+private:
+  static constexpr int Deepest = 32; // InVesalius writes four
+  int Depth = 0;
+  bool Deep = false;
 };
 
 std::string TextOf(const char* text)
@@ -81,13 +110,14 @@ glm::dvec3 Three(
 void ParseMain(const std::filesystem::path& file, const std::string& text,
   const VolumeReadSettings& settings, Passport& passport, Matrix& matrix)
 {
-  vtkNew<vtkXMLDataParser> parser;
+  vtkNew<ShallowParser> parser;
   vtkNew<vtkCallbackCommand> silent; // an observer keeps VTK from printing; Parse returns 0 as well
   silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   parser->AddObserver(vtkCommand::ErrorEvent, silent);
   std::istringstream stream(text);
   parser->SetStream(&stream);
-  vtkXMLDataElement* root = parser->Parse() ? parser->GetRootElement() : nullptr;
+  vtkXMLDataElement* root =
+    parser->Parse() && !parser->WasDeep() ? parser->GetRootElement() : nullptr;
   vtkXMLDataElement* dict = root ? root->FindNestedElementWithName("dict") : nullptr;
   vtkXMLDataElement* samples = Find(dict, "matrix");
   if (!samples)

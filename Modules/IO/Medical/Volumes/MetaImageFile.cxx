@@ -1,4 +1,4 @@
-#include "Volumes/HeaderText.h"
+#include "Files/Words.h"
 #include "Volumes/SampleFile.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "Volumes/HeaderText.h"
+#include "Volumes/IndexSteps.h"
 #include "Volumes/NiftiHeader.h"
 #include "Volumes/SampleFile.h"
 

@@ -16,6 +16,11 @@ struct NrrdHeader
   std::map<std::string, std::string> fields; ///< by the specification's name, in lower case
   std::map<std::string, std::string> pairs;  ///< "key:=value", unescaped
   std::uint64_t bytes = 0;                   ///< up to where attached samples begin
+
+  const std::string& Field(const char* name) const; ///< empty if the header has none
+  /// Of that field; 0 if the header has none. Throws unless it is whole and in [least, 1e15].
+  std::int64_t WholeNumber(
+    const std::filesystem::path& file, const char* name, std::int64_t least) const;
 };
 
 /// Throws ThrowFileError, as all of these do.

@@ -155,7 +155,8 @@ void SwapBytes(char* data, std::size_t bytes, std::size_t sampleBytes)
 std::filesystem::path FileBeside(
   const std::filesystem::path& header, const std::string& name, const char* key)
 {
-  const std::filesystem::path asked = std::filesystem::u8path(name);
+  const std::filesystem::path asked =
+    std::filesystem::u8path(name.starts_with("./") ? name.substr(2) : name);
   if (name.empty() || name.find('%') != name.npos || name.find('\0') != name.npos ||
       asked.filename() != asked)
     ThrowFileError(header, std::string(key) + " must be the name of one file beside it");

@@ -45,7 +45,8 @@ struct SampleFile
 std::size_t BytesOf(StoredType type);
 
 /// The whole path of a file beside the header, by a name out of it. Throws unless the name is that
-/// of one regular file in the same folder; `key` is our word for where the name stood.
+/// of one regular file in the same folder ("./" may stand before it); `key` is our word for where
+/// the name stood.
 std::filesystem::path FileBeside(
   const std::filesystem::path& header, const std::string& name, const char* key);
 

@@ -1,4 +1,4 @@
-#include "Volumes/HeaderText.h"
+#include "Files/Words.h"
 #include "Volumes/NrrdHeader.h"
 
 #include "vtkImageData.h"
@@ -85,10 +85,11 @@ std::vector<LayeredSegment> Segments(const std::filesystem::path& file, const Pa
 }
 
 /// Some layers of several: for each, which label becomes which; a label that is absent is an error.
+/// No table by label: 65536 layers may each have a label of 65535.
 struct LayerLabels
 {
   std::int64_t layer = 0;
-  std::vector<int> becomes; ///< by label value; -1: no segment
+  std::map<int, int> becomes;
 };
 
 template <typename Stored, typename Label>
@@ -115,13 +116,13 @@ void Merge(const SampleFile& samples, const std::vector<LayerLabels>& layers, st
         const int value = piece[n * width + one.layer];
         if (value == 0)
           continue;
-        const int becomes = value > 0 && value < int(one.becomes.size()) ? one.becomes[value] : -1;
-        if (becomes < 0)
+        const auto becomes = one.becomes.find(value);
+        if (becomes == one.becomes.end())
           ThrowFileError(samples.header, "layer " + std::to_string(one.layer + 1) +
                                            " holds label value " + std::to_string(value) +
                                            ", which is no segment's; save it again");
         overlapping += label != 0;
-        label = becomes;
+        label = becomes->second;
       }
       labels[done + n] = static_cast<Label>(label);
     }
@@ -181,11 +182,8 @@ std::vector<LayerLabels> ChooseLayers(const std::filesystem::path& file, int cho
   for (std::size_t n = 0; n < segments.size(); ++n)
   {
     Segment& segment = segments[n].segment;
-    auto& becomes = layers[chosen > 0 ? 0 : segments[n].layer].becomes;
-    if (int(becomes.size()) <= segment.labelValue)
-      becomes.resize(segment.labelValue + 1, -1);
     const int label = chosen > 0 ? segment.labelValue : static_cast<int>(n + 1);
-    becomes[segment.labelValue] = label;
+    layers[chosen > 0 ? 0 : segments[n].layer].becomes[segment.labelValue] = label;
     segment.labelValue = label;
   }
   return layers;
@@ -235,6 +233,8 @@ OpenedVolume OpenSegmentation(const std::filesystem::path& file, const VolumeRea
   for (const Segment& segment : opened.segments)
     largest = std::max(largest, segment.labelValue);
   const int vtkType = largest > 255 ? VTK_UNSIGNED_SHORT : VTK_UNSIGNED_CHAR;
+  CheckSampleBytes(file, samples.size[0], samples.size[1], samples.size[2],
+    largest > 255 ? sizeof(std::uint16_t) : sizeof(std::uint8_t), settings.memoryLimitBytes);
   opened.passport.sampleType = SampleTypeName(vtkType);
   if (settings.layer == 0)
     opened.passport.warnings.push_back("The file's " + std::to_string(samples.components) +

@@ -20,6 +20,14 @@ std::string SafeText(const std::string& text)
   return safe;
 }
 
+std::string KnownModality(std::string_view text)
+{
+  for (const char* known : { "CT", "MR", "PT", "NM", "US", "CR", "DX", "XA", "OT" })
+    if (text == known)
+      return known;
+  return {};
+}
+
 std::string TooManySamples(std::int64_t x, std::int64_t y, std::int64_t z,
   std::size_t bytesPerSample, std::size_t limitBytes)
 {

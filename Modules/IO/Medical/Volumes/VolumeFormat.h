@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 /// One function per format; OpenVolume picks. Internal to IOMedical.
 namespace hasp
@@ -21,6 +22,10 @@ OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSet
 
 /// Text of a file that may be shown: what is not printable ASCII becomes "?".
 std::string SafeText(const std::string& text);
+
+/// The modality if it is one of the few that these formats' passports name ("CT", "MR", ...), else
+/// empty: other text of a file goes nowhere.
+std::string KnownModality(std::string_view text);
 
 /// What is wrong with x*y*z samples, if a size is below 1 or above INT_MAX or their bytes are above
 /// the limit; else empty.

@@ -67,7 +67,7 @@ std::string StlBinary(const hasp::TriangleMesh& mesh, const std::string& space)
 /// With a colour at each point, flags at each face, and elements that are not asked for.
 std::string Ply(const hasp::TriangleMesh& mesh, const std::string& space, const char* format)
 {
-  const bool text = format == std::string("ascii"), big = format[7] == 'b';
+  const bool text = format == std::string("ascii"), big = !text && format[7] == 'b';
   std::string bytes = std::string("ply\nformat ") + format + " 1.0\ncomment " + space +
                       "\nelement camera 1\nproperty double focus\nproperty list uint short knobs\n"
                       "element vertex " +

@@ -1,5 +1,7 @@
 #include "IOFixture.h"
 
+#include "vtkHaspFileNames.h"
+
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -174,6 +176,23 @@ TEST_F(Invesalius, CutOffAndForeignFilesAreRefused)
   this->ExpectRefused(file, { "a.inv3: " });
 }
 
+TEST_F(Invesalius, ReadErrorsDoNotNameTheFile)
+{
+  hasp::ShowFileNames(false);
+  const auto file = this->Folder / "Miller^Ann.inv3";
+  std::filesystem::create_symlink("/proc/self/mem", file); // a regular file whose start is an error
+  try
+  {
+    Read(file);
+    ADD_FAILURE() << "was read";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_EQ(std::string(error.what()).find("Miller"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("the .inv3 file: "), 0U) << error.what();
+  }
+}
+
 TEST_F(Invesalius, BadPropertyListsAreRefused)
 {
   this->ExpectListRefused("</plist>", "", "no property list");
@@ -189,6 +208,13 @@ TEST_F(Invesalius, BadPropertyListsAreRefused)
   this->ExpectListRefused("<real>0.5</real>", "<real>0</real>", "spacing");
   this->ExpectListRefused("<real>0.5</real>", "<real>nan</real>", "no number");
   this->ExpectListRefused("matrix.dat", "../matrix.dat", "lacks the file of samples");
+  // As deep as a megabyte goes: what walks it in a function that calls itself has no stack left.
+  std::string deep;
+  for (int n = 0; n < 140000; ++n)
+    deep += "<a>";
+  for (int n = 0; n < 140000; ++n)
+    deep += "</a>";
+  this->ExpectListRefused("<key>modality</key>", deep + "<key>modality</key>", "no property list");
 }
 
 TEST_F(Invesalius, ProjectIsExactAndRightHandedInLPS)

@@ -104,7 +104,7 @@ TEST_F(Nrrd, BadHeadersAreRefused)
   this->ExpectHeaderRefused( // a gantry tilt of atan(0.2)
     { { "space directions", "(1,0,0) (0,1,0) (0,0.2,1)" } }, "11.3099 degrees");
   this->ExpectHeaderRefused({ { "space directions", "" } }, "never guessed");
-  for (const char* spacings : { "1 1", "1 1 nan", "1 1 0", "1 1 -1" })
+  for (const char* spacings : { "1 1", "1 1 nan", "1 1 0", "1 1 -1", "-1 -1 1" })
     this->ExpectHeaderRefused({ { "space directions", "" }, { "spacings", spacings } }, "spacing");
   this->ExpectHeaderRefused({ { "space origin", "(1,2,3) (1,2,3)" } }, "space origin");
   this->ExpectHeaderRefused({ { "space units", "\"m\" \"m\" \"m\"" } }, "space units");
@@ -183,6 +183,9 @@ TEST_F(Nrrd, DetachedSamplesLieBesideTheHeader)
   ExpectSame(Read(this->Write(header, "a.nhdr")), Meant(), Samples(Meant()));
   ExpectSame( // no blank line is needed
     Read(this->Write(header.substr(0, header.size() - 1), "a.nhdr")), Meant(), Samples(Meant()));
+  this->Write(Raw(), "b.raw"); // as programs before Teem 1.9 had to name it
+  ExpectSame(
+    Read(this->Write(Header({ { "data file", "./b.raw" } }), "b.nhdr")), Meant(), Samples(Meant()));
   this->ExpectRefused(this->Write(Header(), "b.nhdr"), { "no data file line" });
 }
 

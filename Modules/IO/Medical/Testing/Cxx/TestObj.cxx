@@ -31,6 +31,7 @@ TEST_F(Obj, FacesMayBeWrittenInManyWays)
   EXPECT_EQ(this->Triangles(Points + "f\t1  2\t3\r\n\r\n"), 1U);
   EXPECT_EQ(this->Triangles("\xEF\xBB\xBF" + Points + "f 1 2 3\n"), 1U);
   EXPECT_EQ(this->Triangles("v 0 0 0 1\nv 9 0 0 0.5 0.5 0.5\nv 0 9 0\nf 1 2 3"), 1U);
+  EXPECT_EQ(this->Triangles("# CONTROLPOINTS=7 colorspace=x\n" + Points + "f 1 2 3\n"), 1U);
   const auto turned = this->Read(Form::Obj, Points + "f 3 1 2\n");
   EXPECT_EQ(turned.passport.points, 4U);
 }

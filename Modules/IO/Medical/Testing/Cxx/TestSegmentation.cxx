@@ -5,6 +5,8 @@
 
 #include "vtkImageData.h"
 
+#include <sys/resource.h>
+
 #include <stdexcept>
 
 namespace
@@ -135,6 +137,39 @@ TEST_F(Segmentation, LayersAreMergedWhereNoneOverlapOrChosen)
   ASSERT_EQ(volume.segments.size(), 2U);
   EXPECT_EQ(volume.segments[1].name, "air");
   EXPECT_EQ(volume.segments[1].labelValue, 3);
+}
+
+TEST_F(Segmentation, LargeLabelsOfManyLayersTakeLittleMemory)
+{
+  constexpr int layers = 2000;
+  std::string text;
+  for (int n = 0; n < layers; ++n)
+    text += SegmentText(n, "bone", 65535, n);
+  text = Header(text, layers);
+  text.replace(text.find("unsigned char"), 13, "unsigned short\nendian: little");
+  const auto file = this->Write(text + std::string(24 * 2 * layers, '\0'));
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  EXPECT_EQ(Read(file).passport.segments, layers);
+  getrusage(RUSAGE_SELF, &after);
+  // The header is 500 kB; a table of all labels would be 256 KiB for each layer, 500 MiB.
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100 << 10) << "KiB";
+}
+
+TEST_F(Segmentation, MergedLayersAreHeldToTheMemoryLimit)
+{
+  // 256 segments, so that what is merged needs two bytes a sample, not one as the file has.
+  std::string text;
+  for (int n = 0; n < 256; ++n)
+    text += SegmentText(n, "bone", 1 + n / 2, n % 2);
+  hasp::VolumeReadSettings settings;
+  settings.memoryLimitBytes = 24;
+  this->ExpectRefused(
+    this->Write(Header(text, 2) + std::string(48, '\0')), { "memory limit" }, settings);
+  settings.memoryLimitBytes = 48;
+  EXPECT_EQ(
+    Read(this->Write(Header(text, 2) + std::string(48, '\0')), settings).passport.sampleType,
+    "uint16");
 }
 
 TEST_F(Segmentation, FilesOfOldSlicerHaveALayerForEachSegment)

@@ -3,6 +3,7 @@
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspSurfaceWriter.h"
 #include "vtkHaspVolumeReader.h"
+#include "vtkHaspVolumeSlabs.h"
 #include "vtkHaspVolumeView.h"
 #include "vtkHaspVolumeWriter.h"
 
@@ -95,6 +96,20 @@ TEST_F(Writers, FullDiskLeavesTheOldFileAndNothingElse)
   }
   EXPECT_EQ(ReadBytes(file), "the old file");
   EXPECT_EQ(this->FilesThere(), 1U);
+}
+
+TEST_F(Writers, AWriteThatFailedInItsLastBytesCannotBeFinished)
+{
+  const auto g = this->Truth();
+  const std::string file = (this->Folder / "a.nii.gz").string();
+  hasp::VolumeSlabWriter writer(file, g, hasp::SampleType::Int16);
+  writer.Append(Samples(g)); // so few that zlib keeps them to itself
+  {
+    const LimitFileSize limit(16);
+    EXPECT_THROW(writer.Commit(), std::runtime_error);
+  }
+  EXPECT_THROW(writer.Commit(), std::invalid_argument) << "a part of the file is lost";
+  EXPECT_EQ(this->FilesThere(), 0U);
 }
 
 TEST_F(Writers, UnwritableNamesAreErrors)

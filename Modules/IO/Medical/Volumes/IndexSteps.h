@@ -2,27 +2,10 @@
 #include "Grid/GridGeometry.h"
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
-/// What headers written as text have in common.
+/// From what headers say of an index step along each axis to a geometry.
 namespace hasp
 {
-
-/// Without blanks and line ends around it.
-std::string Trimmed(std::string_view text);
-
-std::string LowerCase(std::string_view text);
-
-/// Numbers set apart by blanks; nothing unless there are `count` of them, all finite, and nothing
-/// else.
-std::optional<std::vector<double>> FiniteNumbers(std::string_view text, std::size_t count);
-
-/// The modality if it is one of the few that passports name ("CT", "MR", ...), else empty: other
-/// text of a file goes nowhere.
-std::string KnownModality(std::string_view text);
 
 /// Sets spacing and direction from the world vectors of an index step along each axis, mm. Throws
 /// ThrowFileError with the angle if they are not at right angles, and whatever
