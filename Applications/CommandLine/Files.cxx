@@ -42,8 +42,9 @@ Failure CannotWrite(const std::string& path, const std::string& reason)
 
 void RequireEnding(const std::string& path, const std::vector<std::string>& endings)
 {
-  if (endings.empty() ||
-      std::find(endings.begin(), endings.end(), Lower(fs::path(path).extension())) != endings.end())
+  const std::string name = Lower(fs::path(path).filename()); // .nii.gz is one ending
+  if (endings.empty() || std::any_of(endings.begin(), endings.end(),
+                           [&](const std::string& ending) { return name.ends_with(ending); }))
     return;
   std::string known;
   for (const std::string& ending : endings)
