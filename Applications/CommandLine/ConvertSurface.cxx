@@ -122,6 +122,10 @@ void ConvertSurface(const ConvertOptions& options, Session& session)
   {
     throw;
   }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the file; the caller says what to do
+  }
   catch (const std::exception& error)
   {
     throw Failure(ExitCode::WrongUse, SafeText(error));

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 namespace hasp
@@ -94,6 +95,10 @@ void Write(const ConvertOptions& options, OutputKind kind, const LoadedVolume& v
   {
     throw;
   }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the file; the caller says what to do
+  }
   catch (const std::exception& error)
   {
     throw Failure(ExitCode::WrongUse, SafeText(error));
@@ -111,6 +116,10 @@ void Compare(
       LoadVolume(OpenVolume(name, { .hash = true }, Progress(session)), Progress(session));
     outcome.back = back.passport;
     outcome.difference = CompareVolumes(ViewImage(volume.image), ViewImage(back.image));
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the file; the caller says what to do
   }
   catch (const std::exception& error)
   {
@@ -208,6 +217,10 @@ void ConvertVolume(const ConvertOptions& options, OutputKind kind, Session& sess
   catch (const Failure&)
   {
     throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the file; the caller says what to do
   }
   catch (const std::exception& error)
   {

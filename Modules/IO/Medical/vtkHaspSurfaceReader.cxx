@@ -1,4 +1,5 @@
 #include "vtkHaspSurfaceReader.h"
+#include "vtkHaspFileNames.h"
 #include "vtkHaspSurfaceFile.h"
 
 #include "vtkErrorCode.h"
@@ -85,7 +86,8 @@ void vtkHaspSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const hasp::SurfacePassport& p = this->GetPassport();
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+  os << indent << "FileName: " << (this->FileName ? hasp::FileLabel(this->FileName) : "(none)")
+     << "\n"
      << indent << "Format: " << p.format << "\n"
      << indent << "Points: " << p.points << ", " << p.coordinateType << "\n"
      << indent << "Triangles: " << p.triangles << "\n"

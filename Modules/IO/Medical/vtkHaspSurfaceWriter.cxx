@@ -1,4 +1,5 @@
 #include "vtkHaspSurfaceWriter.h"
+#include "vtkHaspFileNames.h"
 #include "vtkHaspOutputFile.h"
 
 #include "vtkErrorCode.h"
@@ -51,5 +52,6 @@ int vtkHaspSurfaceWriter::FillInputPortInformation(int, vtkInformation* info)
 void vtkHaspSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "FileName: " << (this->FileName ? hasp::FileLabel(this->FileName) : "(none)")
+     << "\n";
 }

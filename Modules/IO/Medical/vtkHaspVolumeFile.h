@@ -26,15 +26,17 @@ namespace hasp
 {
 
 /// What is known of a volume. Holds no patient's text, no UID and no path, so it may be shown,
-/// logged and sent. Complete when samples are handed on; everything but minimum and maximum before
-/// any sample is decoded (sampleType may then still be "int16 or float32": see below).
+/// logged and sent. Complete when samples are handed on; before any is decoded all but what samples
+/// tell: minimum, maximum, levels, hash, and sampleType where they are to be converted ("int16 or
+/// float32", "int16, uint16 or float32").
 struct Passport
 {
   std::string format;             ///< "DICOM", "InVesalius", "MetaImage", "NRRD", "NRRD
                                   ///< segmentation", "NIfTI-1", "NIfTI-2" or "VTI"
   GridGeometry geometry;          ///< patient LPS, mm
-  std::string modality;           ///< as the file says, "CT" or "MR", "OTHER" for what is no known
-                                  ///< term; empty if it does not say
+  std::string modality;           ///< as the file says, "CT" or "MR"; for what is no known term
+                                  ///< "OTHER" in DICOM and empty elsewhere; empty if it does not
+                                  ///< say
   bool hounsfield = false;        ///< values are HU by the file's own word, and the samples do
                                   ///< not deny it (CBCT's are not)
   std::optional<double> airLevel; ///< measured where HU are claimed, in the file's values: HU

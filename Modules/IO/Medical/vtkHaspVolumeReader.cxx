@@ -1,4 +1,5 @@
 #include "vtkHaspVolumeReader.h"
+#include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeFile.h"
 
 #include "vtkDataObject.h"
@@ -142,7 +143,8 @@ void vtkHaspVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const hasp::Passport& p = this->GetPassport();
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+  os << indent << "FileName: " << (this->FileName ? hasp::FileLabel(this->FileName) : "(none)")
+     << "\n"
      << indent << "Series: " << this->GetSeries() << "\n"
      << indent << "Resample: " << (this->GetResample() ? "on" : "off") << "\n"
      << indent << "Format: " << p.format << "\n"

@@ -50,7 +50,6 @@ public:
   void Warn(const std::string& sentence) { this->Passport.warnings.push_back(sentence); }
 
   std::size_t PointCount() const { return this->Points.size(); }
-  std::size_t TriangleCount() const { return this->Triangles.size(); }
 
   /// Refuses faces that name absent points and a surface without triangles; turns RAS to LPS.
   LoadedSurface Finish(

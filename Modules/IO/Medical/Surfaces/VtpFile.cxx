@@ -91,9 +91,9 @@ LoadedSurface ReadVtp(const std::filesystem::path& file, const SurfaceReadSettin
       record.faces > most || record.corners > most)
     process.ThrowGarbage("size");
   SurfaceBuilder builder(file, settings);
-  // A face of fewer than three corners is refused below.
+  // A face of fewer than three corners is refused below. So this bounds the corners of one, too.
   builder.Expect(record.points,
-    record.corners > 2 * record.faces ? record.corners - 2 * record.faces : record.faces);
+    std::max(record.faces, record.corners - std::min(record.corners, 2 * record.faces)));
   if (record.coordinateBytes == 4)
     ReadPoints<float>(process, record.points, builder);
   else

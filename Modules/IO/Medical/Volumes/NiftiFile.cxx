@@ -12,8 +12,9 @@
 #include <map>
 
 // NIfTI-1 and -2 in a single file, plain or gzipped. Its space is RAS; x and y are turned to LPS.
-// nibabel, ITK and this reader agree on what holds: the sform if its code is above 0, then the
-// qform, then pixdim alone.
+// What holds is what holds for nibabel: the sform if its code is above 0, then the qform, then
+// pixdim alone. But a skewed sform gives way to a sound qform, and where neither is there nibabel
+// turns x and puts the volume's centre at the origin, for which there is no ground.
 namespace hasp
 {
 namespace

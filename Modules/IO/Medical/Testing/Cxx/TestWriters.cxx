@@ -1,6 +1,8 @@
 #include "IOFixture.h"
 
+#include "vtkHaspFileNames.h"
 #include "vtkHaspOutputFile.h"
+#include "vtkHaspSurfaceReader.h"
 #include "vtkHaspSurfaceWriter.h"
 #include "vtkHaspVolumeReader.h"
 #include "vtkHaspVolumeSlabs.h"
@@ -23,6 +25,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <sstream>
 
 namespace
 {
@@ -267,6 +270,28 @@ TEST_F(Writers, VTKClassesReportByErrorCodeAndMacro)
   EXPECT_EQ(writer->Write(), 1);
   EXPECT_EQ(errors, 2);
   ExpectSame(Read(this->Folder / "a.vti"), this->Truth(), Samples(this->Truth()));
+}
+
+TEST_F(Writers, PrintedObjectsDoNotNameTheFile)
+{
+  hasp::ShowFileNames(false);
+  vtkNew<vtkHaspVolumeWriter> volumeWriter;
+  vtkNew<vtkHaspSurfaceWriter> surfaceWriter;
+  vtkNew<vtkHaspVolumeReader> volumeReader;
+  vtkNew<vtkHaspSurfaceReader> surfaceReader;
+  std::ostringstream text;
+  const auto print = [&](auto* object, const char* name)
+  {
+    object->SetFileName(name);
+    object->Print(text);
+  };
+  print(volumeWriter.Get(), "Miller^Ann/Miller.mha");
+  print(surfaceWriter.Get(), "Miller^Ann/Miller.stl");
+  print(volumeReader.Get(), "Miller^Ann/Miller.nii");
+  print(surfaceReader.Get(), "Miller^Ann/Miller.ply");
+  EXPECT_EQ(text.str().find("Miller"), std::string::npos) << text.str();
+  for (const char* label : { "the .mha file", "the .stl file", "the .nii file", "the .ply file" })
+    EXPECT_NE(text.str().find(label), std::string::npos) << label;
 }
 
 TEST_F(Writers, AFailedInputIsAFailedWrite)
