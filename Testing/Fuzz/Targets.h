@@ -24,8 +24,8 @@ struct Target
 /// Every reader of this build.
 std::vector<Target> Targets();
 
-/// The bytes of each seed, a file directly in the folder, in the order of their names. They are made in a process of their own:
-/// libraries that start threads cannot be used before a fork.
+/// The bytes of each seed, a file directly in the folder, in the order of their names. They are
+/// made in a process of their own: libraries that start threads cannot be used before a fork.
 std::vector<std::string> SeedsOf(const Target& target, const std::filesystem::path& emptyFolder);
 
 /// Writes the bytes to folder/fileName, reads them and removes them.
