@@ -84,7 +84,7 @@ std::vector<LayeredSegment> Segments(const std::filesystem::path& file, const Pa
   return segments;
 }
 
-/// Some layers of several: for each, which label becomes which; a label that is absent is an error.
+/// Layers: for each, which label becomes which.
 /// No table by label: 65536 layers may each have a label of 65535.
 struct LayerLabels
 {
@@ -92,15 +92,17 @@ struct LayerLabels
   std::map<int, int> becomes;
 };
 
+/// How many samples hold labels that no segment names. They stay where there is one layer, and are
+/// an error where there are more.
 template <typename Stored, typename Label>
-void Merge(const SampleFile& samples, const std::vector<LayerLabels>& layers, std::size_t points,
-  Label* labels, const ProgressFunction& progress)
+std::size_t Merge(const SampleFile& samples, const std::vector<LayerLabels>& layers,
+  std::size_t points, Label* labels, const ProgressFunction& progress)
 {
   SampleStream stream(samples);
   const auto width = static_cast<std::size_t>(samples.components);
   const std::size_t most = std::max<std::size_t>(1, (1 << 20) / (width * sizeof(Stored)));
   std::vector<Stored> piece(most * width);
-  std::size_t overlapping = 0;
+  std::size_t overlapping = 0, unnamed = 0;
   for (std::size_t done = 0; done < points;)
   {
     const std::size_t count = std::min(most, points - done);
@@ -117,12 +119,14 @@ void Merge(const SampleFile& samples, const std::vector<LayerLabels>& layers, st
         if (value == 0)
           continue;
         const auto becomes = one.becomes.find(value);
-        if (becomes == one.becomes.end())
+        const bool named = becomes != one.becomes.end();
+        if (!named && (width > 1 || value < 0))
           ThrowFileError(samples.header, "layer " + std::to_string(one.layer + 1) +
                                            " holds label value " + std::to_string(value) +
                                            ", which is no segment's; save it again");
         overlapping += label != 0;
-        label = becomes->second;
+        unnamed += !named;
+        label = named ? becomes->second : value;
       }
       labels[done + n] = static_cast<Label>(label);
     }
@@ -136,14 +140,17 @@ void Merge(const SampleFile& samples, const std::vector<LayerLabels>& layers, st
                         " samples, where a label map holds one; choose a layer (1 to " +
                         std::to_string(samples.components) +
                         "), or make them exclusive in 3D Slicer and save again");
+  return unnamed;
 }
 
 vtkSmartPointer<vtkImageData> LoadLayers(const SampleFile& samples, const GridGeometry& geometry,
-  const std::vector<LayerLabels>& layers, int vtkType, const ProgressFunction& progress)
+  const std::vector<LayerLabels>& layers, int vtkType, const ProgressFunction& progress,
+  Passport& passport)
 {
+  std::size_t unnamed = 0;
   auto image = NewImage(geometry, vtkType);
   const auto merge = [&](auto stored, auto* labels)
-  { Merge<decltype(stored)>(samples, layers, geometry.Size(), labels, progress); };
+  { unnamed = Merge<decltype(stored)>(samples, layers, geometry.Size(), labels, progress); };
   const auto into = [&](auto stored)
   {
     void* labels = image->GetScalarPointer();
@@ -158,6 +165,9 @@ vtkSmartPointer<vtkImageData> LoadLayers(const SampleFile& samples, const GridGe
     into(std::uint16_t());
   else
     into(std::int16_t());
+  if (unnamed > 0)
+    passport.warnings.push_back(
+      std::to_string(unnamed) + " samples hold label values that no segment names; they stay.");
   return image;
 }
 
@@ -217,30 +227,27 @@ OpenedVolume OpenSegmentation(const std::filesystem::path& file, const VolumeRea
   opened.passport.format = "NRRD segmentation";
   opened.passport.compression = samples.zipped ? "gzip" : "";
   const GridGeometry& geometry = opened.passport.geometry;
-  const auto layers = ChooseLayers(file, settings.layer, samples.components, segments);
-  if (samples.components == 1 && settings.layer == 0)
-    segments = Segments(file, header.pairs); // nothing is merged: labels stay
+  // Of one layer nothing is merged: it is the one chosen.
+  const int chosen = samples.components == 1 ? std::max(settings.layer, 1) : settings.layer;
+  const auto layers = ChooseLayers(file, chosen, samples.components, segments);
   for (const LayeredSegment& one : segments)
     opened.segments.push_back(one.segment);
   opened.passport.segments = static_cast<int>(segments.size());
-  if (samples.components == 1)
-  {
-    opened.load = [samples, geometry](const ProgressFunction& progress, Passport&)
-    { return LoadSamples(samples, geometry, progress); };
-    return opened;
-  }
   int largest = 0;
   for (const Segment& segment : opened.segments)
     largest = std::max(largest, segment.labelValue);
-  const int vtkType = largest > 255 ? VTK_UNSIGNED_SHORT : VTK_UNSIGNED_CHAR;
+  // One layer may hold labels that no segment names: they must fit, too.
+  const bool wide = samples.components == 1 ? samples.type != StoredType::UInt8 : largest > 255;
+  const int vtkType = wide ? VTK_UNSIGNED_SHORT : VTK_UNSIGNED_CHAR;
   CheckSampleBytes(file, samples.size[0], samples.size[1], samples.size[2],
-    largest > 255 ? sizeof(std::uint16_t) : sizeof(std::uint8_t), settings.memoryLimitBytes);
+    wide ? sizeof(std::uint16_t) : sizeof(std::uint8_t), settings.memoryLimitBytes);
   opened.passport.sampleType = SampleTypeName(vtkType);
-  if (settings.layer == 0)
+  if (chosen == 0)
     opened.passport.warnings.push_back("The file's " + std::to_string(samples.components) +
                                        " layers are merged; labels are counted anew from 1.");
-  opened.load = [samples, geometry, layers, vtkType](const ProgressFunction& progress, Passport&)
-  { return LoadLayers(samples, geometry, layers, vtkType, progress); };
+  opened.load = [samples, geometry, layers, vtkType](
+                  const ProgressFunction& progress, Passport& passport)
+  { return LoadLayers(samples, geometry, layers, vtkType, progress, passport); };
   return opened;
 }
 

@@ -106,6 +106,34 @@ TEST_F(Segmentation, SlicersLabelMapIsReadWithItsSegments)
     EXPECT_EQ(warning.find("jaw"), std::string::npos) << "names stay out of the passport";
 }
 
+TEST_F(Segmentation, LabelsThatNoSegmentNamesAreCounted)
+{
+  std::string samples(24, '\0');
+  samples[3] = 1;
+  samples[5] = samples[9] = 7;
+  const auto volume = Read(this->Write(Header(SegmentText(0, "bone", 1, 0)) + samples));
+  EXPECT_EQ(Labels(volume.image), std::vector<std::uint8_t>(samples.begin(), samples.end()));
+  ASSERT_EQ(volume.passport.warnings.size(), 1U);
+  EXPECT_EQ(volume.passport.warnings[0].find("2 samples hold label values"), 0U);
+}
+
+TEST_F(Segmentation, LabelsOfInt16CanBeWrittenAgain)
+{
+  std::string header = Header(SegmentText(0, "bone", 300, 0));
+  header.replace(header.find("unsigned char"), 13, "short\nendian: big");
+  std::string samples(48, '\0');
+  samples[10] = 1; // 256 + 44
+  samples[11] = 44;
+  const auto volume = Read(this->Write(header + samples));
+  EXPECT_EQ(volume.passport.sampleType, "uint16");
+  EXPECT_EQ(volume.image->GetScalarComponentAsDouble(1, 1, 0, 0), 300.0);
+  const auto file = this->Folder / "b.seg.nrrd";
+  hasp::WriteSegmentation(volume.image, volume.segments, file);
+  EXPECT_EQ(Read(file).image->GetScalarComponentAsDouble(1, 1, 0, 0), 300.0);
+  samples[10] = '\x80';
+  this->ExpectRefused(this->Write(header + samples), { "label value -32724" });
+}
+
 TEST_F(Segmentation, LayersAreMergedWhereNoneOverlapOrChosen)
 {
   // Both layers call their segment 1; a third segment is in the second layer.
