@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -183,6 +184,9 @@ std::vector<LayerLabels> ChooseLayers(const std::filesystem::path& file, int cho
     if (one.layer >= count)
       ThrowFileError(file, "a segment is said to be in layer " + std::to_string(one.layer + 1) +
                              " of " + std::to_string(count) + "; save it again");
+  if (chosen == 0 && segments.size() > std::numeric_limits<std::uint16_t>::max())
+    ThrowFileError(file, "has " + std::to_string(segments.size()) +
+                           " segments, a label map tells 65535 apart; choose a layer");
   if (chosen > 0)
     std::erase_if(segments, [&](const LayeredSegment& one) { return one.layer != chosen - 1; });
   std::vector<LayerLabels> layers;

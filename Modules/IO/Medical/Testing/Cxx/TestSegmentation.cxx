@@ -184,6 +184,21 @@ TEST_F(Segmentation, LargeLabelsOfManyLayersTakeLittleMemory)
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100 << 10) << "KiB";
 }
 
+TEST_F(Segmentation, MoreSegmentsThanLabelsCannotBeMerged)
+{
+  std::string text;
+  for (int n = 0; n < 65536; ++n)
+  {
+    const std::string key = "Segment" + std::to_string(n) + "_";
+    text += key + "ID:=a\n" + key + "LabelValue:=" + std::to_string(1 + n / 2) + "\n";
+    if (n % 2 == 1)
+      text += key + "Layer:=1\n";
+  }
+  text = Header(text, 2);
+  text.replace(text.find("unsigned char"), 13, "unsigned short\nendian: little");
+  this->ExpectRefused(this->Write(text + std::string(96, '\0')), { "65536 segments", "layer" });
+}
+
 TEST_F(Segmentation, MergedLayersAreHeldToTheMemoryLimit)
 {
   // 256 segments, so that what is merged needs two bytes a sample, not one as the file has.
