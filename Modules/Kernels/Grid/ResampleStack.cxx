@@ -130,6 +130,9 @@ std::size_t MakeSlice(const ResamplePlan& plan, const T* samples, int m, T outsi
 {
   const SliceRecipe& recipe = plan.slices[m];
   const ShiftedSlice<T> below(plan, samples, recipe.below), above(plan, samples, recipe.above);
+  std::optional<BetweenSlices<T>> between;
+  if (recipe.share > 0.0)
+    between.emplace(plan, samples, recipe.below, recipe.above);
   const glm::ivec3& dims = plan.geometry.dims;
   const int firstX = std::max(below.FirstX(), above.FirstX());
   const int lastX = std::min(below.LastX(), above.LastX());
@@ -144,9 +147,8 @@ std::size_t MakeSlice(const ResamplePlan& plan, const T* samples, int m, T outsi
         *into = outside;
         ++missed;
       }
-      else if (recipe.share > 0.0)
-        *into =
-          FromDouble<T>((1.0 - recipe.share) * below.At(i, j) + recipe.share * above.At(i, j));
+      else if (between)
+        *into = FromDouble<T>(between->At({ i, j }, recipe.share, below.At(i, j), above.At(i, j)));
       else
         *into = FromDouble<T>(below.At(i, j));
     }
