@@ -166,7 +166,7 @@ std::string GapsBeyondLimits(const StackMeasures& measures, const ResampleLimits
       return "a gap of " + Number(gap.mm) + " mm needs " + std::to_string(slices) +
              " slices, at most " + std::to_string(limits.gapSlices) + " are made in one gap";
     if (slices > 0 && gap.mm > limits.gapMm)
-      return "a gap of " + Number(gap.mm) + " mm is bridged by nothing, at most " +
+      return "a gap of " + Number(gap.mm) + " mm is too wide to be bridged, at most " +
              Number(limits.gapMm) + " mm are";
   }
   const int slices = SlicesInAll(measures);
@@ -196,8 +196,8 @@ ResamplePlan PlanResampling(const SliceStack& stack, const ResampleLimits& limit
       throw std::invalid_argument("stack: " + beyond);
   if (plan.measures.tilted && !plan.measures.straight)
     throw std::invalid_argument(
-      "stack: slice " + std::to_string(plan.measures.farthestSlice + 1) + " lies " +
-      Number(plan.measures.farthestAsideMm) +
+      "stack: slice " + std::to_string(plan.measures.oddSlice + 1) + " lies " +
+      Number(plan.measures.oddMm) +
       " mm sideways, and the slices are not on one line: that is no tilt");
   plan.record.slicesMeasured = static_cast<int>(stack.origins.size());
   plan.record.slicesFilled = SlicesInAll(plan.measures);

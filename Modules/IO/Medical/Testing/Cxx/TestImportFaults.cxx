@@ -183,7 +183,128 @@ TEST_F(ImportFaults, TiltAndShift)
                                          }),
     FaultKind::ShiftedSlices);
   EXPECT_EQ(shift.slices, std::vector<int>{ 4 });
+  EXPECT_NEAR(shift.millimetres, 2 * 0.5, 1e-4);
   EXPECT_FALSE(shift.resamplable);
+}
+
+TEST_F(ImportFaults, TheShiftedSliceIsNamedWhereverItIs)
+{
+  const auto g = this->Truth();
+  for (const bool tilted : { false, true })
+    for (const int odd : { 0, 4, 7 })
+    {
+      SCOPED_TRACE(std::to_string(odd) + (tilted ? " tilted" : ""));
+      std::filesystem::remove_all(this->Folder / "series");
+      const Passport p = Inspect(this->Faulty(
+        [&](int k, DcmDataset& s) {
+          Place(s, g, { k == odd ? 2 : 0, tilted ? 0.4 * k : 0.0, k });
+        }));
+      using enum FaultKind;
+      const auto expected = tilted ? std::vector<FaultKind>{ ShiftedSlices, GantryTilt }
+                                   : std::vector<FaultKind>{ ShiftedSlices };
+      ASSERT_EQ(Kinds(p), expected);
+      EXPECT_EQ(p.faults[0].slices, std::vector<int>{ odd + 1 });
+      EXPECT_NEAR(p.faults[0].millimetres, 2 * 0.5, 1e-4);
+    }
+}
+
+TEST_F(ImportFaults, UnevenSliceOfATiltedTableIsUnevenAndTilted)
+{
+  const auto g = this->Truth();
+  const Passport p = Inspect(this->Faulty(
+    [&](int k, DcmDataset& s)
+    {
+      const double along = k == 4 ? 4.3 : k;
+      Place(s, g, { 0, 0.4 * along, along });
+    }));
+  using enum FaultKind;
+  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{ UnevenSpacing, GantryTilt }));
+  EXPECT_TRUE(p.faults[0].resamplable && p.faults[1].resamplable);
+}
+
+// ---- what a header may claim ----
+
+TEST_F(ImportFaults, HeadersOfHostileSizeAndSyntax)
+{
+  using enum FaultKind;
+  const auto huge = [](DcmDataset& slice)
+  {
+    slice.putAndInsertUint16(DCM_Rows, 65535);
+    slice.putAndInsertUint16(DCM_Columns, 65535);
+  };
+  Passport p = Inspect(this->Faulty(At(3, huge)));
+  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{ Damaged, MixedSizes }));
+  EXPECT_EQ(p.faults[0].files.size(), 1U);
+  EXPECT_NE(p.faults[0].text.find("declares 65535 x 65535 pixels"), std::string::npos);
+  p = Inspect(this->Faulty([&](int, DcmDataset& s) { huge(s); }));
+  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{ Damaged, TooLarge }));
+  EXPECT_EQ(p.faults[0].files.size(), 8U);
+  // Their meta header names another transfer syntax than the one they are in.
+  const auto named = [&](const std::string& uid)
+  {
+    const auto folder = this->Faulty({});
+    for (int k = 0; k < 8; ++k)
+    {
+      std::string bytes = ReadBytes(this->FileOf(folder, k));
+      const std::string is("1.2.840.10008.1.2.1\0", 20);
+      const auto at = bytes.find(is);
+      EXPECT_NE(at, bytes.npos);
+      WriteBytes(this->FileOf(folder, k), bytes.replace(at, uid.size(), uid));
+    }
+    return Inspect(folder);
+  };
+  p = named("1.2.840.10008.1.2.2"); // big endian
+  EXPECT_EQ(Kinds(p), std::vector<FaultKind>{ Damaged });
+  EXPECT_EQ(p.faults[0].files.size(), 8U);
+  p = named("1.2.840.10008.1.2.9"); // none
+  EXPECT_EQ(Kinds(p), std::vector<FaultKind>{ Unsupported });
+  EXPECT_NE(p.faults[0].text.find("\"unknown\""), std::string::npos) << p.faults[0].text;
+}
+
+TEST_F(ImportFaults, Monochrome1IsTakenWithANote)
+{
+  const auto folder =
+    this->Faulty([](int, DcmDataset& s) { Put(DCM_PhotometricInterpretation, "MONOCHROME1")(s); });
+  const Passport p = Inspect(folder);
+  EXPECT_TRUE(p.faults.empty());
+  EXPECT_EQ(p.photometric, "MONOCHROME1");
+  ASSERT_EQ(p.warnings.size(), 1U);
+  EXPECT_NE(p.warnings[0].find("MONOCHROME1, to be shown inverted"), std::string::npos);
+  ExpectSame(Read(folder), this->Truth(), Samples(this->Truth()));
+}
+
+TEST_F(ImportFaults, HostileNamesAreReadAndNeverSaidRaw)
+{
+  const auto folder = this->Faulty(At(2, Put(DCM_RescaleSlope, "0")));
+  const std::vector<std::string> names{ "a\nb", "q\"'`$(x)", "\x1b[31m\x1b]0;t\x07", "\xff\xfe\x80",
+    "\xe2\x80\xae"
+    "gnp",
+    "\xc2\x9b"
+    "31m",
+    "%s%n", std::string(250, 'L') };
+  for (int k = 0; k < 8; ++k)
+    std::filesystem::rename(this->FileOf(folder, k), folder / names[k]);
+  for (const bool shown : { false, true })
+  {
+    hasp::ShowFileNames(shown);
+    const Passport p = Inspect(folder);
+    ASSERT_EQ(Kinds(p), std::vector<FaultKind>{ FaultKind::BadRescale });
+    EXPECT_EQ(p.faults[0].text.find("?[31m?]0;t? ") == 0, shown) << p.faults[0].text;
+  }
+  const auto label = [](const std::string& name) { return hasp::FileLabel("/x/" + name); };
+  EXPECT_EQ(label(names[0]), "a?b");
+  EXPECT_EQ(label(names[1]), names[1]);
+  EXPECT_EQ(label(names[3]), "???");
+  EXPECT_EQ(label(names[4]), "?gnp");
+  EXPECT_EQ(label(names[5]), "?31m");
+  EXPECT_EQ(label("Sch\xc3\xa4"
+                  "del \xe9\xa0\xad \xf0\x9f\x92\x80"),
+    "Sch\xc3\xa4"
+    "del \xe9\xa0\xad \xf0\x9f\x92\x80");
+  // Longer than need be, a surrogate, beyond the last character, cut off.
+  for (const std::string bad :
+    { "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf0\x9f\x92" })
+    EXPECT_EQ(label(bad), std::string(bad.size(), '?'));
 }
 
 TEST_F(ImportFaults, WhatNoResamplingMends)
@@ -275,11 +396,15 @@ TEST_F(ImportFaults, AllFaultsAreFoundAndTheErrorCountsThem)
   std::filesystem::copy_file(this->FileOf(folder, 2), folder / "copy.dcm");
   const Passport p = Inspect(folder);
   using enum FaultKind;
-  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{
-                        BadRescale, DoubledSlices, MissingSlices, UnevenSpacing, ShiftedSlices }));
+  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{ BadRescale, DoubledSlices, MissingSlices,
+                        UnevenSpacing, ShiftedSlices, GantryTilt }));
   this->ExpectRefused(
-    folder, { p.faults[0].text, "4 more faults",
-              "(doubled_slices, missing_slices, uneven_spacing, shifted_slices)" });
+    folder, { p.faults[0].text, "5 more faults",
+              "(doubled_slices, missing_slices, uneven_spacing, shifted_slices, gantry_tilt)" });
+  // It was moved along the normal; a table moves along the tilted line, and is only uneven then.
+  EXPECT_EQ(p.faults[4].slices, std::vector<int>{ 7 });
+  EXPECT_NEAR(p.faults[4].millimetres, 0.4 * 0.75 * 0.3, 1e-4);
+  EXPECT_NEAR(p.faults[5].degrees, 13.4957, 1e-2);
   // One that cannot be mended hides nothing of the others' being mendable.
   EXPECT_TRUE(p.faults[1].resamplable);
   EXPECT_FALSE(p.faults[0].resamplable);
