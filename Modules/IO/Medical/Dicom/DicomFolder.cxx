@@ -34,7 +34,8 @@ std::vector<DicomSlice> ListFiles(const std::filesystem::path& folder)
     if (files.size() == FileLimit)
       ThrowFileError(folder,
         "holds more than " + std::to_string(FileLimit) + " files; open the folder of one series");
-    files.push_back({ at->path(), 0, at->file_size(unreadable), {} });
+    const auto bytes = at->file_size(unreadable); // gone meanwhile: its child will say so
+    files.push_back({ at->path(), 0, unreadable ? 0 : bytes, {} });
   }
   if (error)
     ThrowFileError(folder, "cannot be listed: " + error.message());
