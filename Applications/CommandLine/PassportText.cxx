@@ -191,7 +191,10 @@ std::string PassportText(const Passport& passport)
     text << "\nwarning     " << warning;
   for (const ImportFault& fault : passport.faults)
     text << "\nfault       " << fault.text << "."
-         << (fault.resamplable ? " --resample mends it." : "");
+         << (!fault.resamplable ? ""
+              : fault.kind == FaultKind::DoubledSlices
+                ? " --resample mends it if the pictures are the same."
+                : " --resample mends it.");
   text << "\n";
   return text.str();
 }

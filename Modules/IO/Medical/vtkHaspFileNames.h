@@ -18,7 +18,8 @@ VTKHASPIOMEDICAL_EXPORT void ShowFileNames(bool shown);
 VTKHASPIOMEDICAL_EXPORT bool FileNamesShown();
 
 /// "the .mha file", "the folder", "the file" (unknown ending); with names shown the path's last
-/// part.
+/// part, where control characters, marks that turn the direction of writing and bytes that are no
+/// UTF-8 are question marks, so that it is safe to print.
 VTKHASPIOMEDICAL_EXPORT std::string FileLabel(const std::filesystem::path& path);
 
 } // namespace hasp

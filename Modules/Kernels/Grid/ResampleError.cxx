@@ -63,7 +63,8 @@ private:
   std::vector<Edge> EdgesOf(int k) const;
   double StrongGradient() const;
   std::vector<Bridge> BridgesFor(const SliceRecipe& made) const;
-  bool Predict(const Bridge& bridge, const glm::dvec2& at, double height, double& value) const;
+  bool Predict(const Bridge& bridge, const BetweenSlices<T>& between, const glm::dvec2& at,
+    double height, double& value) const;
   bool Displacement(const Bridge& bridge, const Edge& edge, double& mm) const;
 
   const ResamplePlan& plan;
@@ -205,8 +206,8 @@ std::vector<Bridge> ErrorMeter<T>::BridgesFor(const SliceRecipe& made) const
 
 /// The volume as it would be with the slice between left out.
 template <typename T>
-bool ErrorMeter<T>::Predict(
-  const Bridge& bridge, const glm::dvec2& at, double height, double& value) const
+bool ErrorMeter<T>::Predict(const Bridge& bridge, const BetweenSlices<T>& between,
+  const glm::dvec2& at, double height, double& value) const
 {
   const std::vector<double>& heights = this->plan.measures.heights;
   const double t =
@@ -214,7 +215,7 @@ bool ErrorMeter<T>::Predict(
   double low = 0.0, high = 0.0;
   if (!this->slices[bridge.below].Sample(at, low) || !this->slices[bridge.above].Sample(at, high))
     return false;
-  value = (1.0 - t) * low + t * high;
+  value = between.At(at, t, low, high);
   return true;
 }
 
@@ -227,8 +228,9 @@ bool ErrorMeter<T>::Displacement(const Bridge& bridge, const Edge& edge, double&
   const double low = heights[bridge.below], high = heights[bridge.above];
   const double height = heights[bridge.slice];
   const glm::dvec2 at = this->plan.shifts[bridge.slice] + glm::dvec2(edge.i, edge.j);
+  const BetweenSlices<T> between(this->plan, this->data, bridge.below, bridge.above);
   double value = 0.0;
-  if (!this->Predict(bridge, at, height, value))
+  if (!this->Predict(bridge, between, at, height, value))
     return false;
   double before = value - edge.value;
   if (before == 0.0)
@@ -248,7 +250,7 @@ bool ErrorMeter<T>::Displacement(const Bridge& bridge, const Edge& edge, double&
       mm = (s - step) * bridge.scale;
       return true;
     }
-    if (!this->Predict(bridge, at + s * glm::dvec2(way) / spacing, z, value))
+    if (!this->Predict(bridge, between, at + s * glm::dvec2(way) / spacing, z, value))
       return false;
     const double now = value - edge.value;
     if ((now > 0.0) != (before > 0.0))
@@ -307,7 +309,7 @@ std::vector<double> ErrorMeter<T>::WithinSlices() const
 std::vector<SliceRecipe> GapsOf(const ResamplePlan& plan)
 {
   const std::vector<double>& heights = plan.measures.heights;
-  const auto reach = [&](const SliceRecipe& r) // linear interpolation errs by a product of ways
+  const auto reach = [&](const SliceRecipe& r) // interpolation errs by a product of ways
   {
     const double whole = heights[r.above] - heights[r.below];
     return r.share * (1.0 - r.share) * whole * whole;
@@ -348,8 +350,12 @@ void MeasureResamplingError(const ResamplePlan& plan, const T* samples, Resample
     half = std::max(half, Quantile(found, 0.5));
     most = std::max(most, Quantile(found, 0.95));
   };
-  for (const SliceRecipe& gap : gaps) // the worst gap is what the volume is judged by
-    judge(meter.AcrossGap(gap), across50, across95);
+  for (SliceRecipe gap : gaps) // the worst gap is what the volume is judged by
+    for (int side = 0; side < 2; ++side)
+    {
+      judge(meter.AcrossGap(gap), across50, across95);
+      gap.share = 1.0 - gap.share; // a place that near the other end errs as much
+    }
   if (!meter.Moved().empty())
     judge(meter.WithinSlices(), record.error50, record.error95);
   record.error50 += across50; // both happen to a made slice of a tilted stack

@@ -130,6 +130,9 @@ std::size_t MakeSlice(const ResamplePlan& plan, const T* samples, int m, T outsi
 {
   const SliceRecipe& recipe = plan.slices[m];
   const ShiftedSlice<T> below(plan, samples, recipe.below), above(plan, samples, recipe.above);
+  std::optional<BetweenSlices<T>> between;
+  if (recipe.share > 0.0)
+    between.emplace(plan, samples, recipe.below, recipe.above);
   const glm::ivec3& dims = plan.geometry.dims;
   const int firstX = std::max(below.FirstX(), above.FirstX());
   const int lastX = std::min(below.LastX(), above.LastX());
@@ -144,9 +147,8 @@ std::size_t MakeSlice(const ResamplePlan& plan, const T* samples, int m, T outsi
         *into = outside;
         ++missed;
       }
-      else if (recipe.share > 0.0)
-        *into =
-          FromDouble<T>((1.0 - recipe.share) * below.At(i, j) + recipe.share * above.At(i, j));
+      else if (between)
+        *into = FromDouble<T>(between->At({ i, j }, recipe.share, below.At(i, j), above.At(i, j)));
       else
         *into = FromDouble<T>(below.At(i, j));
     }
@@ -164,7 +166,7 @@ std::string GapsBeyondLimits(const StackMeasures& measures, const ResampleLimits
       return "a gap of " + Number(gap.mm) + " mm needs " + std::to_string(slices) +
              " slices, at most " + std::to_string(limits.gapSlices) + " are made in one gap";
     if (slices > 0 && gap.mm > limits.gapMm)
-      return "a gap of " + Number(gap.mm) + " mm is bridged by nothing, at most " +
+      return "a gap of " + Number(gap.mm) + " mm is too wide to be bridged, at most " +
              Number(limits.gapMm) + " mm are";
   }
   const int slices = SlicesInAll(measures);
@@ -194,8 +196,8 @@ ResamplePlan PlanResampling(const SliceStack& stack, const ResampleLimits& limit
       throw std::invalid_argument("stack: " + beyond);
   if (plan.measures.tilted && !plan.measures.straight)
     throw std::invalid_argument(
-      "stack: slice " + std::to_string(plan.measures.farthestSlice + 1) + " lies " +
-      Number(plan.measures.farthestAsideMm) +
+      "stack: slice " + std::to_string(plan.measures.oddSlice + 1) + " lies " +
+      Number(plan.measures.oddMm) +
       " mm sideways, and the slices are not on one line: that is no tilt");
   plan.record.slicesMeasured = static_cast<int>(stack.origins.size());
   plan.record.slicesFilled = SlicesInAll(plan.measures);

@@ -41,15 +41,19 @@ void Check(const SliceStack& stack)
     fail("a position is no finite number");
 }
 
+double Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 void MeasureGaps(StackMeasures& m)
 {
   std::vector<double> gaps;
   for (std::size_t n = 1; n < m.heights.size(); ++n)
     gaps.push_back(m.heights[n] - m.heights[n - 1]);
-  std::vector<double> sorted = gaps;
-  const auto median = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
-  std::nth_element(sorted.begin(), median, sorted.end());
-  m.usualGapMm = *median;
+  m.usualGapMm = Median(gaps);
   const double mean = m.heights.back() / static_cast<double>(gaps.size());
   for (std::size_t n = 0; n < gaps.size(); ++n)
   {
@@ -62,6 +66,31 @@ void MeasureGaps(StackMeasures& m)
     const int missing = multiple && ratio < 1e6 ? static_cast<int>(std::lround(ratio)) - 1 : 0;
     m.gaps.push_back({ static_cast<int>(n), gaps[n], missing });
   }
+}
+
+/// Finds the line most slices are near, and the slice farthest from it. Medians, so that a slice
+/// out of line does not bend the line towards itself, be it the first or the last.
+void MeasureCrooked(StackMeasures& m)
+{
+  glm::dvec2 slope, start;
+  for (int a = 0; a < 2; ++a)
+  {
+    std::vector<double> values;
+    for (std::size_t n = 1; n < m.heights.size(); ++n)
+      values.push_back((m.aside[n][a] - m.aside[n - 1][a]) / (m.heights[n] - m.heights[n - 1]));
+    slope[a] = Median(values);
+    values.clear();
+    for (std::size_t n = 0; n < m.heights.size(); ++n)
+      values.push_back(m.aside[n][a] - slope[a] * m.heights[n]);
+    start[a] = Median(values);
+  }
+  for (std::size_t n = 0; n < m.heights.size(); ++n)
+    if (const double off = glm::length(m.aside[n] - start - slope * m.heights[n]); off > m.oddMm)
+    {
+      m.oddMm = off;
+      m.oddSlice = static_cast<int>(n);
+    }
+  m.tiltDegrees = glm::degrees(std::atan(glm::length(slope)));
 }
 
 void MeasureTilt(const SliceStack& stack, StackMeasures& m)
@@ -82,6 +111,9 @@ void MeasureTilt(const SliceStack& stack, StackMeasures& m)
   }
   m.tilted = m.farthestAsideMm > allowed;
   m.tiltDegrees = glm::degrees(std::atan2(glm::length(m.aside.back()), top));
+  if (!m.straight)
+    MeasureCrooked(m);
+  m.leaning = std::tan(glm::radians(m.tiltDegrees)) * top > allowed;
 }
 
 } // namespace

@@ -46,11 +46,15 @@ struct StackMeasures
   double usualGapMm = 0.0;       ///< median distance of neighbours; the lower of two medians
   std::vector<SliceGap> gaps;    ///< only those that are missing slices or uneven
   double gapDeviationMm = 0.0;   ///< largest |distance - mean distance|
-  double tiltDegrees = 0.0;      ///< of the line through the first samples, to the normal; >= 0
+  double tiltDegrees = 0.0;      ///< of the line of the first samples to the normal, >= 0; if they
+                                 ///< are on none, of the one most are near
   double farthestAsideMm = 0.0;  ///< largest length of `aside`
   int farthestSlice = 0;         ///< the slice with it
   bool tilted = false;           ///< some slice is aside by more than a tenth of a sample
   bool straight = true;          ///< the first samples lie on one line, within the same tenth
+  bool leaning = false;          ///< over the stack, that tilt is more than the same tenth
+  int oddSlice = 0;              ///< if not straight: the slice farthest from the line ...
+  double oddMm = 0.0;            ///< ... and how far it lies beside it
 };
 
 /// Measures a stack of at least two slices. A gap is usual within 1 % or 0.02 mm (positions are

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -34,7 +35,8 @@ std::vector<DicomSlice> ListFiles(const std::filesystem::path& folder)
     if (files.size() == FileLimit)
       ThrowFileError(folder,
         "holds more than " + std::to_string(FileLimit) + " files; open the folder of one series");
-    files.push_back({ at->path(), 0, at->file_size(unreadable), {} });
+    const auto bytes = at->file_size(unreadable); // gone meanwhile: its child will say so
+    files.push_back({ at->path(), 0, unreadable ? 0 : bytes, {} });
   }
   if (error)
     ThrowFileError(folder, "cannot be listed: " + error.message());
@@ -53,6 +55,16 @@ ProgressFunction Part(const ProgressFunction& progress, double from, double to)
   return [=](double share) { return progress(from + share * (to - from)); };
 }
 
+/// Whether two headers lead to the same samples at the same places. Their numbers are finite.
+bool MeanTheSame(const SliceRecord& a, const SliceRecord& b)
+{
+  return a.rows == b.rows && a.columns == b.columns && a.isSigned == b.isSigned &&
+         a.bitsStored == b.bitsStored && a.highBit == b.highBit && a.slope == b.slope &&
+         a.intercept == b.intercept && std::ranges::equal(a.spacing, b.spacing) &&
+         std::ranges::equal(a.position, b.position) &&
+         std::ranges::equal(a.orientation, b.orientation) && std::strcmp(a.series, b.series) == 0;
+}
+
 /// A decoded slice must be what its header promised when the volume was laid out.
 void CheckDecoded(
   const std::filesystem::path& folder, const DicomSlice& slice, const SliceRecord& decoded)
@@ -63,8 +75,7 @@ void CheckDecoded(
     fail("cannot be decompressed; convert the series first, say with gdcmconv --raw");
   if (decoded.status != static_cast<std::uint32_t>(SliceStatus::Image))
     fail("is damaged or cut off: it holds fewer pixels than it declares. Copy it again");
-  const SliceRecord& r = slice.record;
-  if (decoded.rows != r.rows || decoded.columns != r.columns || decoded.isSigned != r.isSigned)
+  if (!MeanTheSame(slice.record, decoded))
     fail("changed while it was read; open the folder again");
 }
 

@@ -257,7 +257,8 @@ DicomOutput WriteDicomSeries(vtkImageData* image, const std::string& folder,
   series.MakeUids(progress);
   const TemporaryFolder stage(target);
   const auto slices = stage.Name() / "slices";
-  std::filesystem::create_directory(slices);
+  if (!std::filesystem::create_directory(slices, error))
+    throw std::runtime_error(Label(target) + ": cannot be written: " + error.message());
   DicomOutput written{ GeometryOf(grid).dims.z, 0, stored.slope, stored.intercept, stored.error };
   for (int n = 0; n < written.slices; ++n)
   {
@@ -266,10 +267,10 @@ DicomOutput WriteDicomSeries(vtkImageData* image, const std::string& folder,
     const auto file = slices / name;
     bool failed = false;
     WriteSlice(series, n, file, failed);
-    if (failed || !SyncToDisk(file))
+    written.bytes += std::filesystem::file_size(file, error);
+    if (failed || error || !SyncToDisk(file))
       throw std::runtime_error(
         Label(target) + ": cannot be written (is the disk full?); nothing was kept");
-    written.bytes += std::filesystem::file_size(file);
     ReportProgress(progress, 0.4 + 0.6 * (n + 1) / written.slices);
   }
   if (!SyncToDisk(slices))

@@ -148,34 +148,45 @@ void AddGaps(DicomStack& stack, const StackMeasures& m, const std::vector<int>& 
   faults.push_back(fault);
 }
 
+/// A slice beside the line of the others is on the way of no gantry.
+void AddShifted(const DicomStack& stack, const StackMeasures& m, const std::vector<int>& places,
+  std::vector<ImportFault>& faults)
+{
+  if (!m.tilted || m.straight)
+    return;
+  const DicomSlice& odd = stack.slices[m.oddSlice];
+  ImportFault fault(FaultKind::ShiftedSlices,
+    "the slices are shifted against each other: " + SliceName(odd) + " lies " +
+      Millimetres(m.oddMm) +
+      " beside the line of the others. Export the series again, or take out what does not belong "
+      "to it");
+  fault.slices = { places[m.oddSlice] };
+  fault.files = { odd.number };
+  fault.millimetres = m.oddMm;
+  faults.push_back(fault);
+}
+
 void AddTilt(DicomStack& stack, const StackMeasures& m, const std::vector<int>& places,
   std::vector<ImportFault>& faults)
 {
-  if (!m.tilted)
+  if (!m.tilted || !m.leaning)
     return;
   const DicomSlice& farthest = stack.slices[m.farthestSlice];
-  const std::string lies = SliceName(farthest) + " lies " + Millimetres(m.farthestAsideMm) +
-                           " beside the axis of " + SliceName(stack.slices.front());
-  ImportFault fault(FaultKind::ShiftedSlices,
-    "the slices are shifted against each other: " + lies + ", and they are on no common line" +
-      ". Export the series again, or take out what does not belong to it");
+  const double rounding = m.tiltDegrees < 1.0 ? 1000.0 : 10.0;
+  stack.passport.tiltDegrees = m.tiltDegrees;
+  ImportFault fault(FaultKind::GantryTilt,
+    "the stack is tilted: " + SliceName(farthest) + " lies " + Millimetres(m.farthestAsideMm) +
+      " beside the axis of " + SliceName(stack.slices.front()) + ", " +
+      Text(std::round(rounding * m.tiltDegrees) / rounding) +
+      " degrees (gantry tilt?). Straighten the series first");
   fault.slices = { places[m.farthestSlice] };
   fault.files = { farthest.number };
   fault.millimetres = m.farthestAsideMm;
-  if (m.straight)
-  {
-    const double rounding = m.tiltDegrees < 1.0 ? 1000.0 : 10.0;
-    stack.passport.tiltDegrees = m.tiltDegrees;
-    fault.kind = FaultKind::GantryTilt;
-    fault.degrees = m.tiltDegrees;
-    const std::string beyond = TiltBeyondLimits(m);
-    fault.resamplable = beyond.empty();
-    fault.text = "the stack is tilted: " + lies + ", " +
-                 Text(std::round(rounding * m.tiltDegrees) / rounding) +
-                 " degrees (gantry tilt?). Straighten the series first";
-    if (!beyond.empty())
-      fault.text += "; it is not resampled: " + beyond;
-  }
+  fault.degrees = m.tiltDegrees;
+  const std::string beyond = TiltBeyondLimits(m);
+  fault.resamplable = beyond.empty();
+  if (!beyond.empty())
+    fault.text += "; it is not resampled: " + beyond;
   faults.push_back(fault);
 }
 
@@ -205,6 +216,7 @@ void SortAndMeasure(DicomStack& stack)
   AddDoubled(stack, places, faults);
   AddGaps(stack, m, places, true, faults);
   AddGaps(stack, m, places, false, faults);
+  AddShifted(stack, m, places, faults);
   AddTilt(stack, m, places, faults);
   stack.passport.gapDeviationMm = m.gapDeviationMm;
   const bool even = m.gaps.empty();

@@ -20,9 +20,12 @@ std::string Refusal(const std::filesystem::path& file, const std::vector<ImportF
       text += (n > 1 ? ", " : "") + std::string(FaultName(faults[n].kind));
     text += "): see hasp info";
   }
+  const bool doubled = std::any_of(faults.begin(), faults.end(),
+    [](const ImportFault& fault) { return fault.kind == FaultKind::DoubledSlices; });
   if (std::all_of(
         faults.begin(), faults.end(), [](const ImportFault& fault) { return fault.resamplable; }))
-    text += ". It can be read resampled (--resample, or SetResample)";
+    text += ". It can be read resampled (--resample, or SetResample)" +
+            std::string(doubled ? " if the pictures at one place are the same" : "");
   return text;
 }
 

@@ -279,6 +279,30 @@ TEST(ResampleStack, IntegersAreRoundedAndNothingLeavesTheMeasuredRange)
   }
 }
 
+TEST(ResampleStack, MadeSamplesLieBetweenTheTwoAroundThem)
+{
+  // Metal beside air, and noise: a cubic that is not held back makes halos of 30 % there.
+  const std::vector<double> heights{ 0, 1, 2, 4, 5, 6.4, 7, 8, 9, 10, 11 };
+  const auto stack = Stack({ 0, 0, 0 }, { 6, 6 }, { 1, 1 }, heights);
+  std::vector<float> samples;
+  unsigned seed = 1;
+  for (std::size_t n = 0; n < heights.size() * 36; ++n)
+    samples.push_back((seed = seed * 1664525U + 1013904223U) >> 31 ? 3000.0F : float(seed >> 24));
+  const auto r = Resampling(stack, samples);
+  int made = 0;
+  for (int k = 0; k < r.plan.geometry.dims.z; ++k)
+    for (int n = 0; n < 36; ++n)
+    {
+      const auto& recipe = r.plan.slices[k];
+      const auto [low, high] =
+        std::minmax(samples[recipe.below * 36 + n], samples[recipe.above * 36 + n]);
+      made += recipe.share > 0.0;
+      ASSERT_GE(r.samples[k * 36 + n], low - 1e-3F); // float's last digit at 3000
+      ASSERT_LE(r.samples[k * 36 + n], high + 1e-3F);
+    }
+  EXPECT_GE(made, 2 * 36);
+}
+
 TEST(ResampleStack, WhatCannotBeMeasuredIsNotCalledZero)
 {
   // Two slices: none can be left out.
@@ -307,17 +331,33 @@ struct Case
   glm::dvec3 center;
 };
 
+/// The same with straight lines between the slices, for stacks that are not tilted.
+Resampled Straight(Resampled r, const std::vector<float>& measured)
+{
+  const std::size_t inSlice = std::size_t(r.plan.stack.dims.x) * r.plan.stack.dims.y;
+  for (std::size_t n = 0; n < r.samples.size(); ++n)
+  {
+    const auto& recipe = r.plan.slices[n / inSlice];
+    const std::size_t at = n % inSlice;
+    r.samples[n] = float((1.0 - recipe.share) * measured[recipe.below * inSlice + at] +
+                         recipe.share * measured[recipe.above * inSlice + at]);
+  }
+  return r;
+}
+
 // What is recorded is measured at other slices than the made ones, so it is not equal to what is
 // true there. Less by a quarter is allowed for that. More by far is met where the surfaces stand
-// upright in the gap and lie flat elsewhere: at the equator of the sphere, a factor of six.
+// upright in the gap and lie flat elsewhere: at the equator of the sphere and of the shell, by a
+// factor of seven, and where the truth is below a hundredth of a millimetre by more. So a
+// sixteenth of a sample (0.05 mm), which nobody sees, is allowed besides.
 TEST(ResampleStack, RecordedErrorHoldsAgainstTheClosedForm)
 {
   const std::vector<Case> cases{ { "sphere", hasp::AnalyticSphere({ 0, 0, 0 }, 22.0), { 0, 0, 0 } },
     { "torus", hasp::AnalyticTorus({ 0, 0, 0 }, glm::normalize(glm::dvec3(1, 2, 3)), 16.0, 5.0),
       { 0, 0, 0 } },
     { "gyroid", hasp::AnalyticGyroid(24.0), { 1, 2, 3 } }, { "shell", Shell(), { 20, -22, 12 } } };
-  std::printf("%-8s %5s %4s %5s  %19s  %17s\n", "volume", "tilt", "gap", "after",
-    "recorded p50 p95 mm", "true p50 p95 mm");
+  std::printf("%-8s %5s %4s %5s  %19s  %17s  %11s\n", "volume", "tilt", "gap", "after",
+    "recorded p50 p95 mm", "true p50 p95 mm", "linear's p95");
   for (const Case& c : cases)
     for (const auto& [tilt, gap, after] : { std::tuple{ 5.0, 0, 0 }, { 10.0, 0, 0 }, { 15.0, 0, 0 },
            { 25.0, 0, 0 }, { 0.0, 1, 22 }, { 0.0, 2, 22 }, { 0.0, 3, 22 }, { 0.0, 4, 12 },
@@ -328,16 +368,23 @@ TEST(ResampleStack, RecordedErrorHoldsAgainstTheClosedForm)
         without.push_back(after + n);
       const auto stack = Stack(c.center, { 64, 64 }, { 0.8, 0.8 }, Heights(48, 1.0, without), tilt);
       const double edge = 1.5;
-      const auto r = Resampling(stack, SampleStack<float>(stack, c.volume, edge));
+      const auto measured = SampleStack<float>(stack, c.volume, edge);
+      const auto r = Resampling(stack, measured);
       const auto errors = TrueErrors(r, c.volume, edge);
       ASSERT_GT(errors.size(), 50U);
       const double true50 = Quantile(errors, 0.5), true95 = Quantile(errors, 0.95);
-      std::printf("%-8s %5.0f %4d %5d  %9.3f %9.3f  %8.3f %8.3f\n", c.name, tilt, gap, after,
-        r.record.error50, r.record.error95, true50, true95);
+      const double straight =
+        tilt == 0.0 ? Quantile(TrueErrors(Straight(r, measured), c.volume, edge), 0.95) : NAN;
+      std::printf("%-8s %5.0f %4d %5d  %9.3f %9.3f  %8.3f %8.3f  %8.3f\n", c.name, tilt, gap, after,
+        r.record.error50, r.record.error95, true50, true95, straight);
+      if (tilt == 0.0) // what the cubic is for; least with the gyroid, whose surfaces bend most
+      {
+        EXPECT_LE(true95, 0.8 * straight);
+      }
       EXPECT_TRUE(r.record.errorKnown);
       EXPECT_GT(r.record.edgesJudged, 100);
       EXPECT_GE(r.record.error95, 0.75 * true95);
-      EXPECT_LE(r.record.error95, 7.0 * true95);
+      EXPECT_LE(r.record.error95, 7.0 * true95 + 0.05);
     }
 }
 

@@ -285,6 +285,49 @@ TEST_F(DicomSeries, SampleTypeIsKnownBeforePixelsWhereHeadersDecideIt)
   EXPECT_EQ(hasp::LoadVolume(opened).passport.sampleType, "int16");
 }
 
+TEST_F(DicomSeries, FilesThatChangeBetweenHeadersAndPixelsAreNamed)
+{
+  const auto folder = this->Faulty({});
+  const auto file = this->FileOf(folder, 5);
+  const auto refused = [&](const std::string& says, const std::function<void()>& change)
+  {
+    this->Faulty({});
+    const auto opened = hasp::OpenVolume(folder.string());
+    change();
+    try
+    {
+      hasp::LoadVolume(opened);
+      ADD_FAILURE() << "was loaded: " << says;
+    }
+    catch (const std::runtime_error& error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(says), text.npos) << text;
+      EXPECT_NE(text.find(file.filename().string()), text.npos) << text;
+      EXPECT_EQ(text.find(this->Folder.string()), text.npos) << text;
+    }
+  };
+  const auto put = [&](const DcmTagKey& tag, const char* value)
+  {
+    DcmFileFormat changed;
+    ASSERT_TRUE(changed.loadFile(OFFilename(file.c_str())).good());
+    changed.getDataset()->loadAllDataIntoMemory();
+    changed.getDataset()->putAndInsertString(tag, value);
+    ASSERT_TRUE(changed.saveFile(OFFilename(file.c_str()), EXS_LittleEndianExplicit).good());
+  };
+  refused("damaged or cut off", [&] { std::filesystem::remove(file); });
+  refused("damaged or cut off", [&] { WriteBytes(file, "no image any more"); });
+  refused("changed while it was read", [&] { put(DCM_RescaleSlope, "2"); });
+  refused("changed while it was read", [&] { put(DCM_RescaleIntercept, "7"); });
+  refused("changed while it was read", [&] { put(DCM_ImagePositionPatient, "1\\2\\3"); });
+  refused("changed while it was read",
+    [&]
+    {
+      std::filesystem::copy_file(this->FileOf(folder, 4), file, // another slice took its name
+        std::filesystem::copy_options::overwrite_existing);
+    });
+}
+
 TEST_F(DicomSeries, PassportHoldsNoPatientTextAndNoUID)
 {
   const auto p = hasp::OpenVolume(this->Faulty({}).string()).passport;

@@ -183,7 +183,43 @@ TEST_F(ImportFaults, TiltAndShift)
                                          }),
     FaultKind::ShiftedSlices);
   EXPECT_EQ(shift.slices, std::vector<int>{ 4 });
+  EXPECT_NEAR(shift.millimetres, 2 * 0.5, 1e-4);
   EXPECT_FALSE(shift.resamplable);
+}
+
+TEST_F(ImportFaults, TheShiftedSliceIsNamedWhereverItIs)
+{
+  const auto g = this->Truth();
+  for (const bool tilted : { false, true })
+    for (const int odd : { 0, 4, 7 })
+    {
+      SCOPED_TRACE(std::to_string(odd) + (tilted ? " tilted" : ""));
+      std::filesystem::remove_all(this->Folder / "series");
+      const Passport p = Inspect(this->Faulty(
+        [&](int k, DcmDataset& s) {
+          Place(s, g, { k == odd ? 2 : 0, tilted ? 0.4 * k : 0.0, k });
+        }));
+      using enum FaultKind;
+      const auto expected = tilted ? std::vector<FaultKind>{ ShiftedSlices, GantryTilt }
+                                   : std::vector<FaultKind>{ ShiftedSlices };
+      ASSERT_EQ(Kinds(p), expected);
+      EXPECT_EQ(p.faults[0].slices, std::vector<int>{ odd + 1 });
+      EXPECT_NEAR(p.faults[0].millimetres, 2 * 0.5, 1e-4);
+    }
+}
+
+TEST_F(ImportFaults, UnevenSliceOfATiltedTableIsUnevenAndTilted)
+{
+  const auto g = this->Truth();
+  const Passport p = Inspect(this->Faulty(
+    [&](int k, DcmDataset& s)
+    {
+      const double along = k == 4 ? 4.3 : k;
+      Place(s, g, { 0, 0.4 * along, along });
+    }));
+  using enum FaultKind;
+  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{ UnevenSpacing, GantryTilt }));
+  EXPECT_TRUE(p.faults[0].resamplable && p.faults[1].resamplable);
 }
 
 TEST_F(ImportFaults, WhatNoResamplingMends)
@@ -275,11 +311,15 @@ TEST_F(ImportFaults, AllFaultsAreFoundAndTheErrorCountsThem)
   std::filesystem::copy_file(this->FileOf(folder, 2), folder / "copy.dcm");
   const Passport p = Inspect(folder);
   using enum FaultKind;
-  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{
-                        BadRescale, DoubledSlices, MissingSlices, UnevenSpacing, ShiftedSlices }));
+  EXPECT_EQ(Kinds(p), (std::vector<FaultKind>{ BadRescale, DoubledSlices, MissingSlices,
+                        UnevenSpacing, ShiftedSlices, GantryTilt }));
   this->ExpectRefused(
-    folder, { p.faults[0].text, "4 more faults",
-              "(doubled_slices, missing_slices, uneven_spacing, shifted_slices)" });
+    folder, { p.faults[0].text, "5 more faults",
+              "(doubled_slices, missing_slices, uneven_spacing, shifted_slices, gantry_tilt)" });
+  // It was moved along the normal; a table moves along the tilted line, and is only uneven then.
+  EXPECT_EQ(p.faults[4].slices, std::vector<int>{ 7 });
+  EXPECT_NEAR(p.faults[4].millimetres, 0.4 * 0.75 * 0.3, 1e-4);
+  EXPECT_NEAR(p.faults[5].degrees, 13.4957, 1e-2);
   // One that cannot be mended hides nothing of the others' being mendable.
   EXPECT_TRUE(p.faults[1].resamplable);
   EXPECT_FALSE(p.faults[0].resamplable);
