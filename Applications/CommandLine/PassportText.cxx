@@ -112,6 +112,8 @@ void PutDicom(const Passport& passport, std::ostream& text)
     text << "\nthickness   " << *passport.thicknessMm << " mm, as the file says";
   if (passport.kvp)
     text << "\ntube        " << *passport.kvp << " kV";
+  if (passport.paddingValue)
+    text << "\npadding     " << *passport.paddingValue << " outside the picture";
   PutRescale(passport.rescale, text);
   if (passport.tiltDegrees > 0.0 || passport.tiltTagDegrees)
     text << "\ntilt        " << Rounded(passport.tiltDegrees, 100.0) << " degrees measured";
@@ -216,7 +218,8 @@ Json PassportJson(const Passport& passport)
     { "transfer_syntax", passport.transferSyntax }, { "burned_in", passport.burnedIn },
     { "lossy", passport.lossy }, { "patient_position", passport.patientPosition },
     { "thickness_mm", Known(passport.thicknessMm) }, { "kvp", Known(passport.kvp) },
-    { "rescale", RescaleJson(passport.rescale) }, { "tilt_degrees", passport.tiltDegrees },
+    { "padding_value", Known(passport.paddingValue) }, { "rescale", RescaleJson(passport.rescale) },
+    { "tilt_degrees", passport.tiltDegrees },
     { "tilt_tag_degrees", Known(passport.tiltTagDegrees) },
     { "missing_slices", passport.missingSlices }, { "doubled_slices", passport.doubledSlices },
     { "uneven_gaps", passport.unevenGaps }, { "warnings", passport.warnings },

@@ -4,6 +4,8 @@
 #include "vtkHaspSurfaceFile.h"
 #include "vtkHaspVolumeFile.h"
 
+#include "vtk_zlib.h"
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,6 +76,24 @@ Target VolumeTarget(const std::string& name, const std::string& fileName)
     ReadVolume };
 }
 
+std::string Gzipped(const std::string& bytes)
+{
+  std::string packed(bytes.size() + bytes.size() / 100 + 64, '\0');
+  z_stream z{};
+  if (deflateInit2(&z, Z_BEST_SPEED, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("gzip cannot be started");
+  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  z.avail_in = static_cast<uInt>(bytes.size());
+  z.next_out = reinterpret_cast<Bytef*>(packed.data());
+  z.avail_out = static_cast<uInt>(packed.size());
+  const int result = deflate(&z, Z_FINISH);
+  packed.resize(z.total_out);
+  deflateEnd(&z);
+  if (result != Z_STREAM_END)
+    throw std::runtime_error("gzip failed");
+  return packed;
+}
+
 std::string BytesOf(const std::filesystem::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -87,6 +107,8 @@ std::vector<Target> Targets()
   std::vector<Target> targets{ VolumeTarget("mha", "input.mha"), VolumeTarget("vti", "input.vti"),
     VolumeTarget("nrrd", "input.nrrd"), VolumeTarget("nii", "input.nii"),
     VolumeTarget("nii.gz", "input.nii.gz"),
+    { "in.nii.gz", "input.nii.gz", [](const Path& folder) { MakeVolumeSeeds(folder, "a.nii"); },
+      ReadVolume, Gzipped },
     { "seg.nrrd", "input.seg.nrrd", MakeSegmentationSeeds, ReadVolume }, SurfaceTarget("stl"),
     SurfaceTarget("ply"), SurfaceTarget("obj"), SurfaceTarget("vtp") };
 #if HASP_WITH_LIBARCHIVE
@@ -124,7 +146,8 @@ Outcome Try(const Target& target, const std::string& bytes, const std::filesyste
   const std::filesystem::path& seeds)
 {
   const auto file = folder / target.fileName;
-  std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
+  const std::string stored = target.pack ? target.pack(bytes) : bytes;
+  std::ofstream(file, std::ios::binary).write(stored.data(), std::streamsize(stored.size()));
   Outcome outcome = Outcome::Opened;
   try
   {

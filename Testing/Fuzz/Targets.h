@@ -19,6 +19,9 @@ struct Target
   /// Reads the file. std::exception: refused. std::bad_alloc is let through, because a reader that
   /// takes memory before it checks is at fault. The seeds are still there.
   std::function<void(const std::filesystem::path& file, const std::filesystem::path& seeds)> read;
+  /// What stands between the mutated bytes and the file, where a checksum would find every fault;
+  /// may be empty.
+  std::function<std::string(const std::string& bytes)> pack = {};
 };
 
 /// Every reader of this build.

@@ -61,9 +61,10 @@ struct Passport
   bool lossy = false;          ///< compressed with loss, now or once
   std::string burnedIn;        ///< text burned into the pictures: "yes" or "no"; empty: not said
   std::string patientPosition; ///< "HFS" and so on: how the patient lay; empty: not said
-  std::optional<double> thicknessMm; ///< of a slice, as the file says; not the slices' distance
-  std::optional<double> kvp;         ///< of the tube, kV, as the file says
-  std::vector<RescaleRun> rescale;   ///< in the stack's order; one if all slices are alike
+  std::optional<double> thicknessMm;  ///< of a slice, as the file says; not the slices' distance
+  std::optional<double> kvp;          ///< of the tube, kV, as the file says
+  std::optional<double> paddingValue; ///< of samples outside the picture, in the passport's values
+  std::vector<RescaleRun> rescale;    ///< in the stack's order; one if all slices are alike
   double tiltDegrees = 0.0; ///< measured from the positions, in [0, 90); 0 if within the tenth of
                             ///< a pixel that is forgiven
   std::optional<double> tiltTagDegrees; ///< gantry tilt as the file says, its sign is the maker's

@@ -149,6 +149,8 @@ void Describe(const std::vector<DicomSlice>& slices, Passport& passport)
     passport.thicknessMm = first.thickness;
   if (first.flags & HasKVP && std::isfinite(first.kvp))
     passport.kvp = first.kvp;
+  if (first.flags & HasPadding)
+    passport.paddingValue = first.slope * first.padding + first.intercept;
   if (first.flags & HasGantryTilt && std::isfinite(first.gantryTilt))
     passport.tiltTagDegrees = first.gantryTilt;
   if (passport.modality == "CT" && !passport.hounsfield)

@@ -127,6 +127,23 @@ TEST_F(DicomRecognition, BareDataIsReadExactly)
 
 // ---- what leaves the decoder ----
 
+TEST_F(DicomRecognition, NumbersOfTheScanReachThePassport)
+{
+  const auto passport = Read(
+    this->Faulty(
+      [](int, DcmDataset& slice)
+      {
+        slice.putAndInsertString(DCM_SliceThickness, "1.375");
+        slice.putAndInsertString(DCM_KVP, "120");
+        slice.putAndInsertString(DCM_PatientPosition, "FFDR");
+        slice.putAndInsertUint16(DCM_PixelPaddingValue, 24);
+      })).passport;
+  EXPECT_EQ(passport.thicknessMm, 1.375);
+  EXPECT_EQ(passport.kvp, 120.0);
+  EXPECT_EQ(passport.patientPosition, "FFDR");
+  EXPECT_EQ(passport.paddingValue, -1000.0); // the fixture's intercept is -1024
+}
+
 TEST_F(DicomRecognition, NumbersForTheImporterArrive)
 {
   const auto r = this->ScanWith(
