@@ -41,8 +41,8 @@ struct SurfaceReadSettings
                                  << 30; ///< of points and triangles; checked before it is taken
   std::size_t decoderMemoryBytes = std::size_t(2)
                                    << 30; ///< of the child process that reads .vtp, all in all
-  double decoderSilenceSeconds = 30.0;    ///< that child is ended after so long without
-                                          ///< an answer, in (0, 1e6]
+  double decoderSilenceSeconds = 2.0;     ///< that child is ended after so long without a sign of
+                                          ///< life, in (0, 1e6]; a second more for 8 MiB of file
   double decoderTotalSeconds = 600.0;     ///< or after so long in all, in (0, 1e6]
 };
 

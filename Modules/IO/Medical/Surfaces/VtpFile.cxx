@@ -81,7 +81,7 @@ LoadedSurface ReadVtp(const std::filesystem::path& file, const SurfaceReadSettin
 {
   XMLProcess process("surface", file,
     { settings.decoderMemoryBytes, settings.decoderSilenceSeconds, settings.decoderTotalSeconds,
-      "raise decoderMemoryBytes" },
+      ". Is it damaged? Write it again, or raise decoderMemoryBytes" },
     progress);
   const auto record = process.Answer<XMLSurfaceRecord>();
   if (record.status != static_cast<std::uint32_t>(XMLStatus::Good))

@@ -2,9 +2,24 @@
 #include "Files/FileError.h"
 
 #include <cmath>
+#include <system_error>
 
 namespace hasp
 {
+namespace
+{
+
+/// What a sound file may honestly take between two signs of life: VTK parses text, its slowest
+/// form, four times as fast on one core.
+double WorkSeconds(const std::filesystem::path& file)
+{
+  constexpr double slowestBytesPerSecond = 8 << 20;
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(file, error);
+  return error ? 0.0 : double(bytes) / slowestBytesPerSecond;
+}
+
+} // namespace
 
 XMLProcess::XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,
   const ProgressFunction& progress)
@@ -14,7 +29,7 @@ XMLProcess::XMLProcess(const char* mode, const std::filesystem::path& file, cons
       file.native() + '\0',
       { .program = { "hasp-xml-decode", "HASP_XML_DECODER", "the reader of VTK's XML files" },
         .memoryBytes = limits.memoryBytes,
-        .silenceSeconds = [most = limits.silenceSeconds] { return most; },
+        .silenceSeconds = [most = limits.silenceSeconds + WorkSeconds(file)] { return most; },
         .totalSeconds = limits.totalSeconds,
         .remedy = "The file is damaged; write it again",
         .memoryRemedy = limits.memoryRemedy,
