@@ -10,7 +10,7 @@ namespace
 {
 
 /// What a sound file may honestly take between two signs of life: VTK parses text, its slowest
-/// form, four times as fast on one core.
+/// form, twelve times as fast on one core.
 double WorkSeconds(const std::filesystem::path& file)
 {
   constexpr double slowestBytesPerSecond = 8 << 20;
