@@ -65,6 +65,11 @@ DicomOutputSettings SettingsFor(const ConvertOptions& options, const Passport& p
     throw Failure(ExitCode::WrongUse, "--hounsfield is for a CT; leave out --modality");
   settings.allowQuantisation = options.quantise;
   settings.knownNotBurnedIn = passport.burnedIn == "no";
+  if (passport.resampled)
+  {
+    settings.slicesMade = passport.resampled->slicesMade;
+    settings.madeErrorMm = passport.resampled->errorKnown ? passport.resampled->error95 : 0.0;
+  }
   settings.sliceThicknessMm = passport.resampled ? 0.0 : passport.thicknessMm.value_or(0.0);
   settings.kVp = settings.modality == "CT" ? passport.kvp.value_or(0.0) : 0.0;
   return settings;
@@ -149,6 +154,8 @@ std::vector<std::string> Lost(const Passport& before, const Passport& after)
     lost.push_back("modality");
   if (before.hounsfield && !after.hounsfield)
     lost.push_back("that values are HU");
+  if (before.resampled && before.resampled->slicesMade > 0)
+    lost.push_back("which slices resampling made and its error in mm (keep this passport)");
   if (before.segments > after.segments)
     lost.push_back("names and colours of segments");
   return lost;

@@ -56,13 +56,13 @@ void PutGeometry(const GridGeometry& grid, std::ostream& text)
        << "\norigin      " << ThreeText(grid.origin, ", ") << " mm (patient LPS)";
   for (int axis = 0; axis < 3; ++axis)
     text << "\n"
-         << "ijk"[axis] << " axis      " << ThreeText(grid.direction[axis], ", ");
+         << "ijk"[axis] << " axis      " << ThreeText(grid.direction[axis] + 0.0, ", ");
 }
 
 void PutValues(const Passport& passport, std::ostream& text)
 {
   text << "\nvalues      " << passport.minimum << " to " << passport.maximum
-       << (passport.hounsfield ? " HU" : " (not HU)");
+       << (passport.hounsfield ? " HU" : " (the file does not say HU)");
   if (passport.airLevel)
     text << ", air at " << Rounded(*passport.airLevel, 1.0);
   if (passport.softTissueLevel)

@@ -30,8 +30,16 @@ bool EndsLike(const std::string& path, std::initializer_list<const char*> ending
     endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
+void RefuseOneForBoth(const ConvertOptions& options)
+{
+  std::error_code ignored; // where there is no OUT yet
+  if (std::filesystem::equivalent(options.volume.input, options.output, ignored))
+    throw Failure(ExitCode::WrongUse, "IN and OUT are the same; give OUT another name");
+}
+
 void Run(const ConvertOptions& options, Session& session)
 {
+  RefuseOneForBoth(options);
   const OutputKind kind = KindOfOutput(options.output);
   const bool surface = IsSurfaceName(options.volume.input);
   if (kind == OutputKind::Unknown)

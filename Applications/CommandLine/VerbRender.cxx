@@ -107,6 +107,7 @@ void AddRenderVerb(CLI::App& app, Session& session)
     ->add_option("--surface", choices->render.surfaces,
       ".stl, .ply, .obj or .vtp file drawn with it; repeatable")
     ->expected(1)
+    ->allow_extra_args(false) // IN may follow
     ->take_all();
   AddLookOptions(*verb, *choices);
   AddCameraOptions(*verb, choices->render.camera);

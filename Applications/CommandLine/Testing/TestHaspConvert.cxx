@@ -28,6 +28,13 @@ protected:
   }
 };
 
+TEST_F(HaspConvert, TheInputIsNeverWrittenOver)
+{
+  const std::string before = ReadBytes(this->Phantom());
+  ExpectFailure(this->Convert("head.mha", "./head.mha"), 1, "the same");
+  EXPECT_EQ(ReadBytes(this->Path("head.mha")), before);
+}
+
 TEST_F(HaspConvert, EveryFormatKeepsEverySampleAndPlace)
 {
   this->Phantom();

@@ -21,6 +21,8 @@ struct DicomOutputSettings
   bool knownNotBurnedIn = false;  ///< nobody's name is in the pixels: Burned In Annotation NO
   double sliceThicknessMm = 0.0;  ///< of the scan; 0: not known, the distance of slices is written
   double kVp = 0.0;               ///< 0: not known
+  int slicesMade = 0;             ///< by resampling; > 0: Derivation Description says so
+  double madeErrorMm = 0.0;       ///< and that 95 % of surfaces are off by no more; 0: not known
   bool allowQuantisation = false; ///< float samples may be rounded to 65536 levels
 };
 

@@ -118,6 +118,11 @@ int vtkHaspVolumeReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkImageData* output = vtkImageData::GetData(outputs);
+  if (!this->Inside->opened.load) // refused, which was said when its header was read
+  {
+    output->Initialize();
+    return 0;
+  }
   const auto progress = [this](double share)
   {
     this->UpdateProgress(share);

@@ -9,7 +9,7 @@
  * and why: see hasp::OpenVolume.
  *
  * Threads: as any VTK filter, one at a time (RENDER or WORKER). Errors: vtkErrorMacro with the
- * file's base name, what is wrong and what to do; the output is then empty and GetErrorCode is not
+ * file's label, what is wrong and what to do; the output is then empty and GetErrorCode is not
  * 0. AbortExecute cancels; progress runs from 0 to 1 twice, over headers and over samples. Cost:
  * about one pass over the file; DICOM headers are parsed twice (once to check, once to decode).
  */
@@ -50,7 +50,8 @@ public:
   bool GetResample() const;
   vtkBooleanMacro(Resample, bool);
 
-  /// Limits of memory and time, the series, and whether to resample.
+  /// Limits of memory and time, whether the passport's hash is asked for, the series, and whether
+  /// to resample.
   void SetSettings(const hasp::VolumeReadSettings& settings);
   const hasp::VolumeReadSettings& GetSettings() const;
 

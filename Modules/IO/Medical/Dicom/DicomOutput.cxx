@@ -139,6 +139,13 @@ public:
       data->Set(DC::RescaleSlope, Decimals({ this->Stored.slope }));
       data->Set(DC::RescaleType, this->Settings.hounsfield ? "HU" : "US"); // US: unspecified
     }
+    if (this->Settings.slicesMade > 0)
+      data->Set(DC::DerivationDescription,
+        "Resampled: " + std::to_string(this->Settings.slicesMade) + " of " +
+          std::to_string(g.dims.z) + " slices made from their neighbours; " +
+          (this->Settings.madeErrorMm > 0.0
+              ? "95 % of surfaces within " + Text(this->Settings.madeErrorMm) + " mm"
+              : "error not known"));
     if (this->Settings.knownNotBurnedIn)
       data->Set(DC::BurnedInAnnotation, "NO");
     this->DescribeModality(data);

@@ -265,6 +265,8 @@ TEST_F(DicomOutput, OnlyTheAttributesOfThePrivacyPageAreWritten)
     DicomOutputSettings settings;
     settings.modality = modality;
     settings.knownNotBurnedIn = true;
+    settings.slicesMade = 2;
+    settings.madeErrorMm = 0.75;
     this->Write(this->Truth(), Samples(this->Truth()), settings, "x" + modality);
     DcmFileFormat file;
     ASSERT_TRUE(
@@ -278,6 +280,10 @@ TEST_F(DicomOutput, OnlyTheAttributesOfThePrivacyPageAreWritten)
         written.insert(text);
         EXPECT_NE(at->ident(), EVR_SQ);
       }
+    OFString derivation;
+    file.getDataset()->findAndGetOFString(DCM_DerivationDescription, derivation);
+    EXPECT_NE(derivation.find("2 of 8 slices made"), OFString_npos) << derivation;
+    EXPECT_NE(derivation.find("0.75 mm"), OFString_npos) << derivation;
   }
   EXPECT_EQ(written, listed);
 }

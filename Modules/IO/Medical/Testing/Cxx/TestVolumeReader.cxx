@@ -3,6 +3,7 @@
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeReader.h"
 #include "vtkHaspVolumeView.h"
+#include "vtkHaspVolumeWriter.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -41,6 +42,27 @@ TEST_F(VolumeReader, NoFileNameIsAnError)
   this->Reader->Update();
   EXPECT_EQ(this->Errors, 1);
   EXPECT_NE(this->Reader->GetErrorCode(), 0u);
+}
+
+TEST_F(VolumeReader, ARefusalIsSaidInItsOwnWordsOnly)
+{
+  std::string said;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&said);
+  listen->SetCallback([](vtkObject*, unsigned long, void* to, void* text)
+    { *static_cast<std::string*>(to) += static_cast<const char*>(text); });
+  this->Reader->AddObserver(vtkCommand::ErrorEvent, listen);
+  this->Reader->SetFileName((this->Folder / "gone.mha").c_str());
+  this->Reader->Update();
+  vtkNew<vtkHaspVolumeWriter> writer;
+  writer->AddObserver(vtkCommand::ErrorEvent, this->Silent);
+  writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Silent);
+  writer->SetInputConnection(this->Reader->GetOutputPort());
+  writer->SetFileName((this->Folder / "b.mha").c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(said.find("bad_function_call"), said.npos) << said;
+  EXPECT_NE(this->Reader->GetErrorCode(), 0u);
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "b.mha"));
 }
 
 TEST_F(VolumeReader, PassportIsThereBeforeSamplesAndCompleteAfter)
