@@ -15,7 +15,7 @@
 #include "vtkNrrdReader.h"
 #include "vtkVersionMacros.h"
 #include "vtkXMLImageDataReader.h"
-#if HASP_WITH_VTKDICOM
+#if HASP_WITH_SLICES
 #include "vtkDICOMDirectory.h"
 #include "vtkDICOMReader.h"
 #include "vtkStringArray.h"
@@ -86,6 +86,7 @@ ImportRival VtkReader(const std::string& name)
     } };
 }
 
+#if HASP_WITH_SLICES
 ImportRival VtkDicomImageReader()
 {
   return { "vtkDICOMImageReader of VTK " VTK_VERSION, [](const std::string& folder)
@@ -96,7 +97,6 @@ ImportRival VtkDicomImageReader()
     } };
 }
 
-#if HASP_WITH_VTKDICOM
 /// As its own programs use it: the folder sorted into series, the first of them read.
 ImportRival VtkDicomReader()
 {
@@ -126,7 +126,7 @@ std::vector<ImportFormat> ImportFormats()
     { "nii.gz", ".nii.gz", { VtkNiftiReader() } },
     { "vti", ".vti", { VtkReader<vtkXMLImageDataReader>("vtkXMLImageDataReader") } },
   };
-#if HASP_WITH_VTKDICOM && HASP_WITH_DCMTK
+#if HASP_WITH_SLICES
   formats.push_back({ "dicom", "", { VtkDicomImageReader(), VtkDicomReader() } });
 #endif
   return formats;
