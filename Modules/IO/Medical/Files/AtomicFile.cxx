@@ -37,12 +37,12 @@ AtomicFile::AtomicFile(const std::filesystem::path& file) : Target(file)
     std::ostringstream unique;
     unique << ".hasp-" << getpid() << '-' << counter++ << ".tmp"; // names may name a patient
     name = FolderOf(file) / unique.str();
+    this->Noted.emplace(name); // before it is there: a signal may come in between
     this->Descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (this->Descriptor < 0 && errno == EEXIST);
   if (this->Descriptor < 0)
     this->Throw("cannot be created");
   this->Temporary = name;
-  this->Noted.emplace(name);
 }
 
 AtomicFile::~AtomicFile()

@@ -43,11 +43,11 @@ TemporaryFolder::TemporaryFolder(const std::filesystem::path& target)
   {
     this->Path = FolderOf(target) /
                  (".hasp-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".part");
+    this->Noted.emplace(this->Path); // before it is there: a signal may come in between
     made = mkdir(this->Path.c_str(), 0700);
   } while (made != 0 && errno == EEXIST);
   if (made != 0)
     ThrowSystem(target, "cannot be created");
-  this->Noted.emplace(this->Path);
 }
 
 TemporaryFolder::~TemporaryFolder()
