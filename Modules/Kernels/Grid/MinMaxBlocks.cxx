@@ -3,14 +3,54 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace hasp
 {
 
 namespace
 {
+
 constexpr float Infinity = std::numeric_limits<float>::infinity();
-}
+
+/// Smallest and largest sample of each column of a bundle of rows; the loop runs along x, so that
+/// the compiler can use whole vectors.
+template <typename T>
+class ColumnRanges
+{
+public:
+  explicit ColumnRanges(int columns) : Min(columns), Max(columns) {}
+
+  void Clear()
+  {
+    constexpr bool isFloat = std::is_same_v<T, float>;
+    std::fill(
+      this->Min.begin(), this->Min.end(), isFloat ? T(Infinity) : std::numeric_limits<T>::max());
+    std::fill(this->Max.begin(), this->Max.end(),
+      isFloat ? T(-Infinity) : std::numeric_limits<T>::lowest());
+  }
+  void Add(const T* row)
+  {
+    const std::size_t count = this->Min.size();
+    T *min = this->Min.data(), *max = this->Max.data();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      min[i] = row[i] < min[i] ? row[i] : min[i]; // false for NaN
+      max[i] = row[i] > max[i] ? row[i] : max[i];
+    }
+  }
+  std::pair<float, float> Over(int first, int last) const
+  {
+    const auto min = std::min_element(this->Min.begin() + first, this->Min.begin() + last + 1);
+    const auto max = std::max_element(this->Max.begin() + first, this->Max.begin() + last + 1);
+    return { static_cast<float>(*min), static_cast<float>(*max) };
+  }
+
+private:
+  std::vector<T> Min, Max;
+};
+
+} // namespace
 
 MinMaxBlocks::MinMaxBlocks(const AnyGridView& grid)
 {
@@ -19,33 +59,52 @@ MinMaxBlocks::MinMaxBlocks(const AnyGridView& grid)
   this->BlockCount = (geometry.Cells() + Side - 1) / Side;
   const glm::ivec3 n = this->BlockCount;
   this->Ranges.resize(static_cast<std::size_t>(n.x) * n.y * n.z);
+  this->Read(grid, glm::ivec3(0), n);
+}
 
-  std::visit(
-    [&](const auto& view)
+void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high)
+{
+  const auto touched = this->Touched(low, high);
+  if (touched.first != touched.second)
+    this->Read(grid, touched.first, touched.second);
+}
+
+std::pair<glm::ivec3, glm::ivec3> MinMaxBlocks::Touched(
+  const glm::ivec3& low, const glm::ivec3& high) const
+{
+  const glm::ivec3 from = glm::max(low - 1, 0) / Side; // sample 8 is the last of block 0, too
+  const glm::ivec3 to = glm::min(glm::max(high, -Side) / Side + 1, this->BlockCount);
+  const bool none = glm::any(glm::greaterThanEqual(from, to));
+  return none ? std::pair(from, from) : std::pair(from, to);
+}
+
+void MinMaxBlocks::Read(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to)
+{
+  const auto readLayers = [&]<typename T>(const GridView<const T>& view)
+  {
+    const glm::ivec3 dims = view.geometry.dims;
+    const int firstColumn = from.x * Side, lastColumn = std::min(to.x * Side, dims.x - 1);
+    const auto layer = [&](std::int64_t z, std::int64_t)
     {
-      const auto layer = [&](std::int64_t first, std::int64_t last)
+      ColumnRanges<T> columns(lastColumn - firstColumn + 1);
+      for (int y = from.y; y < to.y; ++y)
       {
-        for (int bz = int(first); bz < last; ++bz)
-          for (int by = 0; by < n.y; ++by)
-            for (int bx = 0; bx < n.x; ++bx)
-            {
-              const glm::ivec3 low = glm::ivec3(bx, by, bz) * Side;
-              const glm::ivec3 high = glm::min(low + Side, geometry.dims - 1);
-              Range range{ Infinity, -Infinity };
-              for (int k = low.z; k <= high.z; ++k)
-                for (int j = low.y; j <= high.y; ++j)
-                  for (int i = low.x; i <= high.x; ++i)
-                  {
-                    const float value = static_cast<float>(view(i, j, k));
-                    range.min = value < range.min ? value : range.min; // false for NaN
-                    range.max = value > range.max ? value : range.max;
-                  }
-              this->Ranges[this->Index({ bx, by, bz })] = range;
-            }
-      };
-      ParallelFor(0, n.z, 1, layer);
-    },
-    grid);
+        columns.Clear();
+        for (int k = int(z) * Side; k <= std::min(int(z) * Side + Side, dims.z - 1); ++k)
+          for (int j = y * Side; j <= std::min(y * Side + Side, dims.y - 1); ++j)
+            columns.Add(&view(firstColumn, j, k));
+        for (int x = from.x; x < to.x; ++x)
+        {
+          const int first = (x - from.x) * Side;
+          const auto [min, max] =
+            columns.Over(first, std::min(first + Side, lastColumn - firstColumn));
+          this->Ranges[this->Index({ x, y, int(z) })] = { min, max };
+        }
+      }
+    };
+    ParallelFor(from.z, to.z, 1, layer);
+  };
+  std::visit(readLayers, grid);
 
   this->Whole = { Infinity, -Infinity };
   for (const Range& range : this->Ranges)

@@ -1,6 +1,7 @@
 #pragma once
 #include "Grid/GridView.h"
 
+#include <utility>
 #include <vector>
 
 namespace hasp
@@ -11,7 +12,7 @@ namespace hasp
 ///
 /// A block can hold a piece of the isosurface only if min < isovalue <= max (inside is value >=
 /// isovalue). NaN samples are left out of both. 8 bytes a block: about 1/64 of an int16 volume's
-/// bytes per sample. Immutable after construction; any thread may read.
+/// bytes per sample. Any thread may read, except during Update.
 class MinMaxBlocks
 {
 public:
@@ -20,6 +21,13 @@ public:
   MinMaxBlocks() = default;
   /// O(samples), all threads. Throws std::invalid_argument on an invalid geometry.
   explicit MinMaxBlocks(const AnyGridView& grid);
+
+  /// Reads the blocks anew that hold or share one of the samples [low, high], which have changed;
+  /// the grid must be the one these blocks were made of. O(samples in them), all threads.
+  void Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high);
+  /// Those blocks: from the first to one past the last along each axis; both equal if there are
+  /// none. Samples outside the grid are left out.
+  std::pair<glm::ivec3, glm::ivec3> Touched(const glm::ivec3& low, const glm::ivec3& high) const;
 
   /// Blocks per axis; 0 on an axis with a single sample.
   const glm::ivec3& Blocks() const { return this->BlockCount; }
@@ -40,6 +48,7 @@ private:
   {
     float min, max;
   };
+  void Read(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to);
   std::size_t Index(const glm::ivec3& b) const
   {
     return (static_cast<std::size_t>(b.z) * this->BlockCount.y + b.y) * this->BlockCount.x + b.x;

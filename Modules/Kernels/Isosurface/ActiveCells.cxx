@@ -1,12 +1,11 @@
 #include "Isosurface/ActiveCells.h"
 #include "Grid/ParallelFor.h"
+#include "Isosurface/ClusterLayer.h"
+#include "Isosurface/CompactCells.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <stdexcept>
-#include <string>
-#include <type_traits>
+#include <tuple>
 
 namespace hasp
 {
@@ -14,167 +13,162 @@ namespace hasp
 namespace
 {
 
-constexpr int Side = MinMaxBlocks::Side;
-constexpr std::size_t MaxClusters = std::size_t{ 1 } << 23;
-
-template <typename T>
-constexpr CornerType CornersOf = std::is_same_v<T, float>          ? CornerType::Float32
-                                 : std::is_same_v<T, std::int16_t> ? CornerType::Int16
-                                                                   : CornerType::UInt16;
-
-template <typename T>
-void AppendCorners(const GridView<const T>& grid, const glm::ivec3& cell, ClusteredCells& out)
+void RefuseOtherBlocks(const AnyGridView& grid, const MinMaxBlocks& blocks, const char* who)
 {
-  const T* p = &grid(cell.x, cell.y, cell.z);
-  const std::size_t row = grid.geometry.dims.x, slice = row * grid.geometry.dims.y;
-  for (const std::size_t pair : { std::size_t{ 0 }, row, slice, slice + row })
-  {
-    if constexpr (std::is_same_v<T, float>)
-    {
-      out.words.push_back(std::bit_cast<std::uint32_t>(p[pair]));
-      out.words.push_back(std::bit_cast<std::uint32_t>(p[pair + 1]));
-    }
-    else
-      out.words.push_back(
-        static_cast<std::uint16_t>(p[pair]) |
-        static_cast<std::uint32_t>(static_cast<std::uint16_t>(p[pair + 1])) << 16);
-  }
+  if (blocks.Blocks() != (GeometryOf(grid).Cells() + MinMaxBlocks::Side - 1) / MinMaxBlocks::Side)
+    throw std::invalid_argument(std::string(who) + ": the min-max blocks are of another grid");
 }
 
-/// One bit per sample of a row: which are inside, and which are NaN or infinite.
-struct RowBits
+/// Layers [from, to), each restricted to the rectangle of blocks.
+std::vector<ClusterLayer> ExtractLayers(const AnyGridView& grid, const MinMaxBlocks& blocks,
+  float isovalue, int from, int to, const BlockRectangle& rectangle)
 {
-  std::uint32_t inside = 0, notFinite = 0;
+  std::vector<ClusterLayer> layers(to - from);
+  ParallelFor(from, to, 1,
+    [&](std::int64_t z, std::int64_t)
+    { layers[z - from] = ExtractLayer(grid, blocks, isovalue, int(z), rectangle); });
+  return layers;
+}
+
+/// Blocks [from, to) along each axis.
+struct BlockBox
+{
+  glm::ivec3 from, to;
 };
 
-template <typename T>
-RowBits ReadRow(const T* row, int count, float isovalue)
+bool Inside(const BlockBox& box, const CellCluster& cluster)
 {
-  RowBits bits;
-  for (int i = 0; i < count; ++i)
-  {
-    bits.inside |= static_cast<std::uint32_t>(static_cast<float>(row[i]) >= isovalue) << i;
-    if constexpr (std::is_same_v<T, float>)
-      bits.notFinite |= static_cast<std::uint32_t>(!std::isfinite(row[i])) << i;
-  }
-  return bits;
+  const glm::ivec3 block = cluster.Origin() / MinMaxBlocks::Side;
+  return glm::all(glm::greaterThanEqual(block, box.from)) && glm::all(glm::lessThan(block, box.to));
 }
 
-/// One bit per cell of the row between four sample rows: corners on both sides, and all finite.
-std::uint32_t ActiveInRow(const RowBits& a, const RowBits& b, const RowBits& c, const RowBits& d)
+bool RasterBefore(const CellCluster& a, const CellCluster& b)
 {
-  const std::uint32_t any = a.inside | b.inside | c.inside | d.inside;
-  const std::uint32_t all = a.inside & b.inside & c.inside & d.inside;
-  const std::uint32_t bad = a.notFinite | b.notFinite | c.notFinite | d.notFinite;
-  return (any | any >> 1) & ~(all & all >> 1) & ~(bad | bad >> 1);
+  const glm::ivec3 p = a.Origin(), q = b.Origin();
+  return std::tie(p.z, p.y, p.x) < std::tie(q.z, q.y, q.x);
 }
 
-template <typename T>
-void ExtractBlock(
-  const GridView<const T>& grid, const glm::ivec3& block, float isovalue, ClusteredCells& out)
+/// Where a cluster's corners end, in words.
+std::size_t EndWord(const ClusteredCells& cells, std::size_t cluster)
 {
-  const glm::ivec3 origin = block * Side;
-  const glm::ivec3 cells = glm::min(glm::ivec3(Side), grid.geometry.Cells() - origin);
-  RowBits rows[Side + 1][Side + 1];
-  for (int k = 0; k <= cells.z; ++k)
-    for (int j = 0; j <= cells.y; ++j)
-      rows[k][j] = ReadRow(&grid(origin.x, origin.y + j, origin.z + k), cells.x + 1, isovalue);
-
-  const std::uint32_t inBlock = (1U << cells.x) - 1U;
-  const auto cluster = static_cast<std::uint32_t>(out.clusters.size());
-  bool used = false;
-  for (int k = 0; k < cells.z; ++k)
-    for (int j = 0; j < cells.y; ++j)
-    {
-      std::uint32_t active =
-        inBlock & ActiveInRow(rows[k][j], rows[k][j + 1], rows[k + 1][j], rows[k + 1][j + 1]);
-      for (; active != 0; active &= active - 1)
-      {
-        const int i = std::countr_zero(active);
-        out.words.push_back(cluster << 9 | static_cast<std::uint32_t>(k << 6 | j << 3 | i));
-        AppendCorners(grid, origin + glm::ivec3(i, j, k), out);
-        used = true;
-      }
-    }
-  if (!used)
-    return;
-  out.clusters.emplace_back(static_cast<std::uint32_t>(block.x | block.y << 16), block.z);
-  out.firstCells.push_back(static_cast<std::uint32_t>(out.Count()));
+  return cluster + 1 < cells.clusters.size() ? cells.clusters[cluster + 1].firstWord
+                                             : cells.corners.size() - PaddingWords;
 }
 
-/// Puts the layers, in order, into one structure; cluster indices count on.
-void Join(std::vector<ClusteredCells>& layers, ClusteredCells& whole)
+/// One cluster of `from` after what `layer` has.
+void AppendCluster(const ClusteredCells& from, std::size_t n, ClusterLayer& layer)
 {
-  std::size_t words = 0, clusters = 0;
-  for (const ClusteredCells& layer : layers)
+  CellCluster cluster = from.clusters[n];
+  const auto words = from.corners.begin();
+  const auto first = words + cluster.firstWord, end = words + std::ptrdiff_t(EndWord(from, n));
+  cluster.firstWord = static_cast<std::uint32_t>(layer.corners.size());
+  cluster.firstCell = static_cast<std::uint32_t>(layer.cells);
+  layer.corners.insert(layer.corners.end(), first, end);
+  layer.clusters.push_back(cluster);
+  layer.cells += cluster.CellCount();
+}
+
+/// Puts the clusters of `fresh`, all in the box, in the place of those of `cells` there. What lies
+/// before the box stays where it is.
+void Replace(ClusteredCells& cells, const ClusteredCells& fresh, const BlockBox& box)
+{
+  const std::size_t count = cells.clusters.size();
+  const auto before = [&](const glm::ivec3& block)
   {
-    words += layer.words.size();
-    clusters += layer.clusters.size();
-  }
-  if (clusters >= MaxClusters)
-    throw std::invalid_argument(
-      "ExtractActiveCells: " + std::to_string(clusters) + " clusters with surface; fewer than " +
-      std::to_string(MaxClusters) + " fit: crop the volume or choose another isovalue");
-  whole.words.reserve(words);
-  whole.clusters.reserve(clusters);
-  whole.firstCells.reserve(clusters + 1);
-  const std::size_t stride = whole.Stride();
-  for (ClusteredCells& layer : layers)
+    CellCluster place;
+    place.place = { block.x | block.y << 13, block.z };
+    const auto at =
+      std::lower_bound(cells.clusters.begin(), cells.clusters.end(), place, RasterBefore);
+    return static_cast<std::size_t>(at - cells.clusters.begin());
+  };
+  const std::size_t begin = before(box.from);
+  std::size_t end = before(box.to - 1);
+  end += end < count && Inside(box, cells.clusters[end]);
+
+  ClusterLayer behind;
+  std::size_t old = begin, next = 0;
+  while (old < end || next < fresh.clusters.size())
   {
-    const auto shift = static_cast<std::uint32_t>(whole.clusters.size()) << 9;
-    const auto before = static_cast<std::uint32_t>(whole.Count());
-    for (std::size_t c = 1; c < layer.firstCells.size(); ++c)
-      whole.firstCells.push_back(before + layer.firstCells[c]);
-    for (std::size_t w = 0; w < layer.words.size(); w += stride)
-      layer.words[w] += shift;
-    whole.words.insert(whole.words.end(), layer.words.begin(), layer.words.end());
-    whole.clusters.insert(whole.clusters.end(), layer.clusters.begin(), layer.clusters.end());
-    layer = {};
+    if (old < end && Inside(box, cells.clusters[old]))
+      ++old;
+    else if (next == fresh.clusters.size() ||
+             (old < end && RasterBefore(cells.clusters[old], fresh.clusters[next])))
+      AppendCluster(cells, old++, behind);
+    else
+      AppendCluster(fresh, next++, behind);
   }
+  for (; old < count; ++old)
+    AppendCluster(cells, old, behind);
+
+  cells.corners.resize(begin < count ? cells.clusters[begin].firstWord : EndWord(cells, count - 1));
+  cells.count = begin < count ? cells.clusters[begin].firstCell : cells.count;
+  cells.clusters.resize(begin);
+  AppendLayer(behind, cells);
+  FinishCells(cells);
 }
 
 } // namespace
 
 ClusteredCells ExtractActiveCells(const AnyGridView& grid, const MinMaxBlocks& blocks,
-  double isovalue, const ProgressFunction& progress)
+  double isovalue, CellPrecision precision, const ProgressFunction& progress)
 {
-  const GridGeometry& geometry = GeometryOf(grid);
-  geometry.Validate();
+  ClusteredCells cells = BeginCells(grid, isovalue);
+  RefuseOtherBlocks(grid, blocks, "ExtractActiveCells");
   const glm::ivec3 n = blocks.Blocks();
-  if (!std::isfinite(static_cast<float>(isovalue)))
-    throw std::invalid_argument("ExtractActiveCells: the isovalue must be a finite number");
-  if (n != (geometry.Cells() + Side - 1) / Side)
-    throw std::invalid_argument("ExtractActiveCells: the min-max blocks are of another grid");
-  if (std::max({ n.x, n.y, n.z }) > 0xFFFF)
-    throw std::invalid_argument("ExtractActiveCells: more than 524,288 samples along one axis");
-
-  ClusteredCells whole;
-  whole.geometry = geometry;
-  whole.isovalue = static_cast<float>(isovalue);
-  std::vector<ClusteredCells> layers(n.z);
   constexpr int layersAtATime = 8; // progress and cancel between them
-  std::visit(
-    [&]<typename T>(const GridView<const T>& view)
-    {
-      whole.cornerType = CornersOf<T>;
-      const auto extractLayer = [&](std::int64_t z, std::int64_t)
-      {
-        layers[z].cornerType = whole.cornerType;
-        for (int y = 0; y < n.y; ++y)
-          for (int x = 0; x < n.x; ++x)
-            if (blocks.Active({ x, y, int(z) }, whole.isovalue))
-              ExtractBlock(view, { x, y, int(z) }, whole.isovalue, layers[z]);
-      };
-      for (int z = 0; z < n.z; z += layersAtATime)
-      {
-        ReportProgress(progress, double(z) / n.z);
-        ParallelFor(z, std::min(n.z, z + layersAtATime), 1, extractLayer);
-      }
-    },
-    grid);
-  Join(layers, whole);
+  for (int z = 0; z < n.z; z += layersAtATime)
+  {
+    ReportProgress(progress, double(z) / n.z);
+    const int end = std::min(n.z, z + layersAtATime);
+    for (const ClusterLayer& layer :
+      ExtractLayers(grid, blocks, cells.isovalue, z, end, { { 0, 0 }, { n.x, n.y } }))
+      AppendLayer(layer, cells);
+  }
+  FinishCells(cells);
+  if (precision == CellPrecision::Compact)
+    cells = CompactCells(cells);
   ReportProgress(progress, 1.0);
-  return whole;
+  return cells;
+}
+
+void UpdateActiveCells(ClusteredCells& cells, const AnyGridView& grid, MinMaxBlocks& blocks,
+  const glm::ivec3& low, const glm::ivec3& high)
+{
+  ClusteredCells fresh = BeginCells(grid, cells.isovalue);
+  RefuseOtherBlocks(grid, blocks, "UpdateActiveCells");
+  if (cells.geometry.dims != fresh.geometry.dims || cells.cornerType != fresh.cornerType)
+    throw std::invalid_argument("UpdateActiveCells: the cells are of another grid");
+  blocks.Update(grid, low, high);
+  const auto [from, to] = blocks.Touched(low, high);
+  if (from == to)
+    return;
+  const BlockBox box{ from, to };
+  const BlockRectangle rectangle{ glm::ivec2(from), glm::ivec2(to) };
+  for (const ClusterLayer& layer :
+    ExtractLayers(grid, blocks, cells.isovalue, from.z, to.z, rectangle))
+    AppendLayer(layer, fresh);
+  FinishCells(fresh);
+
+  if (cells.precision == CellPrecision::Compact)
+  {
+    int exponent = CompactExponent(fresh), before = LeastCompactExponent;
+    for (const CellCluster& cluster : cells.clusters)
+    {
+      before = std::max(before, CompactExponent(cluster));
+      if (!Inside(box, cluster))
+        exponent = std::max(exponent, CompactExponent(cluster));
+    }
+    if (exponent != before)
+    {
+      cells = ExtractActiveCells(grid, blocks, cells.isovalue, CellPrecision::Compact);
+      return;
+    }
+    fresh = CompactCells(fresh, exponent);
+  }
+  cells.labels.clear();
+  cells.colors.clear();
+  cells.firstColors.clear();
+  Replace(cells, fresh, box);
 }
 
 } // namespace hasp

@@ -76,37 +76,26 @@ private:
   double CellDepth = 0.0;
 };
 
-void Append(std::vector<CellRange>& ranges, std::uint32_t first, std::uint32_t end)
-{
-  if (!ranges.empty() && ranges.back().first + ranges.back().count == first)
-    ranges.back().count += end - first;
-  else
-    ranges.push_back({ first, end - first });
-}
-
 } // namespace
 
-VisibleCells CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
+VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
   const glm::ivec2& viewport, double pointLimit)
 {
-  VisibleCells visible;
+  VisibleClusters visible;
   const Classifier classifier(indexToClip, viewport, pointLimit);
   for (std::size_t c = 0; c < cells.clusters.size(); ++c)
-  {
-    const std::uint32_t first = cells.firstCells[c], end = cells.firstCells[c + 1];
-    switch (classifier.Of(glm::dvec3(glsl::HaspClusterOrigin(cells.clusters[c]))))
+    switch (classifier.Of(glm::dvec3(cells.clusters[c].Origin())))
     {
       case Primitive::Point:
-        Append(visible.points, first, end);
+        visible.points.push_back(static_cast<std::uint32_t>(c));
         break;
       case Primitive::Rectangle:
-        Append(visible.rectangles, first, end);
+        visible.rectangles.push_back(static_cast<std::uint32_t>(c));
         break;
       case Primitive::None:
-        visible.culledCells += end - first;
+        ++visible.culled;
         break;
     }
-  }
   return visible;
 }
 

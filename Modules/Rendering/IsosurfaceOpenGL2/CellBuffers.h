@@ -5,7 +5,7 @@
 
 #include <functional>
 
-/// Active cells on the GPU: two shader storage buffers and an empty vertex array. Nothing is
+/// Active cells on the GPU: clusters and corners as they are, and an empty vertex array. Nothing is
 /// allocated before Upload. Threads: RENDER, with the context current.
 class CellBuffers
 {
@@ -14,17 +14,26 @@ public:
   void Upload(const hasp::ClusteredCells& cells);
   void Release();
   bool Uploaded() const { return this->VertexArray != 0; }
-  std::size_t Bytes() const { return this->CellBytes + this->ClusterBytes; }
+  std::size_t Bytes() const { return this->ByteCount; }
 
-  /// Draws the ranges, `verticesPerCell` vertices each, as `primitive` (GL_POINTS, GL_TRIANGLES). A
-  /// storage block has a largest size: cells are bound in parts, and before each
-  /// `setFirstCell(cell)` is called.
-  void Draw(const std::vector<hasp::CellRange>& ranges, unsigned int primitive, int verticesPerCell,
-    const std::function<void(int)>& setFirstCell) const;
+  /// Draws clusters, given by number in ascending order, `verticesPerCell` vertices a cell, as
+  /// `primitive` (GL_POINTS, GL_TRIANGLES). A storage block has a largest size: clusters are bound
+  /// in parts, and before each `setFirstWord(word of the first corner bound)` is called.
+  void Draw(const std::vector<std::uint32_t>& clusters, unsigned int primitive, int verticesPerCell,
+    const std::function<void(int)>& setFirstWord) const;
 
 private:
-  unsigned int Cells = 0, Clusters = 0, VertexArray = 0;
-  std::size_t CellBytes = 0, ClusterBytes = 0, BytesPerCell = 0;
+  /// Clusters [first, end) and their corners fit a storage block each.
+  struct Part
+  {
+    std::size_t first, end, firstWord, endWord;
+  };
+  void Divide(const hasp::ClusteredCells& cells);
+
+  unsigned int Clusters = 0, Corners = 0, VertexArray = 0;
+  std::size_t ByteCount = 0;
+  std::vector<Part> Parts;
+  std::vector<std::uint16_t> CellCounts; ///< of each cluster
 };
 
 #endif

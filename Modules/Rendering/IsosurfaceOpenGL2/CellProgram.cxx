@@ -31,9 +31,11 @@ void Fill(std::string& shader, const std::string& slot, const std::string& text)
     shader.replace(at, line.size(), text);
 }
 
-std::string CornerDefines(hasp::CornerType corners)
+std::string CornerDefines(const hasp::ClusteredCells& cells)
 {
-  switch (corners)
+  if (cells.precision == hasp::CellPrecision::Compact)
+    return "#define HASP_COMPACT_CORNERS\n";
+  switch (cells.cornerType)
   {
     case hasp::CornerType::Float32:
       return "#define HASP_FLOAT_CORNERS\n";
@@ -111,7 +113,7 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
     pass->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
     pass->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
   }
-  std::string defines = CornerDefines(mapper->GetCells().cornerType) + scene.Defines();
+  std::string defines = CornerDefines(mapper->GetCells()) + scene.Defines();
   if (selector)
     defines += "#define HASP_SELECTION\n";
   Fill(vertex, "Defines", defines);
@@ -128,6 +130,9 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
   for (vtkOpenGLRenderPass* pass : passes)
     pass->SetShaderParameters(program, mapper, actor);
   scene.SetUniforms(program);
+  const std::vector<float>& levels = mapper->GetCells().levels;
+  if (!levels.empty())
+    program->SetUniform1fv("levels", static_cast<int>(levels.size()), levels.data());
   if (selector)
     SetSelectionUniforms(program, selector);
   return program;

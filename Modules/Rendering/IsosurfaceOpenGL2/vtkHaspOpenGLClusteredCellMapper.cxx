@@ -96,17 +96,17 @@ struct vtkHaspOpenGLClusteredCellMapper::OpenGL
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   }
 
-  void Draw(vtkShaderProgram* program, const hasp::VisibleCells& visible) const
+  void Draw(vtkShaderProgram* program, const hasp::VisibleClusters& visible) const
   {
-    const auto setFirstCell = [&](int first) { program->SetUniformi("firstCell", first); };
+    const auto setFirstWord = [&](int first) { program->SetUniformi("firstWord", first); };
     const bool sized = glIsEnabled(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_PROGRAM_POINT_SIZE);
     program->SetUniformi("points", 1);
-    this->Buffers.Draw(visible.points, GL_POINTS, 1, setFirstCell);
+    this->Buffers.Draw(visible.points, GL_POINTS, 1, setFirstWord);
     if (!sized)
       glDisable(GL_PROGRAM_POINT_SIZE);
     program->SetUniformi("points", 0);
-    this->Buffers.Draw(visible.rectangles, GL_TRIANGLES, 6, setFirstCell);
+    this->Buffers.Draw(visible.rectangles, GL_TRIANGLES, 6, setFirstWord);
   }
 };
 

@@ -2,9 +2,9 @@
  * @class   vtkHaspOpenGLClusteredCellMapper
  * @brief   OpenGL 4.3 implementation of vtkHaspClusteredCellMapper.
  *
- * Cells go to the GPU once per extraction, as they are (20 bytes a cell for integer volumes, 36 for
- * float), and are pulled by the vertex shader; there are no vertex or index buffers. Shader
- * variants are compiled when a scene first needs them: unsigned or float corners, hardware
+ * Cells go to the GPU once per extraction, packed as they are (4 to 6 bytes a cell of an
+ * integer volume), and are pulled by the vertex shader; there are no vertex or index buffers.
+ * Shader variants are compiled when a scene first needs them: unsigned or float corners, hardware
  * selection. They live in one window at a time: a mapper shared by two is uploaded anew whenever
  * the window changes. Give each window a mapper of its own.
  *

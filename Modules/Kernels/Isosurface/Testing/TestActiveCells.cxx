@@ -59,15 +59,39 @@ TYPED_TEST(ActiveCells, MatchBruteForceAndKeepEverySample)
   }
 }
 
-TEST(ActiveCellsOf, IntegersTake20BytesACellAndFloats36)
+TEST(ActiveCellsOf, AClusterHoldsEachCornerOnceInTheFewestBits)
 {
-  const hasp::GridGeometry g{ { 40, 40, 40 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
-  const auto sphere = hasp::AnalyticSphere({ 20, 20, 20 }, 15);
-  const auto small = Extract(hasp::SampleAnalytic<std::int16_t>(sphere, g, 100, 0), g, 0);
-  const auto large = Extract(hasp::SampleAnalytic<float>(sphere, g, 100, 0), g, 0);
-  EXPECT_EQ(small.Count(), large.Count());
-  EXPECT_EQ(small.Bytes(), small.Count() * 20 + small.clusters.size() * 12 + 4);
-  EXPECT_EQ(large.Bytes(), large.Count() * 36 + large.clusters.size() * 12 + 4);
+  // A plane at x = 3.5 through one cluster: 64 cells, 2 x 81 corners, range 1 to 2.
+  const hasp::GridGeometry g{ { 9, 9, 9 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  std::vector<std::int16_t> samples(g.Size());
+  for (std::size_t n = 0; n < samples.size(); ++n)
+    samples[n] = static_cast<std::int16_t>(-500 + 3 * (n % 9));
+  const auto cells = Extract(samples, g, -489.5);
+  ASSERT_EQ(cells.clusters.size(), 1U);
+  EXPECT_EQ(cells.Count(), 64U);
+  EXPECT_EQ(cells.clusters[0].CellCount(), 64);
+  EXPECT_EQ(cells.clusters[0].CornerCount(), 162);
+  EXPECT_EQ(cells.clusters[0].Width(), 2); // values -491 and -488
+  EXPECT_EQ(cells.corners.size(), (162 * 2 + 31) / 32 + 2);
+  EXPECT_EQ(cells.Bytes(), 96 + 4 * cells.corners.size());
+}
+
+TEST(ActiveCellsOf, AreFoundByPlaceAndByNumber)
+{
+  const hasp::GridGeometry g{ { 40, 33, 27 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  const auto cells =
+    Extract(hasp::SampleAnalytic<std::uint8_t>(hasp::AnalyticGyroid(13), g, 60, 128), g, 128);
+  ASSERT_GT(cells.Count(), 1000U);
+  std::size_t found = 0;
+  for (int k = -1; k <= 27; ++k)
+    for (int j = -1; j <= 33; ++j)
+      for (int i = -1; i <= 40; ++i)
+        if (const auto n = cells.Find({ i, j, k }))
+        {
+          ASSERT_EQ(cells.Cell(*n), glm::ivec3(i, j, k));
+          ++found;
+        }
+  EXPECT_EQ(found, cells.Count());
 }
 
 TEST(ActiveCellsOf, AMillionHundredsOfTheRangeEdgesAreExact)
@@ -107,7 +131,9 @@ TEST(ActiveCellsOf, WrongInputIsRefused)
   EXPECT_THROW(ExtractActiveCells(grid, blocks, nan), std::invalid_argument);
   EXPECT_THROW(ExtractActiveCells(grid, blocks, 1e300), std::invalid_argument);
   EXPECT_THROW(ExtractActiveCells(grid, hasp::MinMaxBlocks(), 1), std::invalid_argument);
-  EXPECT_THROW(ExtractActiveCells(grid, blocks, 1, [](double) { return false; }), hasp::Cancelled);
+  EXPECT_THROW(
+    ExtractActiveCells(grid, blocks, 1, hasp::CellPrecision::Exact, [](double) { return false; }),
+    hasp::Cancelled);
 }
 
 TEST(ActiveCellsOf, ASingleSliceHasNoCells)

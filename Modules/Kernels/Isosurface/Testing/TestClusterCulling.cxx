@@ -18,17 +18,6 @@ hasp::ClusteredCells Gyroid()
   return ExtractActiveCells(grid, hasp::MinMaxBlocks(grid), 0);
 }
 
-TEST(ClusterCulling, FirstCellsCountTheCellsOfEachCluster)
-{
-  const auto cells = Gyroid();
-  ASSERT_EQ(cells.firstCells.size(), cells.clusters.size() + 1);
-  EXPECT_EQ(cells.firstCells.back(), cells.Count());
-  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
-    for (std::uint32_t n = cells.firstCells[c]; n < cells.firstCells[c + 1]; ++n)
-      ASSERT_EQ(
-        cells.Cell(n) / 8, glm::ivec3(hasp::glsl::HaspClusterOrigin(cells.clusters[c])) / 8);
-}
-
 TEST(ClusterCulling, LosesNoCellThatCanBeSeenAndMakesNoPointThatWouldBeDropped)
 {
   const auto cells = Gyroid();
@@ -43,11 +32,15 @@ TEST(ClusterCulling, LosesNoCellThatCanBeSeenAndMakesNoPointThatWouldBeDropped)
                             glm::lookAt(eye, glm::dvec3(35), glm::dvec3(0, 0.1, 1));
     const auto visible = CullClusters(cells, clip, viewport, 64.0);
     std::vector<char> kind(cells.Count(), 0);
-    for (const auto& range : visible.points)
-      std::fill_n(kind.begin() + range.first, range.count, 'p');
-    for (const auto& range : visible.rectangles)
-      std::fill_n(kind.begin() + range.first, range.count, 'r');
-    culled += visible.culledCells;
+    const auto mark = [&](const std::vector<std::uint32_t>& clusters, char with)
+    {
+      for (const std::uint32_t c : clusters)
+        std::fill_n(
+          kind.begin() + cells.clusters[c].firstCell, cells.clusters[c].CellCount(), with);
+    };
+    mark(visible.points, 'p');
+    mark(visible.rectangles, 'r');
+    culled += visible.culled;
     for (std::size_t c = 0; c < cells.Count(); ++c)
     {
       // Truth: a cell is on screen if one of 27 points of it is; its centre decides for points.
@@ -75,7 +68,7 @@ TEST(ClusterCulling, LosesNoCellThatCanBeSeenAndMakesNoPointThatWouldBeDropped)
   }
   EXPECT_GT(points, 1000U);
   EXPECT_GT(rectangles, 1000U);
-  EXPECT_GT(culled, 1000U);
+  EXPECT_GT(culled, 100U);
 }
 
 TEST(ClusterCulling, WithoutPointsAllVisibleCellsAreRectangles)
@@ -84,8 +77,7 @@ TEST(ClusterCulling, WithoutPointsAllVisibleCellsAreRectangles)
   const glm::dmat4 clip = glm::ortho(-100.0, 100.0, -100.0, 100.0, -200.0, 200.0);
   const auto visible = CullClusters(cells, clip, { 500, 500 }, 0.0);
   EXPECT_TRUE(visible.points.empty());
-  ASSERT_EQ(visible.rectangles.size(), 1U);
-  EXPECT_EQ(visible.rectangles[0].count, cells.Count());
+  EXPECT_EQ(visible.rectangles.size(), cells.clusters.size());
 }
 
 } // namespace

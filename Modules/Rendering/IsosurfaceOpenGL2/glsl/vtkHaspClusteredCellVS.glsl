@@ -3,74 +3,101 @@
 // triangles of the smallest upright screen rectangle (thesis 3.2.2; Liu, Clapworthy, Dong 2009).
 // Cells are pulled from the buffer; there are no attributes.
 //
-// in   cells, clusters   packed as CellLayout.glsl says
+// in   clusters, corners   packed as CellLayout.glsl says; a vertex's number is that of its cluster, relative
+//                          to the first one bound, times 512, plus that of its cell in the cluster
 // in   indexToClip
 // in   viewport     width and height in pixels
 // out  low, high    corner samples minus the isovalue
 // out  cellClip     clip coordinates of the cell's corner (0,0,0)
 // out  cell         that corner in index coordinates, and the cell's id
 //Hasp::Defines
-#ifdef HASP_FLOAT_CORNERS
-#define CELL_WORDS HaspFloatCellWords
-#else
-#define CELL_WORDS HaspIntegerCellWords
-#endif
 #define HASP_FUNCTION
 //Hasp::CellLayout
 
-layout(std430, binding = 0) readonly buffer Cells
+layout(std430, binding = 0) readonly buffer Clusters
 {
-  uint cells[];
+  uint clusters[];
 };
-layout(std430, binding = 1) readonly buffer Clusters
+layout(std430, binding = 1) readonly buffer Corners
 {
-  uvec2 clusters[];
+  uint corners[];
 };
+#ifdef HASP_COMPACT_CORNERS
+uniform float levels[128];
+#endif
 uniform mat4 indexToClip;
 uniform vec2 viewport;
 uniform bool points;
 uniform float isovalue;
-uniform int firstCell; // of this draw: large sets are drawn in ranges
+uniform int firstWord; // of the corners that are bound: large sets are drawn in parts
 
 flat out vec4 low;
 flat out vec4 high;
 flat out vec4 cellClip;
 flat out ivec4 cell;
 
+// Two corners that are stored one after the other, as samples minus the isovalue.
+vec2 Pair(uint first, uvec2 place, uint number)
+{
+  uint width = HaspCornerWidth(place);
+  uint bit = number * width;
+  uint word = first + (bit >> 5u), shift = bit & 31u;
+  uint low = corners[word], high = corners[word + 1u];
 #ifdef HASP_FLOAT_CORNERS
-void ReadCorners(uint word)
-{
-  low = vec4(uintBitsToFloat(cells[word]), uintBitsToFloat(cells[word + 1u]),
-    uintBitsToFloat(cells[word + 2u]), uintBitsToFloat(cells[word + 3u]));
-  high = vec4(uintBitsToFloat(cells[word + 4u]), uintBitsToFloat(cells[word + 5u]),
-    uintBitsToFloat(cells[word + 6u]), uintBitsToFloat(cells[word + 7u]));
-}
+  return uintBitsToFloat(uvec2(low, high)) - isovalue;
 #else
-vec2 Pair(uint word)
-{
+  uint two = shift == 0u ? low : (low >> shift) | (high << (32u - shift));
+  uvec2 stored = uvec2(two, two >> width) & HaspLowBits(width);
+#ifdef HASP_COMPACT_CORNERS
+  vec2 size = vec2(levels[stored.x & 127u], levels[stored.y & 127u]);
+  return mix(size, -size, greaterThan(stored, uvec2(127u)));
+#else
+  uvec2 samples = stored + HaspCornerBase(place);
 #ifdef HASP_UNSIGNED_CORNERS
-  return vec2(uvec2(word & 0xFFFFu, word >> 16u));
+  return vec2(samples & 0xFFFFu) - isovalue;
 #else
-  return vec2(ivec2(int(word << 16u) >> 16, int(word) >> 16));
+  return vec2(ivec2(samples << 16u) >> 16) - isovalue;
+#endif
+#endif
 #endif
 }
-void ReadCorners(uint word)
+
+uvec2 ActiveSlice(uint header, int z) // none below and above the cluster
 {
-  low = vec4(Pair(cells[word]), Pair(cells[word + 1u]));
-  high = vec4(Pair(cells[word + 2u]), Pair(cells[word + 3u]));
+  uint word = header + 2u * uint(clamp(z, 0, 7));
+  return z < 0 || z > 7 ? uvec2(0u) : uvec2(clusters[word], clusters[word + 1u]);
 }
-#endif
+
+// The four corners of the cell at x, y that lie in corner slice z.
+vec4 ReadSlice(uint header, uvec2 place, uint x, uint y, int z)
+{
+  uvec2 cells = ActiveSlice(header, z - 1) | ActiveSlice(header, z);
+  uint first = clusters[header + 20u] - uint(firstWord);
+  uint halves = clusters[header + 16u + uint(max(z - 1, 0)) / 2u];
+  uint before = z == 0 ? 0u : (z - 1) % 2 == 0 ? halves & 0xFFFFu : halves >> 16u;
+  return vec4(Pair(first, place, before + HaspCornersBefore(cells, x, y)),
+    Pair(first, place, before + HaspCornersBefore(cells, x, y + 1u)));
+}
 
 void main()
 {
   uint number = uint(gl_VertexID) / (points ? 1u : 6u);
-  uint word = number * CELL_WORDS;
-  uint place = cells[word];
-  ReadCorners(word + 1u);
-  low -= isovalue;
-  high -= isovalue;
-  cell = ivec4(HaspClusterOrigin(clusters[HaspCellCluster(place)]) + HaspCellInCluster(place),
-    firstCell + int(number));
+  uint header = (number >> 9u) * HaspClusterWords;
+  uint inCluster = number & 511u;
+  uint left = inCluster;
+  int z = 0;
+  for (uint count = HaspCountBits(ActiveSlice(header, 0)); left >= count && z < 7;
+       count = HaspCountBits(ActiveSlice(header, z)))
+  {
+    left -= count;
+    ++z;
+  }
+  uint bit = HaspSelectBit(ActiveSlice(header, z), left);
+  uvec2 place = uvec2(clusters[header + 22u], clusters[header + 23u]);
+  low = ReadSlice(header, place, bit & 7u, bit >> 3u, z);
+  high = ReadSlice(header, place, bit & 7u, bit >> 3u, z + 1);
+  cell = ivec4(ivec3(HaspClusterOrigin(place)) + ivec3(bit & 7u, bit >> 3u, z),
+    clusters[header + 21u] + inCluster);
   cellClip = indexToClip * vec4(cell.xyz, 1.0);
 
   // The rectangle around the 8 projected corners, at the depth of the nearest.
