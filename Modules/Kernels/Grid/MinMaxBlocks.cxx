@@ -41,9 +41,13 @@ public:
   }
   std::pair<float, float> Over(int first, int last) const
   {
-    const auto min = std::min_element(this->Min.begin() + first, this->Min.begin() + last + 1);
-    const auto max = std::max_element(this->Max.begin() + first, this->Max.begin() + last + 1);
-    return { static_cast<float>(*min), static_cast<float>(*max) };
+    T min = this->Min[first], max = this->Max[first];
+    for (int i = first + 1; i <= last; ++i)
+    {
+      min = this->Min[i] < min ? this->Min[i] : min;
+      max = this->Max[i] > max ? this->Max[i] : max;
+    }
+    return { static_cast<float>(min), static_cast<float>(max) };
   }
 
 private:
@@ -105,13 +109,22 @@ void MinMaxBlocks::Read(const AnyGridView& grid, const glm::ivec3& from, const g
     ParallelFor(from.z, to.z, 1, layer);
   };
   std::visit(readLayers, grid);
+}
 
-  this->Whole = { Infinity, -Infinity };
+float MinMaxBlocks::Min() const
+{
+  float min = Infinity;
   for (const Range& range : this->Ranges)
-  {
-    this->Whole.min = std::min(this->Whole.min, range.min);
-    this->Whole.max = std::max(this->Whole.max, range.max);
-  }
+    min = std::min(min, range.min);
+  return min;
+}
+
+float MinMaxBlocks::Max() const
+{
+  float max = -Infinity;
+  for (const Range& range : this->Ranges)
+    max = std::max(max, range.max);
+  return max;
 }
 
 } // namespace hasp

@@ -39,9 +39,11 @@ public:
     const Range& r = this->Ranges[this->Index(block)];
     return r.min < isovalue && isovalue <= r.max;
   }
-  /// Over the whole volume; min > max if it holds no finite sample.
-  float Min() const { return this->Whole.min; }
-  float Max() const { return this->Whole.max; }
+  ///@{
+  /// Over the whole volume; min > max if it holds no number. O(blocks).
+  float Min() const;
+  float Max() const;
+  ///@}
 
 private:
   struct Range
@@ -56,7 +58,6 @@ private:
 
   glm::ivec3 BlockCount{ 0 };
   std::vector<Range> Ranges;
-  Range Whole{ 0.0F, 0.0F };
 };
 
 } // namespace hasp

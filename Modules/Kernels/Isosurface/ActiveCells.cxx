@@ -68,8 +68,20 @@ void AppendCluster(const ClusteredCells& from, std::size_t n, ClusterLayer& laye
   layer.cells += cluster.CellCount();
 }
 
+/// Puts `middle` in the place of [from, to).
+template <typename T>
+void Splice(std::vector<T>& values, std::size_t from, std::size_t to, const std::vector<T>& middle)
+{
+  const std::size_t common = std::min(to - from, middle.size());
+  const auto at = std::copy_n(middle.begin(), common, values.begin() + std::ptrdiff_t(from));
+  if (common < middle.size())
+    values.insert(at, middle.begin() + std::ptrdiff_t(common), middle.end());
+  else
+    values.erase(at, values.begin() + std::ptrdiff_t(to));
+}
+
 /// Puts the clusters of `fresh`, all in the box, in the place of those of `cells` there. What lies
-/// before the box stays where it is.
+/// before the box stays where it is, what lies behind is moved as a whole.
 void Replace(ClusteredCells& cells, const ClusteredCells& fresh, const BlockBox& box)
 {
   const std::size_t count = cells.clusters.size();
@@ -81,30 +93,45 @@ void Replace(ClusteredCells& cells, const ClusteredCells& fresh, const BlockBox&
       std::lower_bound(cells.clusters.begin(), cells.clusters.end(), place, RasterBefore);
     return static_cast<std::size_t>(at - cells.clusters.begin());
   };
+  const auto firstWord = [&](std::size_t n)
+  { return n < count ? cells.clusters[n].firstWord : cells.corners.size() - PaddingWords; };
+  const auto firstCell = [&](std::size_t n)
+  { return n < count ? cells.clusters[n].firstCell : cells.count; };
   const std::size_t begin = before(box.from);
   std::size_t end = before(box.to - 1);
   end += end < count && Inside(box, cells.clusters[end]);
 
-  ClusterLayer behind;
-  std::size_t old = begin, next = 0;
-  while (old < end || next < fresh.clusters.size())
-  {
+  ClusterLayer middle;
+  for (std::size_t old = begin, next = 0; old < end || next < fresh.clusters.size();)
     if (old < end && Inside(box, cells.clusters[old]))
       ++old;
     else if (next == fresh.clusters.size() ||
              (old < end && RasterBefore(cells.clusters[old], fresh.clusters[next])))
-      AppendCluster(cells, old++, behind);
+      AppendCluster(cells, old++, middle);
     else
-      AppendCluster(fresh, next++, behind);
-  }
-  for (; old < count; ++old)
-    AppendCluster(cells, old, behind);
+      AppendCluster(fresh, next++, middle);
 
-  cells.corners.resize(begin < count ? cells.clusters[begin].firstWord : EndWord(cells, count - 1));
-  cells.count = begin < count ? cells.clusters[begin].firstCell : cells.count;
-  cells.clusters.resize(begin);
-  AppendLayer(behind, cells);
-  FinishCells(cells);
+  const std::size_t wordsFrom = firstWord(begin), wordsTo = firstWord(end);
+  const std::size_t cellsFrom = firstCell(begin), cellsTo = firstCell(end);
+  RefuseTooMany(cells.count + middle.cells - (cellsTo - cellsFrom),
+    cells.corners.size() + middle.corners.size() - (wordsTo - wordsFrom));
+  const auto shiftOf = [](std::size_t from, std::size_t to, std::size_t now)
+  { return static_cast<std::uint32_t>(from + now - to); }; // wraps where it is less than 0
+  const std::uint32_t moreWords = shiftOf(wordsFrom, wordsTo, middle.corners.size());
+  const std::uint32_t moreCells = shiftOf(cellsFrom, cellsTo, middle.cells);
+  for (CellCluster& cluster : middle.clusters)
+  {
+    cluster.firstWord += static_cast<std::uint32_t>(wordsFrom);
+    cluster.firstCell += static_cast<std::uint32_t>(cellsFrom);
+  }
+  for (std::size_t n = end; n < count; ++n)
+  {
+    cells.clusters[n].firstWord += moreWords;
+    cells.clusters[n].firstCell += moreCells;
+  }
+  cells.count += middle.cells - (cellsTo - cellsFrom);
+  Splice(cells.corners, wordsFrom, wordsTo, middle.corners);
+  Splice(cells.clusters, begin, end, middle.clusters);
 }
 
 } // namespace

@@ -29,9 +29,11 @@ struct BlockRectangle
 ClusterLayer ExtractLayer(const AnyGridView& grid, const MinMaxBlocks& blocks, float isovalue,
   int layer, const BlockRectangle& rectangle, int layersBelow = 0);
 
-/// Puts a layer, or part of one, after what `cells` has; padding is the last caller's: see
-/// FinishCells. Throws std::invalid_argument if there are more cells or corner words than 32 bits
-/// can number.
+/// Throws std::invalid_argument if 32 bits cannot number so many.
+void RefuseTooMany(std::size_t cells, std::size_t cornerWords);
+
+/// Puts a layer after what `cells` has; the padding comes last: FinishCells. Throws as
+/// RefuseTooMany does.
 void AppendLayer(const ClusterLayer& layer, ClusteredCells& cells);
 
 /// Words after the corners, so that a pair of corners can be read in one go.

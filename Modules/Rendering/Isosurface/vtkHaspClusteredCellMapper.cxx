@@ -11,7 +11,9 @@
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 
 vtkAbstractObjectFactoryNewMacro(vtkHaspClusteredCellMapper);
@@ -32,10 +34,21 @@ struct vtkHaspClusteredCellMapper::Internals
   vtkMTimeType ImageTime = 0;         ///< when: images that share their samples share MTimes, too
   double BlocksMilliseconds = 0.0;
 
+  /// Samples changed in place since the last update, if low <= high.
+  glm::ivec3 ChangedLow{ std::numeric_limits<int>::max() };
+  glm::ivec3 ChangedHigh{ std::numeric_limits<int>::min() };
+
   hasp::ClusteredCells Cells;
   double CellsIsoValue = 0.0;
   vtkTimeStamp CellsTime;
   double CellsMilliseconds = 0.0;
+
+  bool Changed() const { return this->ChangedLow.x <= this->ChangedHigh.x; }
+  void ForgetChanges()
+  {
+    this->ChangedLow = glm::ivec3(std::numeric_limits<int>::max());
+    this->ChangedHigh = glm::ivec3(std::numeric_limits<int>::min());
+  }
 
   /// Neither blocks nor cells are of this image: make the first, forget the second.
   void NewImage(vtkImageData* image)
@@ -43,6 +56,7 @@ struct vtkHaspClusteredCellMapper::Internals
     const auto start = std::chrono::steady_clock::now();
     this->Cells = {};
     this->Blocks = {};
+    this->ForgetChanges();
     this->Image = nullptr;
     this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
     this->Image = image;
@@ -87,14 +101,23 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
   vtkImageData* image = this->GetImage();
   Internals& in = *this->Internal;
   const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
-  if (!newImage && in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue)
+  const bool sameSurface = in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue;
+  if (!newImage && sameSurface && !in.Changed())
     return true;
   try
   {
     if (newImage)
       in.NewImage(image);
     const auto start = std::chrono::steady_clock::now();
-    in.Cells = hasp::ExtractActiveCells(hasp::ViewImage(image), in.Blocks, this->IsoValue);
+    const hasp::AnyGridView grid = hasp::ViewImage(image);
+    if (in.Changed() && sameSurface)
+      UpdateActiveCells(in.Cells, grid, in.Blocks, in.ChangedLow, in.ChangedHigh);
+    else
+    {
+      in.Blocks.Update(grid, in.ChangedLow, in.ChangedHigh);
+      in.Cells = ExtractActiveCells(grid, in.Blocks, this->IsoValue);
+    }
+    in.ForgetChanges();
     in.CellsIsoValue = this->IsoValue;
     in.CellsTime.Modified();
     in.CellsMilliseconds = MillisecondsSince(start);
@@ -107,6 +130,22 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     return false;
   }
+}
+
+void vtkHaspClusteredCellMapper::MarkModified(const int extent[6])
+{
+  Internals& in = *this->Internal;
+  vtkImageData* image = this->GetImage();
+  if (!image || image != in.Image)
+    return; // nothing is kept of it that could be stale
+  const int* whole = image->GetExtent();
+  for (int a = 0; a < 3; ++a)
+  {
+    in.ChangedLow[a] = std::min(in.ChangedLow[a], extent[2 * a] - whole[2 * a]);
+    in.ChangedHigh[a] = std::max(in.ChangedHigh[a], extent[2 * a + 1] - whole[2 * a]);
+  }
+  in.ImageTime = image->GetMTime();
+  this->Modified();
 }
 
 const hasp::ClusteredCells& vtkHaspClusteredCellMapper::GetCells() const

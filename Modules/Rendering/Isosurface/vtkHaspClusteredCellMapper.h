@@ -70,6 +70,12 @@ public:
   /// new isovalue.
   bool UpdateCells();
 
+  /// Samples in this box of point indices (x0, x1, y0, y1, z0, z1; clamped to the image) have been
+  /// changed in place, and no others since the last update: the next update reads only the blocks
+  /// that touch it (sculpting). Call it after the change, and after Modified() of the image if that
+  /// is called at all. Several boxes before an update become the box around them.
+  void MarkModified(const int extent[6]);
+
   /// The active cells as of the last update; never null, perhaps empty.
   const hasp::ClusteredCells& GetCells() const;
 

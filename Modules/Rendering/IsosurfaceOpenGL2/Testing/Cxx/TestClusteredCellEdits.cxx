@@ -1,0 +1,98 @@
+// Samples changed in place: only the box that was marked is read again.
+#include "CellTestScene.h"
+
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using hasp::testing::CellTestScene;
+
+constexpr int Size = 33;
+
+struct EditScene : CellTestScene
+{
+  vtkSmartPointer<vtkImageData> Image;
+
+  EditScene() : CellTestScene(60, 60)
+  {
+    const hasp::GridGeometry g{ glm::ivec3(Size), glm::dvec3(-16), { 1, 1, 1 }, glm::dmat3(1) };
+    this->Image = hasp::MakeImage(
+      g, hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 8), g, 100, 0));
+    this->Mapper->SetInputData(this->Image);
+    this->Look({ 0, -40, 0 }, { 0, 0, 0 }, 10, 100);
+  }
+  void Fill(const int box[6], short value)
+  {
+    auto* samples = static_cast<short*>(this->Image->GetScalarPointer());
+    for (int k = box[4]; k <= box[5]; ++k)
+      for (int j = box[2]; j <= box[3]; ++j)
+        for (int i = box[0]; i <= box[1]; ++i)
+          samples[(k * Size + j) * Size + i] = value;
+  }
+  std::vector<std::uint32_t> Corners() { return this->Mapper->GetCells().corners; }
+};
+
+class CellEdits : public ::testing::Test
+{
+};
+
+TEST_F(CellEdits, AMarkedBoxIsReadAndNothingElse)
+{
+  EditScene scene;
+  scene.Draw();
+  const auto before = scene.Corners();
+  const int box[6] = { 12, 20, 4, 9, 12, 20 }; // in front of the ball
+  const int elsewhere[6] = { 2, 3, 28, 30, 28, 30 };
+  scene.Fill(box, 500);
+  scene.Fill(elsewhere, 500);
+  scene.Draw();
+  EXPECT_EQ(scene.Corners(), before); // nobody said so
+  scene.Mapper->MarkModified(box);
+  scene.Draw();
+  const auto point = scene.Point(30, 30);
+  ASSERT_TRUE(point);
+  EXPECT_LT(point->y, -12.0); // the block in front
+  const auto withBox = scene.Corners();
+  EXPECT_NE(withBox, before);
+
+  scene.Mapper->MarkModified(elsewhere);
+  scene.Draw();
+  const auto edited = scene.Corners();
+  EXPECT_NE(edited, withBox);
+  scene.Image->GetPointData()->GetScalars()->Modified();
+  scene.Image->Modified(); // from scratch
+  scene.Draw();
+  EXPECT_EQ(scene.Corners(), edited);
+}
+
+TEST_F(CellEdits, BoxesAddUpAndTheIsovalueMayMoveInBetween)
+{
+  EditScene scene;
+  scene.Draw();
+  const int one[6] = { 12, 20, 4, 9, 12, 20 }, two[6] = { 2, 3, 28, 40, -5, 30 };
+  scene.Fill(one, 500);
+  const int inside[6] = { 2, 3, 28, 32, 0, 30 }; // of the image
+  scene.Fill(inside, 500);
+  scene.Mapper->MarkModified(one);
+  scene.Mapper->MarkModified(two);
+  scene.Mapper->SetIsoValue(50);
+  scene.Draw();
+  const auto edited = scene.Corners();
+  scene.Image->Modified();
+  scene.Draw();
+  EXPECT_EQ(scene.Corners(), edited);
+}
+
+TEST_F(CellEdits, BeforeTheFirstUpdateAMarkChangesNothing)
+{
+  EditScene scene;
+  const int box[6] = { 0, 5, 0, 5, 0, 5 };
+  scene.Mapper->MarkModified(box);
+  scene.Draw();
+  EXPECT_TRUE(scene.Point(30, 30));
+}
+
+} // namespace
