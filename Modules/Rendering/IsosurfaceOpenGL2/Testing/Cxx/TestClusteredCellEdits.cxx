@@ -1,6 +1,8 @@
 // Samples changed in place: only the box that was marked is read again.
 #include "CellTestScene.h"
 
+#include "Isosurface/ClusteredCells.h"
+
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
