@@ -39,6 +39,8 @@ struct EditScene : CellTestScene
 
 class CellEdits : public ::testing::Test
 {
+protected:
+  static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
 };
 
 TEST_F(CellEdits, AMarkedBoxIsReadAndNothingElse)
