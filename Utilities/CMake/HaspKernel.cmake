@@ -33,6 +33,8 @@ endfunction ()
 # Adds each kernel that some target links and that is not there yet. So a build of single modules
 # (HASP_BUILD_ALL_MODULES OFF) has their kernels and no others. Call it when all targets are there.
 function (hasp_add_needed_kernels)
+  set(folder_of_CellTracer Isosurface) # second libraries of a folder
+  set(folder_of_SelfIntersections Evaluation)
   set(folders "${PROJECT_SOURCE_DIR}")
   while (folders)
     list(POP_FRONT folders folder)
@@ -43,9 +45,13 @@ function (hasp_add_needed_kernels)
       get_target_property(links ${target} LINK_LIBRARIES)
       foreach (kernel IN LISTS links)
         if (kernel MATCHES "^Hasp::Kernel(.+)$" AND NOT TARGET ${kernel})
-          add_subdirectory("${PROJECT_SOURCE_DIR}/Modules/Kernels/${CMAKE_MATCH_1}"
-            "${PROJECT_BINARY_DIR}/Modules/Kernels/${CMAKE_MATCH_1}")
-          list(APPEND folders "${PROJECT_SOURCE_DIR}/Modules/Kernels/${CMAKE_MATCH_1}")
+          set(home "${CMAKE_MATCH_1}")
+          if (DEFINED folder_of_${home})
+            set(home "${folder_of_${home}}")
+          endif ()
+          add_subdirectory("${PROJECT_SOURCE_DIR}/Modules/Kernels/${home}"
+            "${PROJECT_BINARY_DIR}/Modules/Kernels/${home}")
+          list(APPEND folders "${PROJECT_SOURCE_DIR}/Modules/Kernels/${home}")
         endif ()
       endforeach ()
     endforeach ()

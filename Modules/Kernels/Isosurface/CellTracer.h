@@ -1,0 +1,129 @@
+#pragma once
+#include "Isosurface/ClusteredCells.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hasp
+{
+
+/// A ray in index coordinates of the volume: origin + t * direction, tMin <= t <= tMax. direction
+/// need not be unit but must not be 0; t counts in its length.
+struct CellRay
+{
+  glm::dvec3 origin{ 0.0 }, direction{ 0.0, 0.0, 1.0 };
+  double tMin = 0.0;
+  double tMax = std::numeric_limits<double>::infinity();
+};
+
+/// Where a ray meets the surface.
+struct CellHit
+{
+  double t;             ///< of the ray
+  std::uint32_t number; ///< of the active cell, as ClusteredCells counts
+  glm::ivec3 cell;      ///< its place in the volume
+  glm::vec3 local;      ///< the hit in the cell, [0,1]^3
+  glm::vec3 gradient;   ///< of the volume at the hit, per index step; points to larger samples
+  bool fromInside;      ///< the ray came from where samples are >= isovalue
+
+  glm::dvec3 Position() const { return glm::dvec3(this->cell) + glm::dvec3(this->local); }
+};
+
+/// What a camera sees, without any scene graph.
+struct PictureView
+{
+  glm::dmat4 indexToClip{ 1.0 }; ///< index coordinates to OpenGL clip coordinates
+  glm::ivec2 size{ 0 };          ///< pixels, each >= 0; rays go through their centres
+  /// In index coordinates; plane . (p, 1) >= 0 is kept. Near and far plane of indexToClip always
+  /// cut and need not be here.
+  std::vector<glm::dvec4> planes;
+};
+
+/// One entry a pixel, row by row from the lowest (as OpenGL has it), ready to be textures.
+struct TracedPicture
+{
+  static constexpr std::uint32_t Nothing = 0xFFFFFFFFU;
+  glm::ivec2 size{ 0 };
+  std::vector<std::uint32_t> cells; ///< number of the active cell met, or Nothing
+  std::vector<glm::vec4> places;    ///< hit in the cell, [0,1]^3; depth, [0,1] as in a window
+  std::vector<glm::vec4> gradients; ///< per index step, as CellHit's; w is 0
+};
+
+struct AmbientOcclusionSettings
+{
+  int rays = 16;          ///< >= 1. The error falls about with rays^-0.75
+  double distanceMm = 25; ///< what is farther away does not darken; > 0, may be infinite
+};
+
+struct ShadowSettings
+{
+  glm::dvec3 towardsLight{ 0.0, 0.0, 1.0 }; ///< world direction, not 0
+  double halfAngle = 0.0; ///< of the light as seen from the surface, radians, [0, pi/2]; 0: a point
+  int rays = 16;          ///< >= 1; a point takes one
+  double distanceMm = std::numeric_limits<double>::infinity(); ///< to the light; > 0
+};
+
+/// Traces rays against the trilinear isosurface in clustered cells, with Embree's tree over boxes
+/// of at most 4^3 cells of one cluster and, in each box, a walk from cell to cell with the root of
+/// glsl/RayRoot.glsl in active ones (thesis 3.2.2; Decisions/0012 says why not triangles).
+///
+/// No ray slips between cells, boxes or clusters: both sides of a face see the same point and the
+/// same value there. A ray is moved in double precision to where it enters the volume, so an eye a
+/// million voxels away is as good as a near one. Results do not depend on the CPU's instruction
+/// set.
+///
+/// Threads: all const functions from any thread. The cells are shared, never copied.
+class CellTracer
+{
+public:
+  /// O(clusters log clusters), all threads. Throws std::invalid_argument if cells is null, or not
+  /// consistent (a cluster without cells, outside the volume or with corners beyond the stream);
+  /// std::runtime_error if Embree fails, with its reason.
+  explicit CellTracer(std::shared_ptr<const ClusteredCells> cells);
+  ~CellTracer();
+  CellTracer(const CellTracer&) = delete;
+  CellTracer& operator=(const CellTracer&) = delete;
+
+  const ClusteredCells& Cells() const;
+  /// What the tracer holds beside the cells: Embree's memory as Embree counts it, and the boxes.
+  /// About 70 bytes a box; an eighth of an indexed mesh's tree.
+  std::size_t Bytes() const;
+
+  /// The first point of the surface along the ray, from either side. Nothing if it misses, or if a
+  /// component is not finite. About 0.1 us on a head CT.
+  std::optional<CellHit> Trace(const CellRay& ray) const;
+  /// Does it meet the surface at all? Cheaper than Trace.
+  bool Occluded(const CellRay& ray) const;
+
+  /// Trace for every pixel of a view, in packets, all threads, the same picture with any number of
+  /// them. Throws std::invalid_argument if the size is negative or indexToClip cannot be inverted.
+  void TracePicture(const PictureView& view, TracedPicture& picture) const;
+
+  /// The share of a cosine-weighted hemisphere over the hit, on the side the ray came from, that is
+  /// open: 1 in the open, exactly. seed: the pixel's number, say; the same seed gives the same
+  /// rays. Throws std::invalid_argument on settings out of range.
+  float AmbientOcclusion(
+    const CellHit& hit, const AmbientOcclusionSettings& settings, std::uint32_t seed = 0) const;
+
+  /// The share of the light that reaches the hit, on the side the ray came from: 0 or 1 for a
+  /// point, between them in the half shadow of a disc. Cosines are the shading's business. seed and
+  /// throws as above.
+  float Light(const CellHit& hit, const ShadowSettings& settings, std::uint32_t seed = 0) const;
+
+private:
+  /// Does a ray that starts on the surface at the hit, towards a world direction, meet the surface
+  /// again within so many millimetres? The root it starts from is divided out, so it neither meets
+  /// itself nor starts behind a thin wall.
+  bool LeavesBlocked(const CellHit& hit, const glm::dvec3& direction, double distanceMm) const;
+
+  class Scene;
+  std::unique_ptr<const Scene> Embree;
+};
+
+} // namespace hasp

@@ -1,0 +1,135 @@
+#include "Isosurface/CellTracer.h"
+#include "Isosurface/CellTracerScene.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+namespace
+{
+
+/// Points of the unit square that fill it evenly, shifted by the seed: Roberts' R2 sequence, whose
+/// steps are the inverse powers of the plastic number.
+class EvenPoints
+{
+public:
+  explicit EvenPoints(std::uint32_t seed) : At{ Hash(2 * seed), Hash(2 * seed + 1) } {}
+  glm::dvec2 Next()
+  {
+    this->At += glm::uvec2(3242174889U, 2447445414U); // 2^32 times 0.7549 and 0.5698; wraps
+    return (glm::dvec2(this->At) + 0.5) / 4294967296.0;
+  }
+
+private:
+  static std::uint32_t Hash(
+    std::uint32_t v) // neighbouring pixels get unlike shifts (Wellons' lowbias32)
+  {
+    v = (v ^ v >> 16U) * 0x7FEB352DU;
+    v = (v ^ v >> 15U) * 0x846CA68BU;
+    return v ^ v >> 16U;
+  }
+  glm::uvec2 At;
+};
+
+/// Columns: two unit vectors across `axis`, and axis itself, unit. Duff et al. 2017, without a
+/// branch.
+glm::dmat3 FrameAround(const glm::dvec3& axis)
+{
+  const double sign = std::copysign(1.0, axis.z), a = -1.0 / (sign + axis.z),
+               b = axis.x * axis.y * a;
+  return { { 1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x },
+    { b, sign + axis.y * axis.y * a, -axis.y }, axis };
+}
+
+/// Unit, out of the surface on the side the ray came from, in the world; 0 where the gradient is.
+glm::dvec3 Outwards(const ClusteredCells& cells, const CellHit& hit)
+{
+  const glm::dvec3 scaled =
+    glm::dvec3(hit.gradient) /
+    std::max({ std::abs(double(hit.gradient.x)), std::abs(double(hit.gradient.y)),
+      std::abs(double(hit.gradient.z)), 1e-300 });
+  const glm::dvec3 inwards = cells.geometry.GradientToWorld(scaled);
+  const double length = glm::length(inwards);
+  return length > 0.0 ? (hit.fromInside ? inwards : -inwards) / length : glm::dvec3(0.0);
+}
+
+void Require(bool condition, const char* what, double value, const char* range)
+{
+  if (!condition)
+    throw std::invalid_argument(
+      std::string("CellTracer: ") + what + " " + std::to_string(value) + " must be " + range);
+}
+
+} // namespace
+
+bool CellTracer::LeavesBlocked(
+  const CellHit& hit, const glm::dvec3& direction, double distanceMm) const
+{
+  const GridGeometry& g = this->Cells().geometry;
+  const glm::dvec3 along = glm::transpose(g.direction) * direction / g.spacing;
+  CellWalkRay walk;
+  Scene::Entry entry;
+  if (!this->Embree->Enter({ hit.Position(), along, 0.0, distanceMm }, walk, entry))
+    return false;
+  walk.fromSurface = true;
+  walk.startInside = hit.fromInside;
+  return this->Embree->Any(walk);
+}
+
+float CellTracer::AmbientOcclusion(
+  const CellHit& hit, const AmbientOcclusionSettings& settings, std::uint32_t seed) const
+{
+  Require(settings.rays >= 1, "rays", settings.rays, "at least 1");
+  Require(settings.distanceMm > 0.0, "distance", settings.distanceMm, "above 0 mm");
+  const glm::dmat3 frame = FrameAround(Outwards(this->Cells(), hit));
+  EvenPoints points(seed);
+  int open = 0;
+  for (int n = 0; n < settings.rays; ++n)
+  {
+    const glm::dvec2 p = points.Next();
+    const double turn = glm::two_pi<double>() * p.x, r = std::sqrt(p.y);
+    const glm::dvec3 d(r * std::cos(turn), r * std::sin(turn), std::sqrt(1.0 - p.y));
+    open += !this->LeavesBlocked(hit, frame * d, settings.distanceMm);
+  }
+  return static_cast<float>(open) / static_cast<float>(settings.rays);
+}
+
+float CellTracer::Light(
+  const CellHit& hit, const ShadowSettings& settings, std::uint32_t seed) const
+{
+  const double length = glm::length(settings.towardsLight);
+  Require(
+    length > 0.0 && std::isfinite(length), "length of towardsLight", length, "above 0, finite");
+  Require(settings.rays >= 1, "rays", settings.rays, "at least 1");
+  Require(settings.distanceMm > 0.0, "distance", settings.distanceMm, "above 0 mm");
+  Require(settings.halfAngle >= 0.0 && settings.halfAngle <= glm::half_pi<double>(), "half angle",
+    settings.halfAngle, "in [0, pi/2]");
+  const glm::dvec3 towards = settings.towardsLight / length;
+  const glm::dvec3 outwards = Outwards(this->Cells(), hit);
+  const auto reaches = [&](const glm::dvec3& d)
+  { return glm::dot(d, outwards) > 0.0 && !this->LeavesBlocked(hit, d, settings.distanceMm); };
+  if (settings.halfAngle == 0.0)
+    return reaches(towards) ? 1.0F : 0.0F;
+
+  const glm::dmat3 frame = FrameAround(towards);
+  const double cap = 1.0 - std::cos(settings.halfAngle); // even over the cap of the sphere
+  EvenPoints points(seed);
+  int lit = 0;
+  for (int n = 0; n < settings.rays; ++n)
+  {
+    const glm::dvec2 p = points.Next();
+    const double turn = glm::two_pi<double>() * p.x, z = 1.0 - cap * p.y,
+                 r = std::sqrt(1.0 - z * z);
+    lit += reaches(frame * glm::dvec3(r * std::cos(turn), r * std::sin(turn), z));
+  }
+  return static_cast<float>(lit) / static_cast<float>(settings.rays);
+}
+
+} // namespace hasp

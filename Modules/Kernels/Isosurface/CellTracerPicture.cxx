@@ -1,0 +1,135 @@
+#include "Grid/ParallelFor.h"
+#include "Isosurface/CellTracer.h"
+#include "Isosurface/CellTracerScene.h"
+
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+namespace
+{
+
+constexpr int TileSide = 16;  // pixels: one piece of work
+constexpr int PacketSide = 4; // rays of a packet lie close together
+
+/// A pixel's ray, cut by planes, as it comes from the camera's matrix alone.
+class PixelRays
+{
+public:
+  explicit PixelRays(const PictureView& view)
+    : ToIndex(glm::inverse(view.indexToClip)),
+      Size(view.size),
+      Planes(view.planes)
+  {
+    const glm::dvec4 depth = glm::row(view.indexToClip, 2), w = glm::row(view.indexToClip, 3);
+    this->Planes.push_back(w + depth);
+    this->Planes.push_back(w - depth);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r)
+        if (!std::isfinite(this->ToIndex[c][r]))
+          throw std::invalid_argument("CellTracer: indexToClip cannot be inverted");
+  }
+
+  /// False where the planes leave nothing.
+  bool Of(int x, int y, CellRay& ray) const
+  {
+    const glm::dvec2 device = (glm::dvec2(x, y) + 0.5) / glm::dvec2(this->Size) * 2.0 - 1.0;
+    // Points (a + z b) / (a.w + z b.w) for depths z; their derivative points along the ray.
+    const glm::dvec4 a = this->ToIndex * glm::dvec4(device, 0.0, 1.0), b = this->ToIndex[2];
+    ray.origin = glm::dvec3(a) / a.w;
+    ray.direction = glm::normalize(glm::dvec3(b) * a.w - glm::dvec3(a) * b.w);
+    ray.tMin = -std::numeric_limits<double>::infinity();
+    ray.tMax = std::numeric_limits<double>::infinity();
+    for (const glm::dvec4& plane : this->Planes)
+    {
+      const double at = glm::dot(plane, glm::dvec4(ray.origin, 1.0));
+      const double slope = glm::dot(glm::dvec3(plane), ray.direction);
+      if (slope > 0.0)
+        ray.tMin = std::max(ray.tMin, -at / slope);
+      else if (slope < 0.0)
+        ray.tMax = std::min(ray.tMax, -at / slope);
+      else if (at < 0.0)
+        return false;
+    }
+    return ray.tMin <= ray.tMax;
+  }
+
+private:
+  glm::dmat4 ToIndex;
+  glm::dvec2 Size;
+  std::vector<glm::dvec4> Planes;
+};
+
+/// Depth of a place in a window, [0,1].
+float WindowDepth(const glm::dmat4& indexToClip, const glm::dvec3& place)
+{
+  const glm::dvec4 clip = indexToClip * glm::dvec4(place, 1.0);
+  return static_cast<float>(std::clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0));
+}
+
+} // namespace
+
+void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) const
+{
+  if (view.size.x < 0 || view.size.y < 0)
+    throw std::invalid_argument("CellTracer: a picture of " + std::to_string(view.size.x) + " x " +
+                                std::to_string(view.size.y) + " pixels; both must be >= 0");
+  const PixelRays rays(view);
+  const std::size_t pixels = static_cast<std::size_t>(view.size.x) * view.size.y;
+  picture.size = view.size;
+  picture.cells.assign(pixels, TracedPicture::Nothing);
+  picture.places.assign(pixels, glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
+  picture.gradients.assign(pixels, glm::vec4(0.0F));
+
+  const auto packet = [&](const glm::ivec2& from)
+  {
+    CellWalkRay walks[Scene::PacketSize];
+    Scene::Entry entries[Scene::PacketSize];
+    bool any = false;
+    for (int n = 0; n < Scene::PacketSize; ++n)
+    {
+      const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
+      CellRay ray;
+      const bool meets = at.x < view.size.x && at.y < view.size.y && rays.Of(at.x, at.y, ray) &&
+                         this->Embree->Enter(ray, walks[n], entries[n]);
+      walks[n].tMin = meets ? 0.0 : 1.0;
+      walks[n].tMax = meets ? walks[n].tMax : 0.0;
+      any |= meets;
+    }
+    if (!any)
+      return;
+    this->Embree->Nearest(walks);
+    for (int n = 0; n < Scene::PacketSize; ++n)
+    {
+      if (walks[n].tMin > walks[n].tMax || !walks[n].Hit())
+        continue;
+      const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
+      const CellHit hit = this->Embree->HitOf(walks[n], entries[n]);
+      const std::size_t pixel = static_cast<std::size_t>(at.y) * view.size.x + at.x;
+      picture.cells[pixel] = hit.number;
+      picture.places[pixel] = { hit.local, WindowDepth(view.indexToClip, hit.Position()) };
+      picture.gradients[pixel] = { hit.gradient, 0.0F };
+    }
+  };
+  const glm::ivec2 tiles = (view.size + TileSide - 1) / TileSide;
+  const auto tile = [&](std::int64_t first, std::int64_t last)
+  {
+    for (std::int64_t t = first; t < last; ++t)
+    {
+      const glm::ivec2 from = TileSide * glm::ivec2(t % tiles.x, t / tiles.x);
+      for (int y = from.y; y < std::min(from.y + TileSide, view.size.y); y += PacketSide)
+        for (int x = from.x; x < std::min(from.x + TileSide, view.size.x); x += PacketSide)
+          packet({ x, y });
+    }
+  };
+  ParallelFor(0, static_cast<std::int64_t>(tiles.x) * tiles.y, 1, tile);
+}
+
+} // namespace hasp

@@ -1,0 +1,323 @@
+#include "Isosurface/CellTracerScene.h"
+#include "Isosurface/RayRoot.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Appends the boxes of a cluster: of each octant, the cells between its active ones.
+void AppendBoxes(const CellCluster& cluster, std::uint32_t number, std::vector<CellBox>& boxes)
+{
+  constexpr std::uint64_t octantRows = 0x0F0F0F0FU;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    const glm::ivec3 from = 4 * glm::ivec3(octant & 1, octant >> 1 & 1, octant >> 2);
+    const int shift = 8 * from.y + from.x;
+    std::uint64_t plane = 0;
+    glm::ivec3 low(8), high(-1);
+    for (int z = from.z; z < from.z + 4; ++z)
+      if (const std::uint64_t cells = cluster.active[z] >> shift & octantRows)
+      {
+        plane |= cells;
+        low.z = std::min(low.z, z);
+        high.z = z;
+      }
+    if (plane == 0)
+      continue;
+    const auto columns =
+      static_cast<unsigned>((plane | plane >> 8U | plane >> 16U | plane >> 24U) & 15U);
+    low.x = from.x + std::countr_zero(columns);
+    high.x = from.x + std::bit_width(columns) - 1;
+    low.y = from.y + std::countr_zero(plane) / 8;
+    high.y = from.y + (static_cast<int>(std::bit_width(plane)) - 1) / 8;
+    boxes.push_back({ number, CellBox::Pack(low, high) });
+  }
+}
+
+void Require(bool condition, const std::string& what)
+{
+  if (!condition)
+    throw std::invalid_argument("CellTracer: " + what);
+}
+
+} // namespace
+
+struct CellTracer::Scene::Rays
+{
+  RTCIntersectContext context; // first: Embree hands its address back
+  CellWalkRay* walks;
+
+  Rays(CellWalkRay* first, RTCIntersectContextFlags flags) : walks(first)
+  {
+    rtcInitIntersectContext(&this->context);
+    this->context.flags = flags;
+  }
+  static CellWalkRay& Of(RTCIntersectContext* context, unsigned ray)
+  {
+    return reinterpret_cast<Rays*>(context)->walks[ray];
+  }
+};
+
+CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(std::move(cells))
+{
+  Require(this->Shared != nullptr, "there are no cells");
+  const ClusteredCells& c = *this->Shared;
+  c.geometry.Validate();
+  const glm::ivec3 last = c.geometry.Cells();
+  for (std::size_t n = 0; n < c.clusters.size(); ++n)
+  {
+    const CellCluster& cluster = c.clusters[n];
+    const std::size_t bits = static_cast<std::size_t>(cluster.CornerCount()) * cluster.Width();
+    Require(cluster.CellCount() > 0, "cluster " + std::to_string(n) + " has no cells");
+    Require(cluster.firstWord + (bits + 31) / 32 + 2 <= c.corners.size(),
+      "cluster " + std::to_string(n) + " has corners beyond the stream of " +
+        std::to_string(c.corners.size()) + " words");
+    AppendBoxes(cluster, static_cast<std::uint32_t>(n), this->Boxes);
+  }
+  for (const CellBox& box : this->Boxes)
+    Require(glm::all(glm::lessThan(c.clusters[box.cluster].Origin() + box.High(), last)),
+      "cluster " + std::to_string(box.cluster) + " reaches beyond the volume");
+  this->Boxes.shrink_to_fit();
+
+  this->Store = { c.clusters.data(), c.corners.data(), this->Boxes.data(), c.isovalue, {} };
+  if (c.precision == CellPrecision::Compact)
+    for (int code = 0; code < 256; ++code)
+      this->Store.levels.push_back(code & 128 ? -c.levels[code & 127] : c.levels[code & 127]);
+  this->Walk = ChooseCellWalk(c.cornerType, c.precision);
+  this->Margin = 1e-6F * static_cast<float>(std::max({ 64, last.x, last.y, last.z }));
+
+  this->Device = rtcNewDevice(nullptr);
+  if (this->Device == nullptr)
+    throw std::runtime_error(
+      "CellTracer: Embree gives no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
+  rtcSetDeviceMemoryMonitorFunction(this->Device, &Scene::CountMemory, this);
+  this->Build();
+}
+
+CellTracer::Scene::~Scene()
+{
+  rtcReleaseScene(this->Tree);
+  rtcReleaseDevice(this->Device);
+}
+
+void CellTracer::Scene::Build()
+{
+  this->Tree = rtcNewScene(this->Device);
+  rtcSetSceneFlags(this->Tree, RTC_SCENE_FLAG_COMPACT);
+  RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(this->Boxes.size()));
+  rtcSetGeometryUserData(geometry, this);
+  rtcSetGeometryBoundsFunction(geometry, &Scene::Bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, &Scene::Intersect);
+  rtcSetGeometryOccludedFunction(geometry, &Scene::Occlude);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(this->Tree, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(this->Tree);
+  if (const RTCError error = rtcGetDeviceError(this->Device); error != RTC_ERROR_NONE)
+  {
+    rtcReleaseScene(this->Tree);
+    rtcReleaseDevice(this->Device);
+    throw std::runtime_error("CellTracer: Embree could not build its tree over " +
+                             std::to_string(this->Boxes.size()) + " boxes, error " +
+                             std::to_string(error));
+  }
+}
+
+bool CellTracer::Scene::CountMemory(void* scene, ssize_t bytes, bool)
+{
+  static_cast<Scene*>(scene)->DeviceBytes += bytes;
+  return true;
+}
+
+std::size_t CellTracer::Scene::Bytes() const
+{
+  return static_cast<std::size_t>(this->DeviceBytes.load()) + this->Boxes.size() * sizeof(CellBox) +
+         this->Store.levels.size() * sizeof(float);
+}
+
+void CellTracer::Scene::Bounds(const RTCBoundsFunctionArguments* arguments)
+{
+  const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
+  const CellBox& box = scene.Boxes[arguments->primID];
+  const glm::vec3 origin(scene.Store.clusters[box.cluster].Origin());
+  const glm::vec3 low = origin + glm::vec3(box.Low()) - scene.Margin;
+  const glm::vec3 high = origin + glm::vec3(box.High() + 1) + scene.Margin;
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = low.x;
+  bounds.lower_y = low.y;
+  bounds.lower_z = low.z;
+  bounds.upper_x = high.x;
+  bounds.upper_y = high.y;
+  bounds.upper_z = high.z;
+}
+
+void CellTracer::Scene::Intersect(const RTCIntersectFunctionNArguments* arguments)
+{
+  const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
+  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
+  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
+  for (unsigned n = 0; n < arguments->N; ++n)
+  {
+    if (arguments->valid[n] == 0)
+      continue;
+    CellWalkRay& walk = Rays::Of(arguments->context, RTCRayN_id(rays, arguments->N, n));
+    if (!scene.Walk(scene.Store, arguments->primID, walk))
+      continue;
+    RTCRayN_tfar(rays, arguments->N, n) = static_cast<float>(walk.t);
+    RTCHitN_geomID(hits, arguments->N, n) = arguments->geomID;
+  }
+}
+
+void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
+{
+  const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
+  for (unsigned n = 0; n < arguments->N; ++n)
+    if (arguments->valid[n] != 0 &&
+        scene.Walk(scene.Store, arguments->primID,
+          Rays::Of(arguments->context, RTCRayN_id(arguments->ray, arguments->N, n))))
+      RTCRayN_tfar(arguments->ray, arguments->N, n) = -std::numeric_limits<float>::infinity();
+}
+
+bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, Entry& entry) const
+{
+  // By the largest component first: squares of 1e-200 vanish.
+  const glm::dvec3 size = glm::abs(ray.direction);
+  const double largest = std::max({ size.x, size.y, size.z });
+  if (!(largest > 0.0 && largest < Infinity) || this->Boxes.empty())
+    return false;
+  const glm::dvec3 scaled = ray.direction / largest;
+  entry.length = largest * glm::length(scaled);
+  const glm::dvec3 direction = scaled / glm::length(scaled);
+  const glm::dvec3 most(this->Shared->geometry.Cells());
+
+  double t0 = ray.tMin * entry.length, t1 = ray.tMax * entry.length;
+  for (int a = 0; a < 3; ++a)
+  {
+    constexpr double slack = 1e-9; // voxels: what a turn into index coordinates may round off
+    if (direction[a] == 0.0)
+    {
+      if (!(ray.origin[a] >= -slack && ray.origin[a] <= most[a] + slack))
+        return false;
+      continue;
+    }
+    const double u = -ray.origin[a] / direction[a], v = (most[a] - ray.origin[a]) / direction[a];
+    t0 = std::max(t0, std::min(u, v));
+    t1 = std::min(t1, std::max(u, v));
+  }
+  // Written so that NaN stops here too.
+  if (!(t0 <= t1) || !std::isfinite(t0) || !std::isfinite(t1))
+    return false;
+  glm::dvec3 origin = ray.origin + t0 * direction;
+  for (int a = 0; a < 3; ++a)
+    origin[a] = std::clamp(origin[a], 0.0, direction[a] == 0.0 ? most[a] - 1e-9 : most[a]);
+  PrepareWalk(walk, origin, direction);
+  walk.tMin = 0.0;
+  walk.tMax = t1 - t0;
+  entry.moved = t0;
+  return true;
+}
+
+namespace
+{
+
+template <typename Ray>
+void SetRay(Ray& ray, const CellWalkRay& walk)
+{
+  ray.org_x = static_cast<float>(walk.origin[0]);
+  ray.org_y = static_cast<float>(walk.origin[1]);
+  ray.org_z = static_cast<float>(walk.origin[2]);
+  ray.dir_x = walk.directionF[0];
+  ray.dir_y = walk.directionF[1];
+  ray.dir_z = walk.directionF[2];
+  ray.tnear = 0.0F;
+  ray.tfar = static_cast<float>(walk.tMax) * 1.000001F;
+  ray.time = 0.0F;
+  ray.mask = ~0U;
+  ray.id = 0;
+  ray.flags = 0;
+}
+
+} // namespace
+
+void CellTracer::Scene::Nearest(CellWalkRay& walk) const
+{
+  Rays rays(&walk, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  RTCRayHit ray;
+  SetRay(ray.ray, walk);
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(this->Tree, &rays.context, &ray);
+}
+
+bool CellTracer::Scene::Any(CellWalkRay& walk) const
+{
+  Rays rays(&walk, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  RTCRay ray;
+  SetRay(ray, walk);
+  rtcOccluded1(this->Tree, &rays.context, &ray);
+  return ray.tfar < 0.0F;
+}
+
+void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
+{
+  Rays rays(walks, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  alignas(64) int valid[PacketSize];
+  RTCRayHit16 packet;
+  for (int n = 0; n < PacketSize; ++n)
+  {
+    const CellWalkRay& walk = walks[n];
+    valid[n] = walk.tMin <= walk.tMax ? -1 : 0;
+    packet.ray.org_x[n] = static_cast<float>(walk.origin[0]);
+    packet.ray.org_y[n] = static_cast<float>(walk.origin[1]);
+    packet.ray.org_z[n] = static_cast<float>(walk.origin[2]);
+    packet.ray.dir_x[n] = walk.directionF[0];
+    packet.ray.dir_y[n] = walk.directionF[1];
+    packet.ray.dir_z[n] = walk.directionF[2];
+    packet.ray.tnear[n] = 0.0F;
+    packet.ray.tfar[n] = static_cast<float>(walk.tMax) * 1.000001F;
+    packet.ray.time[n] = 0.0F;
+    packet.ray.mask[n] = ~0U;
+    packet.ray.id[n] = static_cast<unsigned>(n);
+    packet.ray.flags[n] = 0;
+    packet.hit.geomID[n] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect16(valid, this->Tree, &rays.context, &packet);
+}
+
+CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const Entry& entry) const
+{
+  const CellCluster& cluster = this->Shared->clusters[walk.cluster];
+  const glm::ivec3 inCluster(walk.place & 7U, walk.place >> 4U & 7U, walk.place >> 8U);
+  std::uint32_t number = cluster.firstCell;
+  for (int z = 0; z < inCluster.z; ++z)
+    number += std::popcount(cluster.active[z]);
+  const std::uint64_t before = (std::uint64_t(1) << (8 * inCluster.y + inCluster.x)) - 1U;
+  number += std::popcount(cluster.active[inCluster.z] & before);
+
+  CellHit hit{};
+  hit.t = (entry.moved + walk.t) / entry.length;
+  hit.number = number;
+  hit.cell = cluster.Origin() + inCluster;
+  hit.local = { walk.local[0], walk.local[1], walk.local[2] };
+  hit.gradient = glsl::HaspTrilinearGradient({ walk.low[0], walk.low[1], walk.low[2], walk.low[3] },
+    { walk.high[0], walk.high[1], walk.high[2], walk.high[3] }, hit.local);
+  const glm::vec3 direction(walk.directionF[0], walk.directionF[1], walk.directionF[2]);
+  hit.fromInside = glm::dot(hit.gradient, direction) < 0.0F;
+  return hit;
+}
+
+} // namespace hasp

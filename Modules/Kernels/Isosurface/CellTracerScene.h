@@ -1,0 +1,59 @@
+#pragma once
+// Private to CellTracer: Embree's side of it.
+#include "Isosurface/CellWalk.h"
+
+#include <embree3/rtcore.h>
+
+#include <atomic>
+
+namespace hasp
+{
+
+/// Embree's device and scene over the boxes of the cells.
+class CellTracer::Scene
+{
+public:
+  static constexpr int PacketSize = 16;
+
+  explicit Scene(std::shared_ptr<const ClusteredCells> cells);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const ClusteredCells& Cells() const { return *this->Shared; }
+  std::size_t Bytes() const;
+
+  /// Sets a walk up for a ray: moves it to where it enters the volume, by `moved` voxels; `length`
+  /// is that of its direction in voxels. False if it does not meet the volume.
+  struct Entry
+  {
+    double moved, length;
+  };
+  bool Enter(const CellRay& ray, CellWalkRay& walk, Entry& entry) const;
+
+  void Nearest(CellWalkRay& walk) const;
+  bool Any(CellWalkRay& walk) const;
+  /// Nearest for rays that lie close together; those with tMin > tMax are left out.
+  void Nearest(CellWalkRay (&walks)[PacketSize]) const;
+
+  CellHit HitOf(const CellWalkRay& walk, const Entry& entry) const;
+
+private:
+  struct Rays; // what Embree's calls carry to ours
+  static void Bounds(const RTCBoundsFunctionArguments* arguments);
+  static void Intersect(const RTCIntersectFunctionNArguments* arguments);
+  static void Occlude(const RTCOccludedFunctionNArguments* arguments);
+  static bool CountMemory(void* scene, ssize_t bytes, bool post);
+  void Build();
+
+  std::shared_ptr<const ClusteredCells> Shared;
+  std::vector<CellBox> Boxes;
+  CellStore Store;
+  CellWalk Walk;
+  float Margin; ///< voxels by which Embree's boxes are larger: what float may round off
+  std::atomic<std::int64_t> DeviceBytes{ 0 };
+  RTCDevice Device = nullptr;
+  RTCScene Tree = nullptr;
+};
+
+} // namespace hasp
