@@ -1,6 +1,7 @@
 #include "Targets.h"
 
 #include "SeedFiles.h"
+#include "vtkHaspCellFile.h"
 #include "vtkHaspSurfaceFile.h"
 #include "vtkHaspVolumeFile.h"
 
@@ -49,6 +50,11 @@ void ReadSurface(const Path& file, const Path&)
   SurfaceReadSettings settings;
   settings.memoryLimitBytes = std::size_t(256) << 20;
   LoadSurface(file.string(), settings);
+}
+
+void ReadCells(const Path& file, const Path&)
+{
+  UseCells(*LoadCells(file.string(), { std::size_t(256) << 20 }));
 }
 
 /// The third slice of a sound series is the file.
@@ -110,7 +116,9 @@ std::vector<Target> Targets()
     { "in.nii.gz", "input.nii.gz", [](const Path& folder) { MakeVolumeSeeds(folder, "a.nii"); },
       ReadVolume, Gzipped },
     { "seg.nrrd", "input.seg.nrrd", MakeSegmentationSeeds, ReadVolume }, SurfaceTarget("stl"),
-    SurfaceTarget("ply"), SurfaceTarget("obj"), SurfaceTarget("vtp") };
+    SurfaceTarget("ply"), SurfaceTarget("obj"), SurfaceTarget("vtp"),
+    { "hcells", "input.hcells", MakeCellSeeds, ReadCells },
+    { "in.hcells", "input.hcells", MakeCellSeeds, ReadCells, SealCells } };
 #if HASP_WITH_LIBARCHIVE
   targets.push_back({ "inv3", "input.inv3", MakeInvesaliusSeeds, ReadVolume });
 #endif

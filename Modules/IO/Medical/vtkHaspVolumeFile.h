@@ -117,6 +117,8 @@ struct VolumeReadSettings
   double decoderTotalSeconds = 600.0; ///< or after so long in all, in (0, 1e6]
 };
 
+struct SampleFile; // internal
+
 /// A file whose header has been read and found good. `load` decodes the samples, and adds to the
 /// passport what only they tell.
 struct OpenedVolume
@@ -126,6 +128,8 @@ struct OpenedVolume
   std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&, Passport&)> load;
   std::vector<Segment> segments = {}; ///< of a segmentation
   bool hash = false;                  ///< as the settings ask
+  /// Where the samples lie, if it is in one stream, slice after slice: for VolumeSlabReader.
+  std::shared_ptr<const SampleFile> samples = {};
 };
 
 struct LoadedVolume

@@ -1,6 +1,7 @@
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "Isosurface/ActiveCells.h"
+#include "vtkHaspClusteredCells.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkAlgorithm.h"
@@ -38,7 +39,9 @@ struct vtkHaspClusteredCellMapper::Internals
   glm::ivec3 ChangedLow{ std::numeric_limits<int>::max() };
   glm::ivec3 ChangedHigh{ std::numeric_limits<int>::min() };
 
-  hasp::ClusteredCells Cells;
+  hasp::ClusteredCells Cells; ///< of the image
+  std::shared_ptr<const hasp::ClusteredCells>
+    Finished; ///< drawn in their place where the input is cells
   double CellsIsoValue = 0.0;
   vtkTimeStamp CellsTime;
   double CellsMilliseconds = 0.0;
@@ -50,6 +53,20 @@ struct vtkHaspClusteredCellMapper::Internals
     this->ChangedHigh = glm::ivec3(std::numeric_limits<int>::min());
   }
 
+  /// Cells that somebody else made are drawn as they are, and nothing else is kept.
+  void Keep(std::shared_ptr<const hasp::ClusteredCells> cells)
+  {
+    if (cells == this->Finished)
+      return;
+    this->Cells = {};
+    this->Blocks = {};
+    this->ForgetChanges();
+    this->Image = nullptr;
+    this->Finished = std::move(cells);
+    this->CellsTime.Modified();
+    this->BlocksMilliseconds = this->CellsMilliseconds = 0.0;
+  }
+
   /// Neither blocks nor cells are of this image: make the first, forget the second.
   void NewImage(vtkImageData* image)
   {
@@ -58,6 +75,7 @@ struct vtkHaspClusteredCellMapper::Internals
     this->Blocks = {};
     this->ForgetChanges();
     this->Image = nullptr;
+    this->Finished = nullptr;
     this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
     this->Image = image;
     this->ImageTime = image->GetMTime();
@@ -75,6 +93,7 @@ vtkHaspClusteredCellMapper::~vtkHaspClusteredCellMapper() = default;
 int vtkHaspClusteredCellMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHaspClusteredCells");
   return 1;
 }
 
@@ -94,12 +113,17 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
 {
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    vtkErrorMacro("No input: give it a vtkImageData.");
+    vtkErrorMacro("No input: give it a vtkImageData or a vtkHaspClusteredCells.");
     return false;
   }
   this->GetInputAlgorithm()->Update();
   vtkImageData* image = this->GetImage();
   Internals& in = *this->Internal;
+  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(this->GetInputDataObject(0, 0)))
+  {
+    in.Keep(cells->GetCells());
+    return true;
+  }
   const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
   const bool sameSurface = in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue;
   if (!newImage && sameSurface && !in.Changed())
@@ -150,7 +174,8 @@ void vtkHaspClusteredCellMapper::MarkModified(const int extent[6])
 
 const hasp::ClusteredCells& vtkHaspClusteredCellMapper::GetCells() const
 {
-  return this->Internal->Cells;
+  const Internals& in = *this->Internal;
+  return in.Finished ? *in.Finished : in.Cells;
 }
 
 vtkMTimeType vtkHaspClusteredCellMapper::GetCellsTime() const
@@ -160,7 +185,7 @@ vtkMTimeType vtkHaspClusteredCellMapper::GetCellsTime() const
 
 bool vtkHaspClusteredCellMapper::GetCellIndex(vtkIdType cellId, int ijk[3]) const
 {
-  const hasp::ClusteredCells& cells = this->Internal->Cells;
+  const hasp::ClusteredCells& cells = this->GetCells();
   if (cellId < 0 || static_cast<std::size_t>(cellId) >= cells.Count())
     return false;
   const glm::ivec3 cell = cells.Cell(static_cast<std::size_t>(cellId));
@@ -174,8 +199,8 @@ void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
   const Internals& in = *this->Internal;
   list.push_back({ "min-max blocks", in.Blocks.Bytes(), in.BlocksMilliseconds,
     "coarse phase of extraction; kept for the next isovalue" });
-  list.push_back({ "active cells, host", in.Cells.Bytes(), in.CellsMilliseconds,
-    std::to_string(in.Cells.Count()) + " cells; kept to answer picks" });
+  list.push_back({ "active cells, host", this->GetCells().Bytes(), in.CellsMilliseconds,
+    std::to_string(this->GetCells().Count()) + " cells; kept to answer picks" });
 }
 
 double* vtkHaspClusteredCellMapper::GetBounds()
@@ -186,6 +211,8 @@ double* vtkHaspClusteredCellMapper::GetBounds()
     this->GetInputAlgorithm()->Update();
     if (vtkImageData* image = this->GetImage())
       image->GetBounds(this->Bounds);
+    else if (auto* cells = vtkHaspClusteredCells::SafeDownCast(this->GetInputDataObject(0, 0)))
+      cells->GetBounds(this->Bounds);
   }
   return this->Bounds;
 }
@@ -194,5 +221,5 @@ void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IsoValue: " << this->IsoValue << "\n";
-  os << indent << "Active cells: " << this->Internal->Cells.Count() << "\n";
+  os << indent << "Active cells: " << this->GetCells().Count() << "\n";
 }

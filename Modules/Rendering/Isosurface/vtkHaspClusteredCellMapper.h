@@ -10,6 +10,9 @@
  *   mapper->SetIsoValue(300.0);
  *   actor->SetMapper(mapper);
  *
+ * Or give it a vtkHaspClusteredCells (from vtkHaspClusteredCellFilter or a .hcells file): it is
+ * drawn as it is, its isovalue is its own, and IsoValue means nothing.
+ *
  * The cells that the surface crosses are extracted once per volume and isovalue, with their corner
  * samples. Each is drawn as one point, or one screen rectangle where a point will not do, in whose
  * fragments the ray meets the trilinear polynomial (thesis 3.2.2, Paper VI; cell rasterisation
@@ -61,7 +64,7 @@ public:
   ///@{
   /// The volume, when it comes from no pipeline; SetInputConnection otherwise.
   void SetInputData(vtkImageData* image);
-  vtkImageData* GetImage();
+  vtkImageData* GetImage(); ///< null if the input is none, or cells
   ///@}
 
   /// Brings the active cells up to date with input and isovalue; Render does it by itself. The

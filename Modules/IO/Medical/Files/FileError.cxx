@@ -15,8 +15,9 @@ namespace
 std::atomic<bool> NamesShown{ false };
 
 /// Endings that say what a file is. Any other could be a part of a name.
-constexpr const char* KnownEndings[] = { ".dcm", ".html", ".inv3", ".json", ".mha", ".mhd", ".nhdr",
-  ".nii", ".nii.gz", ".nrrd", ".obj", ".ply", ".png", ".seg.nrrd", ".stl", ".vti", ".vtp" };
+constexpr const char* KnownEndings[] = { ".dcm", ".hcells", ".html", ".inv3", ".json", ".mha",
+  ".mhd", ".nhdr", ".nii", ".nii.gz", ".nrrd", ".obj", ".ply", ".png", ".seg.nrrd", ".stl", ".vti",
+  ".vtp" };
 
 /// Bytes of the UTF-8 character that begins there, and which it is; 0: there is none.
 std::size_t Decode(const std::string& text, std::size_t at, char32_t& character)

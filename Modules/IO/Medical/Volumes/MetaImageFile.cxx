@@ -183,6 +183,7 @@ OpenedVolume OpenMetaImage(const std::filesystem::path& file, const VolumeReadSe
   opened.passport.format = "MetaImage";
   opened.passport.compression = samples.zipped ? "zlib" : "";
   opened.passport.modality = ModalityOf(Value(keys, "Modality"));
+  opened.samples = std::make_shared<const SampleFile>(samples);
   opened.load = [samples, geometry = opened.passport.geometry](const ProgressFunction& progress,
                   Passport&) { return LoadSamples(samples, geometry, progress); };
   return opened;

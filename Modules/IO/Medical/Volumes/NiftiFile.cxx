@@ -187,6 +187,7 @@ OpenedVolume OpenNifti(const std::filesystem::path& file, const VolumeReadSettin
   SetIndexSteps(file, steps, passport.geometry);
   passport.format = h.version == 1 ? "NIfTI-1" : "NIfTI-2";
   passport.compression = zipped ? "gzip" : "";
+  opened.samples = std::make_shared<const SampleFile>(samples);
   opened.load = [samples, geometry = passport.geometry](const ProgressFunction& progress, Passport&)
   { return LoadSamples(samples, geometry, progress); };
   return opened;

@@ -37,6 +37,7 @@ OpenedVolume OpenNrrd(const std::filesystem::path& file, const VolumeReadSetting
   SetNrrdGeometry(file, header, axes, opened.passport);
   opened.passport.format = "NRRD";
   opened.passport.compression = samples.zipped ? "gzip" : "";
+  opened.samples = std::make_shared<const SampleFile>(samples);
   opened.load = [samples, geometry = opened.passport.geometry](const ProgressFunction& progress,
                   Passport&) { return LoadSamples(samples, geometry, progress); };
   return opened;

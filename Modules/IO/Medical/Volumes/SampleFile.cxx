@@ -13,26 +13,6 @@ namespace hasp
 namespace
 {
 
-/// VTK's type where kernels read the stored one; VTK_VOID where it is to be converted.
-int DirectType(const SampleFile& file)
-{
-  if (file.slope != 1.0 || file.intercept != 0.0)
-    return VTK_VOID;
-  switch (file.type)
-  {
-    case StoredType::Int16:
-      return VTK_SHORT;
-    case StoredType::UInt16:
-      return VTK_UNSIGNED_SHORT;
-    case StoredType::UInt8:
-      return VTK_UNSIGNED_CHAR;
-    case StoredType::Float32:
-      return VTK_FLOAT;
-    default:
-      return VTK_VOID;
-  }
-}
-
 const char* NameOf(StoredType type)
 {
   constexpr const char* names[] = { "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64",
@@ -139,6 +119,25 @@ vtkSmartPointer<vtkImageData> LoadConverted(
 }
 
 } // namespace
+
+int DirectType(const SampleFile& file)
+{
+  if (file.slope != 1.0 || file.intercept != 0.0)
+    return VTK_VOID;
+  switch (file.type)
+  {
+    case StoredType::Int16:
+      return VTK_SHORT;
+    case StoredType::UInt16:
+      return VTK_UNSIGNED_SHORT;
+    case StoredType::UInt8:
+      return VTK_UNSIGNED_CHAR;
+    case StoredType::Float32:
+      return VTK_FLOAT;
+    default:
+      return VTK_VOID;
+  }
+}
 
 std::size_t BytesOf(StoredType type)
 {

@@ -44,6 +44,10 @@ struct SampleFile
 
 std::size_t BytesOf(StoredType type);
 
+/// VTK's type where kernels read the samples as they are stored; VTK_VOID where they are to be
+/// converted.
+int DirectType(const SampleFile& file);
+
 /// The whole path of a file beside the header, by a name out of it. Throws unless the name is that
 /// of one regular file in the same folder ("./" may stand before it); `key` is our word for where
 /// the name stood.

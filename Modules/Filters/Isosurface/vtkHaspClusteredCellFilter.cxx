@@ -1,0 +1,157 @@
+#include "vtkHaspClusteredCellFilter.h"
+
+#include "Isosurface/ActiveCells.h"
+#include "vtkHaspClusteredCells.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+vtkStandardNewMacro(vtkHaspClusteredCellFilter);
+
+namespace
+{
+
+struct SampleBox
+{
+  glm::ivec3 low, high;
+};
+
+/// What the kept cells and blocks were made of.
+struct Origin
+{
+  vtkWeakPointer<vtkImageData> image;
+  vtkMTimeType time = 0;
+  std::size_t type = 0;
+  hasp::GridGeometry geometry;
+
+  bool SamePlace(vtkImageData* other, const hasp::AnyGridView& grid) const
+  {
+    const hasp::GridGeometry &g = this->geometry, &h = hasp::GeometryOf(grid);
+    return other == this->image && grid.index() == this->type && g.dims == h.dims &&
+           g.origin == h.origin && g.spacing == h.spacing && g.direction == h.direction;
+  }
+};
+
+} // namespace
+
+struct vtkHaspClusteredCellFilter::Internals
+{
+  Origin from;
+  hasp::MinMaxBlocks blocks;
+  std::shared_ptr<hasp::ClusteredCells> cells; ///< null, or of `from`
+  double isoValue = 0.0;                       ///< and of these
+  bool compact = false;
+  std::optional<SampleBox> marked; ///< in the indices of the input's extent
+
+  void Forget()
+  {
+    this->from = {};
+    this->blocks = {};
+    this->cells.reset();
+  }
+
+  /// Brings blocks and cells up to date. What it leaves after an exception is to be forgotten.
+  void Update(vtkImageData* image, double newIsoValue, bool newCompact,
+    const hasp::ProgressFunction& progress)
+  {
+    const hasp::AnyGridView grid = hasp::ViewImage(image);
+    const bool known =
+      this->from.SamePlace(image, grid) && (this->from.time == image->GetMTime() || this->marked);
+    const bool sameSurface =
+      this->cells && this->isoValue == newIsoValue && this->compact == newCompact;
+    if (!known)
+    {
+      this->Forget();
+      this->blocks = hasp::MinMaxBlocks(grid);
+    }
+    else if (this->marked)
+      this->Apply(*this->marked, image, grid, sameSurface);
+    if (!known || !sameSurface)
+    {
+      this->cells.reset();
+      const auto precision = newCompact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact;
+      this->cells = std::make_shared<hasp::ClusteredCells>(
+        hasp::ExtractActiveCells(grid, this->blocks, newIsoValue, precision, progress));
+    }
+    this->from = { image, image->GetMTime(), grid.index(), hasp::GeometryOf(grid) };
+    this->isoValue = newIsoValue;
+    this->compact = newCompact;
+    this->marked.reset();
+  }
+
+  void Apply(
+    const SampleBox& box, vtkImageData* image, const hasp::AnyGridView& grid, bool sameSurface)
+  {
+    const int* extent = image->GetExtent();
+    const glm::ivec3 first(extent[0], extent[2], extent[4]);
+    if (!sameSurface)
+      return this->blocks.Update(grid, box.low - first, box.high - first);
+    if (this->cells.use_count() > 1) // somebody else draws them
+      this->cells = std::make_shared<hasp::ClusteredCells>(*this->cells);
+    hasp::UpdateActiveCells(*this->cells, grid, this->blocks, box.low - first, box.high - first);
+  }
+};
+
+vtkHaspClusteredCellFilter::vtkHaspClusteredCellFilter() : Inside(new Internals) {}
+vtkHaspClusteredCellFilter::~vtkHaspClusteredCellFilter() = default;
+
+void vtkHaspClusteredCellFilter::MarkModified(const int extent[6])
+{
+  const SampleBox box{ { extent[0], extent[2], extent[4] }, { extent[1], extent[3], extent[5] } };
+  std::optional<SampleBox>& marked = this->Inside->marked;
+  marked =
+    marked ? SampleBox{ glm::min(marked->low, box.low), glm::max(marked->high, box.high) } : box;
+  this->Modified();
+}
+
+int vtkHaspClusteredCellFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkHaspClusteredCellFilter::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkHaspClusteredCells* output = vtkHaspClusteredCells::GetData(outputs);
+  output->Initialize();
+  const auto progress = [this](double share)
+  {
+    this->UpdateProgress(share);
+    return !this->GetAbortExecute();
+  };
+  try
+  {
+    this->Inside->Update(vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0)), this->IsoValue,
+      this->Compact, progress);
+    output->SetCells(this->Inside->cells);
+    return 1;
+  }
+  catch (const hasp::Cancelled&)
+  {
+    this->Inside->Forget();
+    return 1; // what was asked for: nothing
+  }
+  catch (const std::exception& error)
+  {
+    this->Inside->Forget();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkHaspClusteredCellFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IsoValue: " << this->IsoValue << "\n"
+     << indent << "Compact: " << (this->Compact ? "on" : "off") << "\n"
+     << indent << "Active cells: " << (this->Inside->cells ? this->Inside->cells->Count() : 0)
+     << "\n";
+}
