@@ -4,6 +4,7 @@
 #include "vtkHaspCellFile.h"
 #include "vtkHaspSurfaceFile.h"
 #include "vtkHaspVolumeFile.h"
+#include "vtkHaspVolumeSlabReader.h"
 
 #include "vtk_zlib.h"
 
@@ -57,6 +58,14 @@ void ReadCells(const Path& file, const Path&)
   UseCells(*LoadCells(file.string(), { std::size_t(256) << 20 }));
 }
 
+void ReadSlabs(const Path& file, const Path&)
+{
+  VolumeSlabReader reader(file.string(), SmallLimits());
+  const int depth = reader.GetPassport().geometry.dims.z;
+  for (int first = 0; first < depth; first += 2)
+    reader.Read(first, std::min(3, depth - first));
+}
+
 /// The third slice of a sound series is the file.
 void ReadSeries(const Path& file, const Path& seeds)
 {
@@ -80,6 +89,13 @@ Target VolumeTarget(const std::string& name, const std::string& fileName)
   return { name, fileName,
     [fileName](const std::filesystem::path& folder) { MakeVolumeSeeds(folder, fileName); },
     ReadVolume };
+}
+
+Target SlabTarget(const std::string& name, const std::string& fileName)
+{
+  Target target = VolumeTarget(name, fileName);
+  target.read = ReadSlabs;
+  return target;
 }
 
 std::string Gzipped(const std::string& bytes)
@@ -117,7 +133,8 @@ std::vector<Target> Targets()
       ReadVolume, Gzipped },
     { "seg.nrrd", "input.seg.nrrd", MakeSegmentationSeeds, ReadVolume }, SurfaceTarget("stl"),
     SurfaceTarget("ply"), SurfaceTarget("obj"), SurfaceTarget("vtp"),
-    { "hcells", "input.hcells", MakeCellSeeds, ReadCells },
+    SlabTarget("slabs.mha", "input.mha"), SlabTarget("slabs.nrrd", "input.nrrd"),
+    SlabTarget("slabs.nii", "input.nii"), { "hcells", "input.hcells", MakeCellSeeds, ReadCells },
     { "in.hcells", "input.hcells", MakeCellSeeds, ReadCells, SealCells } };
 #if HASP_WITH_LIBARCHIVE
   targets.push_back({ "inv3", "input.inv3", MakeInvesaliusSeeds, ReadVolume });

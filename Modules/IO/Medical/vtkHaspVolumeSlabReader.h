@@ -24,7 +24,7 @@ struct VolumeReadSettings; // likewise
 /// says so. Headers are checked as OpenVolume does; samples that are NaN or infinite are refused.
 ///
 /// Reads, and maps nothing: a file that shrinks meanwhile is an error and not a signal
-/// (Decisions/0012).
+/// (Decisions/0014).
 ///
 /// Threads: one at a time (RENDER or WORKER). Throws as OpenVolume and LoadVolume.
 class VTKHASPIOMEDICAL_EXPORT VolumeSlabReader
