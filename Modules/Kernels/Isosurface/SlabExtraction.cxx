@@ -26,10 +26,10 @@ public:
   {
     if (this->Holds(bytes))
       return;
-    throw std::runtime_error("ExtractActiveCellsFromSlabs: needs " + std::to_string(bytes) +
-                             " bytes after " + std::to_string(int(100.0 * share)) +
-                             " % of the volume, the limit is " + std::to_string(this->Cap) +
-                             ": raise it, crop the volume or choose another isovalue");
+    throw MemoryCapExceeded("ExtractActiveCellsFromSlabs: needs " + std::to_string(bytes) +
+                            " bytes after " + std::to_string(int(100.0 * share)) +
+                            " % of the volume, the limit is " + std::to_string(this->Cap) +
+                            ": raise it, crop the volume or choose another isovalue");
   }
 
 private:

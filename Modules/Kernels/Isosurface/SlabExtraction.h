@@ -3,6 +3,7 @@
 #include "Isosurface/ClusteredCells.h"
 
 #include <functional>
+#include <stdexcept>
 
 namespace hasp
 {
@@ -14,6 +15,12 @@ using SlabSource = std::function<AnyGridView(int first, int count)>;
 
 /// A volume in memory as a source. It must outlive it.
 SlabSource SlabsOf(const AnyGridView& volume);
+
+/// More memory would be needed than the cap allows; what() says how much.
+struct MemoryCapExceeded : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 
 struct SlabSettings
 {
@@ -34,9 +41,8 @@ struct SlabSettings
 /// geometry  of the whole volume
 /// isovalue  as in ExtractActiveCells
 /// Throws std::invalid_argument as ExtractActiveCells, for settings out of range, and if the source
-/// gives slices of another size or type; std::runtime_error, with the bytes, where the cap would be
-/// exceeded; whatever the source throws; Cancelled. O(samples), all threads, the same bytes
-/// whatever their number and the slab's height.
+/// gives slices of another size or type; MemoryCapExceeded; whatever the source throws; Cancelled.
+/// O(samples), all threads, the same bytes whatever their number and the slab's height.
 ClusteredCells ExtractActiveCellsFromSlabs(const GridGeometry& geometry, const SlabSource& source,
   double isovalue, const SlabSettings& settings = {}, const ProgressFunction& progress = {});
 

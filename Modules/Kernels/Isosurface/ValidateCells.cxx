@@ -4,6 +4,7 @@
 #include "Isosurface/CompactCells.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -155,6 +156,37 @@ void CheckClusters(const ClusteredCells& cells)
     Refuse("the words after the corners are not 0");
 }
 
+/// Which corners of a cluster are inside, a bit each, in rows along x; 0 where none is stored.
+using InsideRows = std::array<std::array<std::uint32_t, Side + 1>, Side + 1>;
+
+InsideRows ReadInside(const ClusteredCells& cells, const CellCluster& cluster)
+{
+  const bool compact = cells.precision == CellPrecision::Compact;
+  const int width = cluster.Width();
+  const std::uint32_t mask = glsl::HaspLowBits(width);
+  InsideRows inside{};
+  std::size_t bit = std::size_t{ cluster.firstWord } * 32;
+  for (int z = 0; z <= Side; ++z)
+  {
+    std::uint64_t slice = cluster.TouchSlice(z);
+    for (std::uint32_t y = 0, below = 0; slice != 0 || below != 0; ++y, slice >>= 8)
+    {
+      const std::uint32_t row = slice & 0xFF, touched = row | below;
+      below = row;
+      for (std::uint32_t left = touched | touched << 1; left != 0; left &= left - 1, bit += width)
+      {
+        const std::uint64_t two =
+          cells.corners[bit / 32] | std::uint64_t{ cells.corners[bit / 32 + 1] } << 32;
+        const std::uint32_t stored = static_cast<std::uint32_t>(two >> bit % 32) & mask;
+        const bool isInside =
+          compact ? (stored & 0x80) == 0 : cells.SampleOf(cluster, stored) - cells.isovalue >= 0.0F;
+        inside[z][y] |= std::uint32_t{ isInside } << std::countr_zero(left);
+      }
+    }
+  }
+  return inside;
+}
+
 /// What is wrong with a cluster's corners, or nothing. CheckClusters has let it pass.
 const char* CornerFault(const ClusteredCells& cells, const CellCluster& cluster)
 {
@@ -166,14 +198,15 @@ const char* CornerFault(const ClusteredCells& cells, const CellCluster& cluster)
     for (std::size_t n = 0; n < bits / 32; ++n)
       if (!std::isfinite(std::bit_cast<float>(words[n])))
         return "a corner is NaN or infinite";
+  const InsideRows inside = ReadInside(cells, cluster);
   for (int z = 0; z < Side; ++z)
-    for (std::uint64_t left = cluster.active[z]; left != 0; left &= left - 1)
+    for (int y = 0; y < Side; ++y)
     {
-      const int place = std::countr_zero(left);
-      const auto corners = cells.CornersFromIsovalue(cluster, { place % Side, place / Side, z });
-      const auto inside =
-        std::count_if(corners.begin(), corners.end(), [](float corner) { return corner >= 0.0F; });
-      if (inside == 0 || inside == std::ssize(corners))
+      const std::uint32_t active = cluster.active[z] >> Side * y & 0xFF;
+      const std::uint32_t a = inside[z][y], b = inside[z][y + 1];
+      const std::uint32_t c = inside[z + 1][y], d = inside[z + 1][y + 1];
+      const std::uint32_t any = a | b | c | d, all = a & b & c & d;
+      if (active & ~((any | any >> 1) & ~(all & all >> 1)))
         return "an active cell has all corners on one side of the isovalue";
     }
   return nullptr;

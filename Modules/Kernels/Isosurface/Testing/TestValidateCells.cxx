@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>
@@ -203,6 +204,48 @@ TEST(ValidateCells, NoTurnedBitOfAClusterOrCornerMakesThemUnsafe)
       look(cells.corners[cells.clusters[1].firstWord + n]);
     EXPECT_GT(refused, 500U);
     EXPECT_GT(passed, 0U); // a corner that differs and stays on its side is as good
+  }
+}
+
+/// Cell by cell, through what drawing uses.
+bool HasCellOnOneSide(const ClusteredCells& cells, const CellCluster& cluster)
+{
+  for (int n = 0; n < 512; ++n)
+    if (const glm::ivec3 in(n & 7, n >> 3 & 7, n >> 6); cluster.Active(in))
+    {
+      const auto corners = cells.CornersFromIsovalue(cluster, in);
+      const auto inside =
+        std::count_if(corners.begin(), corners.end(), [](float f) { return f >= 0; });
+      if (inside == 0 || inside == 8)
+        return true;
+    }
+  return false;
+}
+
+TEST(ValidateCells, FindsJustTheCornersThatLeaveACellOnOneSide)
+{
+  // Around a single voxel each cell has one corner inside, so that many flips take its surface.
+  const GridGeometry g{ { 20, 13, 18 } };
+  std::vector<std::int16_t> samples(g.Size(), 7);
+  for (std::size_t n = 100; n < samples.size(); n += 211)
+    samples[n] = 120;
+  const AnyGridView grid = GridView<const std::int16_t>{ samples.data(), g };
+  for (const CellPrecision precision : { CellPrecision::Exact, CellPrecision::Compact })
+  {
+    ClusteredCells cells = CellsOf(grid, 100.5, precision);
+    std::size_t refused = 0, passed = 0;
+    for (const CellCluster& cluster : cells.clusters)
+      for (int bit = 0; bit < cluster.CornerCount() * cluster.Width(); ++bit)
+      {
+        std::uint32_t& word = cells.corners[cluster.firstWord + bit / 32];
+        word ^= 1U << bit % 32;
+        const bool bad = HasCellOnOneSide(cells, cluster);
+        ASSERT_EQ(FaultOf(cells).find("one side") != std::string::npos, bad) << bit;
+        ++(bad ? refused : passed);
+        word ^= 1U << bit % 32;
+      }
+    EXPECT_GT(refused, 20U);
+    EXPECT_GT(passed, 50U);
   }
 }
 
