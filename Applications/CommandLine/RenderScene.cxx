@@ -8,6 +8,7 @@
 #include "SurfaceActors.h"
 #include "VtkMessages.h"
 #include "Windows.h"
+#include "vtkHaspClusteredCells.h"
 #include "vtkHaspStereoPicture.h"
 
 #include "vtkActor.h"
@@ -71,14 +72,19 @@ struct RenderScene::Parts
   }
 };
 
-RenderScene::RenderScene(vtkImageData* image, const RenderOptions& options, Session& session)
+RenderScene::RenderScene(vtkDataObject* volume, const RenderOptions& options, Session& session)
   : Self(std::make_unique<Parts>())
 {
   Parts& self = *this->Self;
   self.session = &session;
   self.OpenWindow(options);
   self.renderer->SetBackground(options.background.data());
-  self.Add(MakeIsosurface(image, options.isoValue, options.mapper, session), options.color);
+  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(volume))
+    self.Add(MakeCells(cells), options.color);
+  else
+    self.Add(
+      MakeIsosurface(vtkImageData::SafeDownCast(volume), options.isoValue, options.mapper, session),
+      options.color);
   for (std::size_t k = 0; k < options.surfaces.size(); ++k)
     self.Add(
       MakeSurface(options.surfaces[k], k + 1, session), SurfaceColors[k % SurfaceColors.size()]);

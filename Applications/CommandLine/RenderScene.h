@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-class vtkImageData;
+class vtkDataObject;
 
 namespace hasp
 {
@@ -29,8 +29,9 @@ struct RenderOptions
 class RenderScene
 {
 public:
+  /// `volume` is a vtkImageData, or a vtkHaspClusteredCells, which has its own isovalue.
   /// Throws Failure: CannotDraw without OpenGL, BadInput for a surface that cannot be read.
-  RenderScene(vtkImageData* image, const RenderOptions& options, Session& session);
+  RenderScene(vtkDataObject* volume, const RenderOptions& options, Session& session);
   ~RenderScene();
 
   /// The picture as a PNG file. Throws Failure: CannotDraw.

@@ -11,6 +11,7 @@
 #endif
 #include "vtkActor.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkHaspClusteredCells.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -67,11 +68,11 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
 }
 
 #if HASP_WITH_CELLS
-SurfaceActor MakeCellIsosurface(vtkImageData* image, double isoValue, Session& session)
+/// `input` is an image, or cells, whose isovalue is their own.
+SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue)
 {
-  session.progress.Step("extracting active cells");
   vtkNew<vtkHaspClusteredCellMapper> mapper;
-  mapper->SetInputDataObject(image);
+  mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();
   ThrowVtkError(ExitCode::BadInput, "cannot extract the active cells");
@@ -103,11 +104,23 @@ SurfaceActor MakeIsosurface(
 {
 #if HASP_WITH_CELLS
   if (mapper == "cells")
-    return MakeCellIsosurface(image, isoValue, session);
+  {
+    session.progress.Step("extracting active cells");
+    return MakeCellActor(image, isoValue);
+  }
 #endif
   if (mapper == "mesh")
     return MakeMeshIsosurface(image, isoValue, session);
   throw Failure(ExitCode::WrongUse, "this build has no mapper '" + mapper + "'");
+}
+
+SurfaceActor MakeCells([[maybe_unused]] vtkHaspClusteredCells* cells)
+{
+#if HASP_WITH_CELLS
+  return MakeCellActor(cells, 0.0);
+#else
+  throw Failure(ExitCode::WrongUse, "this build cannot draw active cells");
+#endif
 }
 
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session)

@@ -8,6 +8,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkHaspClusteredCells;
 class vtkImageData;
 
 namespace hasp
@@ -30,6 +31,9 @@ const std::vector<std::string>& SurfaceMappers();
 /// Failure: WrongUse for an unknown name.
 SurfaceActor MakeIsosurface(
   vtkImageData* image, double isoValue, const std::string& mapper, Session& session);
+
+/// Active cells as they are. Throws Failure: WrongUse in a build that cannot draw them.
+SurfaceActor MakeCells(vtkHaspClusteredCells* cells);
 
 /// The triangles of a surface file, called "surface 2" by its number. Throws Failure: BadInput.
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session);

@@ -1,3 +1,5 @@
+#include "CellsInput.h"
+#include "CellsText.h"
 #include "Evaluation/MeshCheck.h"
 #include "Failure.h"
 #include "PassportText.h"
@@ -6,6 +8,7 @@
 #include "SurfacePassportText.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
+#include "vtkHaspCellFile.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeView.h"
 
@@ -20,11 +23,27 @@ namespace hasp
 namespace
 {
 
-void RunOnSurface(const VolumeChoices& choices, Session& session)
+void RefuseVolumeOptions(const VolumeChoices& choices)
 {
   if (choices.series != 0 || choices.resample)
     throw Failure(
       ExitCode::WrongUse, "--series and --resample are for volumes; leave them out for a surface");
+}
+
+void RunOnCells(const VolumeChoices& choices, Session& session)
+{
+  RefuseVolumeOptions(choices);
+  const auto cells = ReadCells(choices.input, session);
+  session.progress.Wipe();
+  if (session.json)
+    session.result["cells"] = CellsJson(*cells);
+  else
+    std::cout << CellsText(*cells);
+}
+
+void RunOnSurface(const VolumeChoices& choices, Session& session)
+{
+  RefuseVolumeOptions(choices);
   const auto start = std::chrono::steady_clock::now();
   const LoadedSurface read = ReadSurface(choices.input, FileLabel(choices.input), true, session);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
@@ -41,6 +60,8 @@ void RunOnSurface(const VolumeChoices& choices, Session& session)
 
 void Run(const VolumeChoices& choices, Session& session)
 {
+  if (IsCellFileName(choices.input))
+    return RunOnCells(choices, session);
   if (IsSurfaceName(choices.input))
     return RunOnSurface(choices, session);
   const Passport passport = InspectVolume(choices, session);
@@ -61,7 +82,8 @@ void AddInfoVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<VolumeChoices>();
   options->hash = true;
-  CLI::App* verb = app.add_subcommand("info", "Check a volume or a surface and print its passport");
+  CLI::App* verb =
+    app.add_subcommand("info", "Check a volume, a surface or active cells and print the passport");
   AddVolumeOptions(*verb, *options);
   AddCommonOptions(*verb, session);
   verb->footer(
@@ -74,6 +96,7 @@ void AddInfoVerb(CLI::App& app, Session& session)
     "  hasp info slices/ --series 2 --json\n"
     "  hasp info slices/ --resample\n"
     "  hasp info guide.stl\n"
+    "  hasp info head.hcells\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input: the volume has faults.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

@@ -1,3 +1,4 @@
+#include "CellsInput.h"
 #include "Failure.h"
 #include "Files.h"
 #include "LargePieces.h"
@@ -6,11 +7,14 @@
 #include "SurfaceActors.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
+#include "vtkHaspCellFile.h"
+#include "vtkHaspClusteredCells.h"
 #include "vtkHaspFileNames.h"
 
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace hasp
 {
@@ -21,14 +25,44 @@ struct Choices
 {
   VolumeChoices volume;
   std::string output;
+  std::optional<double> isoValue;
   double ignoreBelowMm3 = 0.0;
   std::string stereo = "mono";
   RenderOptions render;
 };
 
-void Run(const Choices& choices, Session& session)
+void Draw(
+  vtkDataObject* volume, const RenderOptions& render, const std::string& output, Session& session)
+{
+  RenderScene scene(volume, render, session);
+  WriteFile(output, scene.DrawPng());
+  session.result["output"] = FileLabel(output);
+}
+
+/// From a .hcells file: the volume need not be there.
+void RunOnCells(const Choices& choices, Session& session)
+{
+  const VolumeChoices& volume = choices.volume;
+  if (choices.isoValue || choices.ignoreBelowMm3 > 0.0 || volume.series != 0 || volume.resample ||
+      choices.render.mapper == "mesh")
+    throw Failure(ExitCode::WrongUse,
+      "--isovalue, --ignore-below, --series, --resample and --mapper mesh are for volumes; leave "
+      "them out for active cells");
+  vtkNew<vtkHaspClusteredCells> cells;
+  cells->SetCells(ReadCells(volume.input, session));
+  if (cells->GetNumberOfCells() == 0)
+    throw Failure(ExitCode::BadInput, FileLabel(volume.input) + ": holds no active cells");
+  Draw(cells, choices.render, choices.output, session);
+}
+
+void Run(Choices choices, Session& session)
 {
   RequireWritable(choices.output, { ".png" });
+  if (IsCellFileName(choices.volume.input))
+    return RunOnCells(choices, session);
+  if (!choices.isoValue)
+    throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
+  choices.render.isoValue = *choices.isoValue;
   const LoadedVolume volume = ReadVolume(choices.volume, session);
   SayWarnings(volume.passport, session);
   RequireIsoValue(choices.render.isoValue, volume.passport);
@@ -38,9 +72,7 @@ void Run(const Choices& choices, Session& session)
   else
     session.resources.push_back(
       { "volume without small pieces", 0, 0.0, "no --ignore-below was given" });
-  RenderScene scene(image, choices.render, session);
-  WriteFile(choices.output, scene.DrawPng());
-  session.result["output"] = FileLabel(choices.output);
+  Draw(image, choices.render, choices.output, session);
 }
 
 void AddCameraOptions(CLI::App& verb, CameraOptions& camera)
@@ -90,10 +122,11 @@ void AddLookOptions(CLI::App& verb, Choices& choices)
 void AddRenderVerb(CLI::App& app, Session& session)
 {
   auto choices = std::make_shared<Choices>();
-  CLI::App* verb = app.add_subcommand("render", "Draw an isosurface into a PNG file");
+  CLI::App* verb = app.add_subcommand(
+    "render", "Draw an isosurface of a volume, or active cells, into a PNG file");
   AddVolumeOptions(*verb, choices->volume);
-  verb->add_option("--isovalue", choices->render.isoValue, "In the volume's units; bone in CT: 226")
-    ->required();
+  verb->add_option("--isovalue", choices->isoValue,
+    "In the volume's units; bone in CT: 226. Active cells have their own");
   verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();
   verb
     ->add_option("--ignore-below", choices->ignoreBelowMm3,
@@ -117,6 +150,7 @@ void AddRenderVerb(CLI::App& app, Session& session)
                "  hasp render head.mha --isovalue 226 --view right --surface guide.stl \\\n"
                "       --stereo side-by-side --resolution 960,1080 --output pair.png\n"
                "  hasp render head.mha --isovalue 226 --output head.png --explain\n"
+               "  hasp render head.hcells --output head.png\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 4 cannot draw.");
   verb->callback(
     [&session, choices]

@@ -7,6 +7,7 @@ void AddVerbs(CLI::App& app, Session& session)
 {
   AddInfoVerb(app, session);
   AddConvertVerb(app, session);
+  AddCellsVerb(app, session);
   AddRenderVerb(app, session);
 #if HASP_WITH_GUIDES
   AddGuideVerb(app, session);

@@ -60,6 +60,32 @@ TEST_F(HaspRender, WhatCannotBeWrittenIsOneAndLeavesNothing)
   EXPECT_EQ(this->Names(), (Words{ "head.mha", "taken.png" }));
 }
 
+TEST_F(HaspRender, ActiveCellsAreDrawnWithoutTheVolume)
+{
+  this->Phantom();
+  ASSERT_EQ(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "226", "--output",
+                      this->Path("head.hcells") })
+              .exitCode,
+    0);
+  ASSERT_EQ(this->Render({}, "volume.png").exitCode, 0);
+  std::filesystem::remove(this->Path("head.mha"));
+  const auto draw = [&](const Words& more)
+  {
+    Words words{ "render", this->Path("head.hcells"), "--resolution", "120,90", "--output",
+      this->Path("cells.png") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  };
+  for (const Words& words : { Words{ "--isovalue", "226" }, Words{ "--ignore-below", "5" },
+         Words{ "--mapper", "mesh" }, Words{ "--series", "1" } })
+    ExpectFailure(draw(words), 1, "for volumes");
+  const HaspRun run = draw({});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(ReadBytes(this->Path("cells.png")), ReadBytes(this->Path("volume.png")));
+  ExpectFailure(RunHasp({ "render", this->Path("none.mha"), "--output", this->Path("x.png") }), 1,
+    "--isovalue");
+}
+
 TEST_F(HaspRender, AFailureKeepsTheOldPicture)
 {
   this->Phantom();

@@ -1,0 +1,92 @@
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace
+{
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class HaspCells : public HaspTest
+{
+protected:
+  HaspRun Cells(const std::string& in, const std::string& out, const Words& more = {}) const
+  {
+    Words words{ "cells", this->Path(in), "--isovalue", "226", "--output", this->Path(out) };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+};
+
+TEST_F(HaspCells, WrongUseIsSaidAndWritesNothing)
+{
+  this->Phantom();
+  ExpectFailure(this->Cells("head.mha", "a.mha"), 1, "must end in .hcells");
+  ExpectFailure(this->Cells("head.mha", "no/a.hcells"), 1, "does not exist");
+  ExpectFailure(this->Cells("none.mha", "a.hcells"), 2, "the .mha file");
+  ExpectFailure(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "99999", "--output",
+                  this->Path("a.hcells") }),
+    1, "has no surface");
+  for (const char* value : { "nan", "inf" })
+    ExpectFailure(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", value, "--output",
+                    this->Path("a.hcells") }),
+      1, "finite");
+  ExpectFailure(this->Cells("head.mha", "a.hcells", { "--memory-limit", "0" }), 1, "memory-limit");
+  EXPECT_EQ(this->Names(), (Words{ "head.mha" }));
+}
+
+TEST_F(HaspCells, WhatTheVolumesFormatIsDoesNotMatter)
+{
+  this->Phantom();
+  const HaspRun run = this->Cells("head.mha", "a.hcells", { "--json" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json cells = json::parse(run.out).at("cells");
+  EXPECT_GT(cells.at("cells"), 1000);
+  EXPECT_LT(cells.at("mesh_share"), 0.22);
+  EXPECT_EQ(cells.at("precision"), "exact");
+  EXPECT_EQ(cells.at("isovalue"), 226.0);
+  EXPECT_EQ(run.err.find("is loaded"), std::string::npos);
+  const std::string truth = ReadBytes(this->Path("a.hcells"));
+  EXPECT_EQ(truth.size(), cells.at("bytes").get<std::size_t>() + 224); // the head
+  for (const char* name : { "b.nrrd", "b.vti" })
+  {
+    ASSERT_EQ(RunHasp({ "convert", this->Path("head.mha"), this->Path(name) }).exitCode, 0);
+    const HaspRun other = this->Cells(name, "b.hcells");
+    ASSERT_EQ(other.exitCode, 0) << other.err;
+    EXPECT_EQ(ReadBytes(this->Path("b.hcells")), truth) << name;
+    EXPECT_EQ(other.err.find("is loaded") != std::string::npos, std::string(name) == "b.vti");
+  }
+}
+
+TEST_F(HaspCells, InfoSaysTheSameAndFindsDamage)
+{
+  this->Phantom();
+  const HaspRun made = this->Cells("head.mha", "a.hcells", { "--compact", "--json" });
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  const HaspRun info = RunHasp({ "info", this->Path("a.hcells"), "--json" });
+  ASSERT_EQ(info.exitCode, 0) << info.err;
+  EXPECT_EQ(json::parse(info.out).at("cells"), json::parse(made.out).at("cells"));
+  EXPECT_EQ(json::parse(info.out).at("cells").at("precision"), "compact");
+  EXPECT_NE(RunHasp({ "info", this->Path("a.hcells") }).out.find("a cell"), std::string::npos);
+  ExpectFailure(RunHasp({ "info", this->Path("a.hcells"), "--series", "1" }), 1, "for volumes");
+
+  std::string bytes = ReadBytes(this->Path("a.hcells"));
+  bytes[bytes.size() / 2] ^= 1;
+  this->WriteText("b.hcells", bytes);
+  ExpectFailure(RunHasp({ "info", this->Path("b.hcells") }), 2, "the .hcells file: its cells are");
+}
+
+TEST_F(HaspCells, ALimitTooSmallIsSaidWithItsBytes)
+{
+  ASSERT_EQ(
+    RunHasp({ "phantom", "--spacing", "1.5,1.5,1.5", "--output", this->Path("big.mha") }).exitCode,
+    0);
+  ExpectFailure(
+    this->Cells("big.mha", "a.hcells", { "--memory-limit", "1", "--quiet" }), 1, "--memory-limit");
+  EXPECT_EQ(this->Cells("big.mha", "a.hcells", { "--memory-limit", "4" }).exitCode, 0);
+}
+
+} // namespace
