@@ -160,8 +160,7 @@ void AddCellsVerb(CLI::App& app, Session& session)
   verb->add_option("--output", options->output, "The .hcells file; its folder must exist")
     ->required();
   verb->add_flag("--compact", options->compact,
-    "8 bits a corner in place of the volume's samples; the surface moves by less than 0.0135 "
-    "voxel");
+    "8 bits a corner in place of the samples; the surface moves by about 0.004 voxel (RMS)");
   verb
     ->add_option("--memory-limit", options->limitMiB,
       "MiB that slices and cells may take together; a volume that cannot be read in slabs counts "

@@ -113,6 +113,8 @@ protected:
     for (const std::string ending : { "x.mha", "x.vti", "x.nrrd", "x.nii", "x.nii.gz", "x.seg.nrrd",
            "slices", "x.stl", "x.unknown" })
       this->ExpectNone({ "convert", path, this->OutFile(ending) });
+    this->ExpectNoneTwice(
+      { "cells", path, "--isovalue", "0", "--output", this->OutFile("x.hcells") });
 #if HASP_WITH_PICTURES
     this->ExpectNoneTwice({ "render", path, "--isovalue", "0", "--resolution", "40,30", "--output",
       this->OutFile("x.png") });
@@ -226,6 +228,26 @@ TEST_F(Canary, SurfacesGiveNothingAway)
         "--surface", file, "--output", this->OutFile("x.png") });
 #endif
     }
+  }
+}
+
+TEST_F(Canary, ActiveCellsGiveNothingAway)
+{
+  this->Phantom();
+  const std::string cells = this->In() / (canary::Name() + ".hcells");
+  ASSERT_EQ(
+    RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "226", "--output", cells }).exitCode,
+    0);
+  std::vector<std::string> files = Damaged(cells);
+  files.push_back(cells);
+  for (const std::string& file : files)
+  {
+    this->ExpectNoneTwice({ "info", file });
+    this->ExpectNone({ "convert", file, this->OutFile("x.mha") });
+#if HASP_WITH_PICTURES
+    this->ExpectNone(
+      { "render", file, "--resolution", "40,30", "--output", this->OutFile("x.png") });
+#endif
   }
 }
 
