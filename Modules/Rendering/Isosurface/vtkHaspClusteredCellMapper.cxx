@@ -221,5 +221,6 @@ void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "OcclusionCulling: " << this->OcclusionCulling << "\n";
   os << indent << "Active cells: " << this->GetCells().Count() << "\n";
 }

@@ -67,6 +67,15 @@ public:
   vtkImageData* GetImage(); ///< null if the input is none, or cells
   ///@}
 
+  ///@{
+  /// Leave out the clusters that are hidden by what is in front of them? Never changes the picture.
+  /// Where surfaces lie behind each other it saves most of a frame, where they do not it costs a
+  /// little; 24 bytes a cluster of memory while it is on. Default on.
+  vtkSetMacro(OcclusionCulling, bool);
+  vtkGetMacro(OcclusionCulling, bool);
+  vtkBooleanMacro(OcclusionCulling, bool);
+  ///@}
+
   /// Brings the active cells up to date with input and isovalue; Render does it by itself. The
   /// min-max blocks of the volume are kept for the next isovalue. False, after vtkErrorMacro, if
   /// there is no input or it cannot be read. O(samples) for a new volume, O(active blocks) for a
@@ -102,6 +111,8 @@ protected:
 
   /// Counts updates of the cells: what is on the GPU is stale when this has moved.
   vtkMTimeType GetCellsTime() const;
+
+  bool OcclusionCulling = true;
 
 private:
   vtkHaspClusteredCellMapper(const vtkHaspClusteredCellMapper&) = delete;

@@ -2,7 +2,6 @@
 
 #include "HaspGL.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -26,11 +25,12 @@ unsigned int MakeBuffer(const void* data, std::size_t bytes)
 }
 }
 
-void CellBuffers::Upload(const hasp::ClusteredCells& cells)
+void CellBuffers::Upload(const hasp::ClusteredCells& cells, std::size_t blockBytes)
 {
   this->Release();
   if (cells.Count() == 0)
     return;
+  this->PartList = hasp::DivideClusters(cells, blockBytes);
   const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
   this->Clusters = MakeBuffer(cells.clusters.data(), bytes(cells.clusters));
   try
@@ -43,37 +43,10 @@ void CellBuffers::Upload(const hasp::ClusteredCells& cells)
     throw;
   }
   this->ByteCount = bytes(cells.clusters) + bytes(cells.corners);
-  this->Divide(cells);
-  glGenVertexArrays(1, &this->VertexArray); // core profiles draw nothing without one
-}
-
-void CellBuffers::Divide(const hasp::ClusteredCells& cells)
-{
-  GLint blockLimit = 0;
-  glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &blockLimit);
-  // Offsets of bound ranges must be multiples of what is at most 256 bytes: 8 clusters, 64 words.
-  constexpr std::size_t clusterStep = 8, wordStep = 64;
-  const std::size_t wordLimit = blockLimit / sizeof(std::uint32_t) - wordStep;
-  // A vertex's number, 512 * 6 a cluster, must fit a GLint.
-  const std::size_t clusterLimit =
-    std::min<std::size_t>(blockLimit / sizeof(hasp::CellCluster), 0x7FFFFFFF / (512 * 6));
-  const std::size_t count = cells.clusters.size();
-  const auto wordAt = [&](std::size_t c)
-  { return c < count ? cells.clusters[c].firstWord : cells.corners.size(); };
-  for (std::size_t first = 0, end = 0; first < count; first = end)
-  {
-    const std::size_t firstWord = wordAt(first) / wordStep * wordStep;
-    const auto fits = [&](std::size_t to)
-    { return to - first <= clusterLimit && wordAt(to) - firstWord <= wordLimit; };
-    while (end < count && fits(std::min(end + clusterStep, count)))
-      end = std::min(end + clusterStep, count);
-    // Two words more: the last pair of corners is read as whole words.
-    this->Parts.push_back(
-      { first, end, firstWord, std::min(wordAt(end) + 2, cells.corners.size()) });
-  }
-  this->CellCounts.reserve(count);
+  this->CellCounts.reserve(cells.clusters.size());
   for (const hasp::CellCluster& cluster : cells.clusters)
     this->CellCounts.push_back(static_cast<std::uint16_t>(cluster.CellCount()));
+  glGenVertexArrays(1, &this->VertexArray); // core profiles draw nothing without one
 }
 
 void CellBuffers::Release()
@@ -87,38 +60,52 @@ void CellBuffers::Release()
   *this = {};
 }
 
-void CellBuffers::Draw(const std::vector<std::uint32_t>& clusters, unsigned int primitive,
-  int verticesPerCell, const std::function<void(int)>& setFirstWord) const
+void CellBuffers::Bind(const hasp::ClusterPart& part) const
 {
-  if (!this->Uploaded() || clusters.empty())
-    return;
-  glBindVertexArray(this->VertexArray);
-  std::vector<GLint> firsts;
-  std::vector<GLsizei> counts;
-  auto next = clusters.begin();
-  for (const Part& part : this->Parts)
+  const auto bind = [](GLuint slot, GLuint buffer, std::size_t from, std::size_t to)
   {
-    firsts.clear();
-    counts.clear();
-    for (; next != clusters.end() && *next < part.end; ++next)
-    {
-      firsts.push_back(static_cast<GLint>((*next - part.first) * 512 * verticesPerCell));
-      counts.push_back(this->CellCounts[*next] * verticesPerCell);
-    }
-    if (firsts.empty())
-      continue;
-    const auto bind = [](GLuint slot, GLuint buffer, std::size_t from, std::size_t to)
-    {
-      glBindBufferRange(
-        GL_SHADER_STORAGE_BUFFER, slot, buffer, GLintptr(from), GLsizeiptr(to - from));
-    };
-    bind(0, this->Clusters, part.first * sizeof(hasp::CellCluster),
-      part.end * sizeof(hasp::CellCluster));
-    bind(1, this->Corners, part.firstWord * sizeof(GLuint), part.endWord * sizeof(GLuint));
-    setFirstWord(static_cast<int>(part.firstWord));
-    glMultiDrawArrays(primitive, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
-  }
+    glBindBufferRange(
+      GL_SHADER_STORAGE_BUFFER, slot, buffer, GLintptr(from), GLsizeiptr(to - from));
+  };
+  bind(0, this->Clusters, part.first * sizeof(hasp::CellCluster),
+    part.end * sizeof(hasp::CellCluster));
+  bind(1, this->Corners, part.firstWord * sizeof(GLuint), part.endWord * sizeof(GLuint));
+}
+
+void CellBuffers::BindVertexArray() const
+{
+  glBindVertexArray(this->VertexArray);
+}
+
+void CellBuffers::Unbind() const
+{
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, 0);
   glBindVertexArray(0);
+}
+
+void CellBuffers::Draw(
+  const CellDraws& draws, const std::function<void(const DrawRange&)>& prepare) const
+{
+  if (draws.ranges.empty())
+    return;
+  this->BindVertexArray();
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (const DrawRange& range : draws.ranges)
+  {
+    firsts.clear();
+    counts.clear();
+    const int vertices = range.VerticesPerCell();
+    for (std::size_t n = range.first; n < range.first + range.count; ++n)
+    {
+      firsts.push_back(static_cast<GLint>(draws.entries[n] * 512 * vertices));
+      counts.push_back(this->CellCounts[range.part.first + draws.entries[n]] * vertices);
+    }
+    this->Bind(range.part);
+    prepare(range);
+    glMultiDrawArrays(range.points ? GL_POINTS : GL_TRIANGLES, firsts.data(), counts.data(),
+      static_cast<GLsizei>(firsts.size()));
+  }
+  this->Unbind();
 }

@@ -1,7 +1,7 @@
 #ifndef CellBuffers_h
 #define CellBuffers_h
 
-#include "Isosurface/ClusterCulling.h"
+#include "CellDraws.h"
 
 #include <functional>
 
@@ -10,29 +10,28 @@
 class CellBuffers
 {
 public:
-  /// Replaces what was there. Throws std::runtime_error if the GPU has no memory for it.
-  void Upload(const hasp::ClusteredCells& cells);
+  /// Replaces what was there, divided for storage blocks of blockBytes (DivideClusters). Throws
+  /// std::runtime_error if the GPU has no memory for it.
+  void Upload(const hasp::ClusteredCells& cells, std::size_t blockBytes);
   void Release();
   bool Uploaded() const { return this->VertexArray != 0; }
   std::size_t Bytes() const { return this->ByteCount; }
+  const std::vector<hasp::ClusterPart>& Parts() const { return this->PartList; }
 
-  /// Draws clusters, given by number in ascending order, `verticesPerCell` vertices a cell, as
-  /// `primitive` (GL_POINTS, GL_TRIANGLES). A storage block has a largest size: clusters are bound
-  /// in parts, and before each `setFirstWord(word of the first corner bound)` is called.
-  void Draw(const std::vector<std::uint32_t>& clusters, unsigned int primitive, int verticesPerCell,
-    const std::function<void(int)>& setFirstWord) const;
+  /// Binds the clusters of a part as storage block 0 and their corners as 1.
+  void Bind(const hasp::ClusterPart& part) const;
+  /// A vertex array for draws that pull their vertices from storage blocks.
+  void BindVertexArray() const;
+  /// Unbinds storage blocks and vertex array.
+  void Unbind() const;
+
+  /// Draws all ranges; each is bound, then `prepare` is called, then it is drawn.
+  void Draw(const CellDraws& draws, const std::function<void(const DrawRange&)>& prepare) const;
 
 private:
-  /// Clusters [first, end) and their corners fit a storage block each.
-  struct Part
-  {
-    std::size_t first, end, firstWord, endWord;
-  };
-  void Divide(const hasp::ClusteredCells& cells);
-
   unsigned int Clusters = 0, Corners = 0, VertexArray = 0;
   std::size_t ByteCount = 0;
-  std::vector<Part> Parts;
+  std::vector<hasp::ClusterPart> PartList;
   std::vector<std::uint16_t> CellCounts; ///< of each cluster
 };
 

@@ -3,6 +3,7 @@
 #include "CellLayout.h"
 #include "CellScene.h"
 #include "RayRoot.h"
+#include "ShaderSlots.h"
 #include "vtkHaspClusteredCellFS.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspClusteredCellVS.h"
@@ -22,14 +23,6 @@
 
 namespace
 {
-
-void Fill(std::string& shader, const std::string& slot, const std::string& text)
-{
-  const std::string line = "//Hasp::" + slot;
-  const std::size_t at = shader.find(line);
-  if (at != std::string::npos)
-    shader.replace(at, line.size(), text);
-}
 
 std::string CornerDefines(const hasp::ClusteredCells& cells)
 {
@@ -105,8 +98,8 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
 {
   const auto start = std::chrono::steady_clock::now();
   std::string vertex = vtkHaspClusteredCellVS, geometry, fragment = vtkHaspClusteredCellFS;
-  Fill(vertex, "CellLayout", CellLayout);
-  Fill(fragment, "RayRoot", RayRoot);
+  FillSlot(vertex, "CellLayout", CellLayout);
+  FillSlot(fragment, "RayRoot", RayRoot);
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
   for (vtkOpenGLRenderPass* pass : passes)
   {
@@ -116,8 +109,8 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
   std::string defines = CornerDefines(mapper->GetCells()) + scene.Defines();
   if (selector)
     defines += "#define HASP_SELECTION\n";
-  Fill(vertex, "Defines", defines);
-  Fill(fragment, "Defines", defines + NameOutputs(fragment));
+  FillSlot(vertex, "Defines", defines);
+  FillSlot(fragment, "Defines", defines + NameOutputs(fragment));
 
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     vertex.c_str(), fragment.c_str(), geometry.c_str());

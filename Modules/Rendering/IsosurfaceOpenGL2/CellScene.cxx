@@ -22,6 +22,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -171,4 +172,28 @@ void CellScene::SetUniforms(vtkShaderProgram* program) const
   perLight("lightPosition", this->lightPosition);
   perLight("lightAttenuation", this->lightAttenuation);
   perLight("lightCone", this->lightCone);
+}
+
+void CellScene::SetBoxUniforms(vtkShaderProgram* program) const
+{
+  const glm::dmat4 clipToIndex = glm::inverse(this->indexToClip);
+  const glm::vec4 eye = EyeInIndex(clipToIndex, this->parallelProjection);
+  // A step of one mm to the side, in pixels at w = 1; then of one pixel, in voxels along each axis.
+  const glm::dmat4 viewToClip = this->indexToClip * glm::inverse(this->indexToView);
+  const glm::dvec2 pixelsPerMm =
+    0.5 * glm::dvec2(this->viewportSize) *
+    glm::dvec2(glm::length(glm::dvec2(viewToClip[0])), glm::length(glm::dvec2(viewToClip[1])));
+  const double mmPerPixel = 1.0 / std::min(pixelsPerMm.x, pixelsPerMm.y);
+  const glm::dmat3 viewToIndex = glm::inverse(glm::dmat3(this->indexToView));
+  glm::vec3 voxelsPerPixel;
+  for (int a = 0; a < 3; ++a)
+    voxelsPerPixel[a] = static_cast<float>(mmPerPixel * glm::length(glm::row(viewToIndex, a)));
+  // Places are rounded to 2^-24 of their distance from the origin and from the eye.
+  const double far = glm::length(glm::dvec3(glm::inverse(this->indexToView)[3]));
+  const glm::vec2 size(this->viewportSize);
+  SetMatrix(program, "indexToClip", this->indexToClip);
+  program->SetUniform4f("eyeIndex", &eye.x);
+  program->SetUniform3f("voxelsPerPixel", &voxelsPerPixel.x);
+  program->SetUniformf("roundingVoxels", static_cast<float>(0.01 + 1e-6 * far));
+  program->SetUniform2f("viewport", &size.x);
 }

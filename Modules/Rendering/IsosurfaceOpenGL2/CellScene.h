@@ -38,6 +38,8 @@ struct CellScene
   std::string Defines() const;
   /// RENDER thread, with a program of that variant bound.
   void SetUniforms(vtkShaderProgram* program) const;
+  /// Of the program that draws the boxes of clusters (OcclusionCulling). RENDER thread.
+  void SetBoxUniforms(vtkShaderProgram* program) const;
 };
 
 #endif

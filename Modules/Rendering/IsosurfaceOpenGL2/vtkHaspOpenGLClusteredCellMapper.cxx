@@ -1,7 +1,6 @@
 #include "vtkHaspOpenGLClusteredCellMapper.h"
 
-#include "CellBuffers.h"
-#include "CellProgram.h"
+#include "CellContext.h"
 #include "CellScene.h"
 #include "HaspGL.h"
 
@@ -10,13 +9,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkWeakPointer.h"
 
-#include <chrono>
-#include <stdexcept>
+#include <algorithm>
+#include <exception>
 
 vtkStandardNewMacro(vtkHaspOpenGLClusteredCellMapper);
 
@@ -56,71 +55,72 @@ double LargestPoint()
   return sizes[1] - 1.0;
 }
 
+/// Can what is drawn now hide what is drawn later in this pass?
+bool HidesWhatIsBehind(vtkActor* actor)
+{
+  GLint function = 0;
+  GLboolean writes = GL_FALSE;
+  glGetIntegerv(GL_DEPTH_FUNC, &function);
+  glGetBooleanv(GL_DEPTH_WRITEMASK, &writes);
+  return writes && glIsEnabled(GL_DEPTH_TEST) && (function == GL_LEQUAL || function == GL_LESS) &&
+         !actor->IsRenderingTranslucentPolygonalGeometry();
+}
+
+/// While one lives, vertex shaders give points their size.
+class PointSizeScope
+{
+public:
+  PointSizeScope() : Sized(glIsEnabled(GL_PROGRAM_POINT_SIZE)) { glEnable(GL_PROGRAM_POINT_SIZE); }
+  ~PointSizeScope()
+  {
+    if (!this->Sized)
+      glDisable(GL_PROGRAM_POINT_SIZE);
+  }
+  PointSizeScope(const PointSizeScope&) = delete;
+  PointSizeScope& operator=(const PointSizeScope&) = delete;
+
+private:
+  bool Sized;
+};
+
 } // namespace
 
 struct vtkHaspOpenGLClusteredCellMapper::OpenGL
 {
-  CellBuffers Buffers;
-  CellProgram Program;
-  vtkMTimeType CellsTime = 0; ///< of what is uploaded
-  double UploadMilliseconds = 0.0;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkMTimeType Context = 0; ///< creation time, unique, of the window's context all this lives in
+  std::vector<std::unique_ptr<CellContext>> Contexts; ///< of windows that drew this mapper
 
-  bool LivesIn(vtkOpenGLRenderWindow* window) const
+  /// The context of the window, which is current.
+  CellContext& Of(vtkOpenGLRenderWindow* window)
   {
-    return window && window->GetContextCreationTime() == this->Context;
+    std::erase_if(this->Contexts, [](const auto& context) { return context->IsLost(); });
+    for (const auto& context : this->Contexts)
+      if (context->IsOf(window))
+        return *context;
+    return *this->Contexts.emplace_back(std::make_unique<CellContext>(window));
   }
 
-  /// Back to nothing. What died with its context is forgotten, for its names may be others' by now.
   void Free(vtkOpenGLRenderWindow* window)
   {
-    if (this->LivesIn(window))
-    {
-      window->PushContext();
-      if (window->IsCurrent())
-        this->Buffers.Release();
-      window->PopContext();
-    }
-    *this = {};
-  }
-
-  void Upload(const hasp::ClusteredCells& cells, vtkMTimeType time)
-  {
-    if (time == this->CellsTime)
-      return;
-    const auto start = std::chrono::steady_clock::now();
-    this->Buffers.Upload(cells);
-    this->CellsTime = time;
-    this->UploadMilliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  }
-
-  void Draw(vtkShaderProgram* program, const hasp::VisibleClusters& visible) const
-  {
-    const auto setFirstWord = [&](int first) { program->SetUniformi("firstWord", first); };
-    const bool sized = glIsEnabled(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    program->SetUniformi("points", 1);
-    this->Buffers.Draw(visible.points, GL_POINTS, 1, setFirstWord);
-    if (!sized)
-      glDisable(GL_PROGRAM_POINT_SIZE);
-    program->SetUniformi("points", 0);
-    this->Buffers.Draw(visible.rectangles, GL_TRIANGLES, 6, setFirstWord);
+    for (const auto& context : this->Contexts)
+      if (context->IsOf(window))
+        context->Free(window);
+    std::erase_if(this->Contexts, [](const auto& context) { return context->IsLost(); });
   }
 };
 
 vtkHaspOpenGLClusteredCellMapper::vtkHaspOpenGLClusteredCellMapper() : GL(new OpenGL) {}
-vtkHaspOpenGLClusteredCellMapper::~vtkHaspOpenGLClusteredCellMapper()
-{
-  this->GL->Free(this->GL->Window);
-}
+vtkHaspOpenGLClusteredCellMapper::~vtkHaspOpenGLClusteredCellMapper() = default;
 
 void vtkHaspOpenGLClusteredCellMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  // A window that is being deleted is no longer behind the weak pointer, but still releases.
-  auto* releasing = vtkOpenGLRenderWindow::SafeDownCast(window);
-  this->GL->Free(this->GL->LivesIn(releasing) ? releasing : this->GL->Window.Get());
+  this->GL->Free(vtkOpenGLRenderWindow::SafeDownCast(window));
+}
+
+std::size_t vtkHaspOpenGLClusteredCellMapper::GetStorageBlockBytes() const
+{
+  GLint bytes = 0;
+  glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  return static_cast<std::size_t>(bytes);
 }
 
 void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* actor)
@@ -128,52 +128,81 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->UpdateCells())
     return;
-  if (!this->GL->LivesIn(window)) // a mapper draws in one window at a time
-  {
-    this->GL->Free(this->GL->Window);
-    window->MakeCurrent(); // not every window brings the last context back
-    this->GL->Window = window;
-    this->GL->Context = window->GetContextCreationTime();
-  }
+  window->MakeCurrent(); // not every window brings the last context back
+  CellContext& context = this->GL->Of(window);
   try
   {
-    this->GL->Upload(this->GetCells(), this->GetCellsTime());
+    context.Upload(this->GetCells(), this->GetCellsTime(), this->GetStorageBlockBytes());
+    if (!this->OcclusionCulling)
+      context.Culling.Release();
+    if (context.Buffers.Uploaded()) // else no surface at this isovalue
+      this->Draw(context, renderer, actor);
   }
   catch (const std::exception& e)
   {
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
-    return;
   }
-  if (!this->GL->Buffers.Uploaded())
-    return; // no surface at this isovalue
+}
 
+void vtkHaspOpenGLClusteredCellMapper::Draw(
+  CellContext& context, vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const CellScene scene(this, renderer, actor);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
-  vtkShaderProgram* program = this->GL->Program.Ready(window, this, actor, scene, selector);
+  vtkShaderProgram* program = context.Program.Ready(window, this, actor, scene, selector);
   if (!program)
-  {
-    vtkErrorMacro("The shaders did not compile; OpenGL 4.3 is needed.");
-    return;
-  }
+    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  this->GL->Draw(
-    program, CullClusters(this->GetCells(), scene.indexToClip, scene.viewportSize, LargestPoint()));
+  const PointSizeScope sizes;
+  const CellDraws draws(
+    CullClusters(this->GetCells(), scene.indexToClip, scene.viewportSize, LargestPoint()),
+    context.Buffers.Parts());
+  const auto prepare = [program](const DrawRange& range)
+  {
+    program->SetUniformi("points", range.points);
+    program->SetUniformi("firstWord", static_cast<int>(range.part.firstWord));
+  };
+  if (this->OcclusionCulling && !selector && HidesWhatIsBehind(actor))
+    context.UseCulling(this->GetCells(), this->GetStorageBlockBytes())
+      .Draw({ window, renderer, actor, scene, context.Buffers, draws,
+        [&] { window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
+  else
+    context.Buffers.Draw(draws, prepare);
   vtkOpenGLCheckErrorMacro("after drawing active cells");
 }
 
 void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   this->Superclass::ListResources(list);
-  const CellBuffers& buffers = this->GL->Buffers;
-  const CellProgram& program = this->GL->Program;
-  list.push_back({ "active cells, GPU", buffers.Bytes(), this->GL->UploadMilliseconds,
-    buffers.Uploaded() ? "drawn" : "nothing drawn" });
-  list.push_back({ "shader: shaded cells", 0, program.ShadeMilliseconds(),
-    program.ShadeMilliseconds() > 0 ? "compiled at the first frame" : "nothing drawn" });
-  list.push_back({ "shader: cell selection", 0, program.SelectMilliseconds(),
-    program.SelectMilliseconds() > 0 ? "a pick was asked for" : "no pick was asked for" });
+  hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing drawn" };
+  hasp::ResourceUse culling{ "occlusion culling", 0, 0.0,
+    this->OcclusionCulling ? "nothing opaque drawn" : "switched off" };
+  double shade = 0.0, select = 0.0;
+  for (const auto& context : this->GL->Contexts)
+  {
+    cells.bytes += context->Buffers.Bytes();
+    cells.milliseconds += context->UploadMilliseconds;
+    if (context->Buffers.Uploaded())
+      cells.reason = "drawn in " + std::to_string(this->GL->Contexts.size()) +
+                     (this->GL->Contexts.size() == 1 ? " window" : " windows");
+    if (context->Culling.Ready())
+    {
+      culling.bytes += context->Culling.Bytes();
+      culling.milliseconds += context->CullingMilliseconds;
+      culling.reason = "state and draw command of each cluster";
+    }
+    shade += context->Program.ShadeMilliseconds();
+    select += context->Program.SelectMilliseconds();
+  }
+  list.push_back(cells);
+  list.push_back(culling);
+  list.push_back({ "shader: shaded cells", 0, shade,
+    shade > 0 ? "compiled at the first frame" : "nothing drawn" });
+  list.push_back({ "shader: cell selection", 0, select,
+    select > 0 ? "a pick was asked for" : "no pick was asked for" });
   list.push_back({ "picking buffers", 0, 0.0, "none of its own: cell ids come from the cells" });
 }

@@ -5,8 +5,11 @@
  * Cells go to the GPU once per extraction, packed as they are (4 to 6 bytes a cell of an
  * integer volume), and are pulled by the vertex shader; there are no vertex or index buffers.
  * Shader variants are compiled when a scene first needs them: unsigned or float corners, hardware
- * selection. They live in one window at a time: a mapper shared by two is uploaded anew whenever
- * the window changes. Give each window a mapper of its own.
+ * selection. Each window that draws the mapper holds buffers of its own until it releases them;
+ * going from one to the other uploads nothing.
+ *
+ * Occlusion culling: see OcclusionCulling.h of this folder. It works where what is drawn hides what
+ * is behind it; translucent passes, depth peeling and hardware selection draw all that is in view.
  *
  * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn.
  */
@@ -15,6 +18,8 @@
 
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspRenderingIsosurfaceOpenGL2Module.h" // for export macro
+
+class CellContext;
 
 class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLClusteredCellMapper :
   public vtkHaspClusteredCellMapper
@@ -31,9 +36,15 @@ protected:
   vtkHaspOpenGLClusteredCellMapper();
   ~vtkHaspOpenGLClusteredCellMapper() override;
 
+  /// Largest storage block to bind; cells that take more are drawn in parts. What the driver says,
+  /// unless a subclass knows better. At least hasp::LeastBlockBytes. The context is current.
+  virtual std::size_t GetStorageBlockBytes() const;
+
 private:
   vtkHaspOpenGLClusteredCellMapper(const vtkHaspOpenGLClusteredCellMapper&) = delete;
   void operator=(const vtkHaspOpenGLClusteredCellMapper&) = delete;
+
+  void Draw(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
 
   struct OpenGL;
   std::unique_ptr<OpenGL> GL;

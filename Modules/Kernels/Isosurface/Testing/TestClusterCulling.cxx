@@ -80,4 +80,90 @@ TEST(ClusterCulling, WithoutPointsAllVisibleCellsAreRectangles)
   EXPECT_EQ(visible.rectangles.size(), cells.clusters.size());
 }
 
+TEST(ClusterCulling, RunsFromFrontToBack)
+{
+  const auto cells = Gyroid();
+  const glm::dmat4 clips[] = { glm::perspective(0.6, 1.0, 10.0, 300.0) *
+                                 glm::lookAt(
+                                   glm::dvec3(150, 90, 60), glm::dvec3(35), glm::dvec3(0, 0, 1)),
+    glm::ortho(-60.0, 60.0, -60.0, 60.0, -10.0, 300.0) *
+      glm::lookAt(glm::dvec3(-70, 60, 60), glm::dvec3(35), glm::dvec3(0, 0, 1)) };
+  for (const glm::dmat4& clip : clips)
+  {
+    const auto visible = CullClusters(cells, clip, { 500, 500 }, 64.0);
+    ASSERT_GT(visible.points.size(), 500U);
+    const auto depth = [&](std::uint32_t c)
+    { return (clip * glm::dvec4(glm::dvec3(cells.clusters[c].Origin()) + 4.0, 1)).z; };
+    double nearest = 1e9, farthest = -1e9;
+    for (const std::uint32_t c : visible.points)
+    {
+      nearest = std::min(nearest, depth(c));
+      farthest = std::max(farthest, depth(c));
+    }
+    for (std::size_t n = 1; n < visible.points.size(); ++n)
+      ASSERT_GE(
+        depth(visible.points[n]) - depth(visible.points[n - 1]), -(farthest - nearest) / 4095);
+  }
+}
+
+TEST(ClusterCulling, BoxesFitTheirActiveCells)
+{
+  std::mt19937 random(3);
+  for (int n = 0; n < 200; ++n)
+  {
+    hasp::CellCluster cluster;
+    glm::uvec3 first(8), last(0);
+    for (unsigned k = random() % 4; k < 4; ++k)
+    {
+      const glm::uvec3 cell(random() % 8, random() % 8, random() % 8);
+      cluster.active[cell.z] |= std::uint64_t(1) << (cell.y * 8 + cell.x);
+      first = glm::min(first, cell);
+      last = glm::max(last, cell);
+    }
+    const std::uint32_t state = hasp::UnseenState(cluster);
+    EXPECT_EQ(hasp::glsl::HaspFirstActive(state), first);
+    EXPECT_EQ(hasp::glsl::HaspLastActive(state), last);
+    for (std::uint32_t viewer = 0; viewer < hasp::glsl::HaspViewers; ++viewer)
+    {
+      EXPECT_EQ(hasp::glsl::HaspViewerBits(state, viewer), 0U);
+      const auto seen = hasp::glsl::HaspWithViewerBits(state, viewer, hasp::glsl::HaspSeen);
+      EXPECT_EQ(hasp::glsl::HaspViewerBits(seen, viewer), hasp::glsl::HaspSeen);
+      EXPECT_EQ(hasp::glsl::HaspWithViewerBits(seen, viewer, 0U), state);
+    }
+  }
+}
+
+TEST(ClusterCulling, PartsFitTheirBlocksAndAreAllThereIs)
+{
+  const auto cells = Gyroid();
+  EXPECT_THROW(DivideClusters(cells, hasp::LeastBlockBytes - 1), std::invalid_argument);
+  EXPECT_EQ(DivideClusters(cells, 128 << 20).size(), 1U);
+  EXPECT_TRUE(hasp::DivideClusters({}, 128 << 20).empty());
+  for (const std::size_t bytes : { hasp::LeastBlockBytes, std::size_t(100000) })
+  {
+    const auto parts = DivideClusters(cells, bytes);
+    EXPECT_GT(parts.size(), 1U);
+    std::size_t next = 0;
+    for (const hasp::ClusterPart& part : parts)
+    {
+      EXPECT_EQ(part.first, next);
+      EXPECT_GT(part.end, part.first);
+      next = part.end;
+      EXPECT_EQ(part.first * sizeof(hasp::CellCluster) % 256, 0U);
+      EXPECT_EQ(part.firstWord * 4 % 256, 0U);
+      EXPECT_LE((part.end - part.first) * sizeof(hasp::CellCluster), bytes);
+      EXPECT_LE((part.endWord - part.firstWord) * 4, bytes);
+      for (std::size_t c = part.first; c < part.end; ++c)
+      {
+        const hasp::CellCluster& cluster = cells.clusters[c];
+        EXPECT_GE(cluster.firstWord, part.firstWord);
+        // a pair of corners is read as two words
+        const std::size_t bits = std::size_t(cluster.CornerCount() - 1) * cluster.Width();
+        EXPECT_LT(cluster.firstWord + bits / 32 + 1, part.endWord);
+      }
+    }
+    EXPECT_EQ(next, cells.clusters.size());
+  }
+}
+
 } // namespace

@@ -56,6 +56,11 @@ layout(location = 0) out vec4 fragOutput0;
 
 // Cells reach this far into their neighbours, so that no ray slips between two of them. In voxels.
 const float Overlap = 1e-4;
+// What is met in that overlap, and so by the neighbour too, is set back by so much: in voxels, well more than
+// the overlap, and in units of 2^-24 of the depth range, for it may be rounded. So the neighbour's own hit
+// wins, whoever is drawn first.
+const float SetBack = 5e-4;
+const float SetBackDepth = 4.0 / 16777216.0;
 
 // The point of the pixel's ray in the plane through the cell's middle, parallel to the screen, in cell
 // coordinates. Points in world or eye coordinates would not do: a million voxels away float has no digits
@@ -67,12 +72,13 @@ vec3 PointOnRay()
   return (clipToIndex * vec4(device * (cellClip.w + middle.w) - cellClip.xy, middle.zw)).xyz;
 }
 
-// The part of the ray inside the cell and the clipping planes, as two points in cell coordinates.
-bool ClipRay(out vec3 a, out vec3 b)
+// The part of the ray inside the cell and the clipping planes, as two points in cell coordinates, and its
+// direction, the largest component of which is 1.
+bool ClipRay(out vec3 a, out vec3 b, out vec3 direction)
 {
   vec3 onRay = PointOnRay();
   vec3 cellIndex = vec3(cell.xyz);
-  vec3 direction = (onRay + cellIndex) * eyeIndex.w - eyeIndex.xyz;
+  direction = (onRay + cellIndex) * eyeIndex.w - eyeIndex.xyz;
   direction /= max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
   vec3 safe = mix(direction, vec3(1e-12), lessThan(abs(direction), vec3(1e-12)));
   vec3 wall0 = (vec3(-Overlap) - onRay) / safe, wall1 = (vec3(1.0 + Overlap) - onRay) / safe;
@@ -129,14 +135,17 @@ vec3 Shade(vec3 position, vec3 normal)
 
 void main()
 {
-  vec3 a, b;
+  vec3 a, b, direction;
   float s;
-  if (!ClipRay(a, b) || !HaspFirstRoot(HaspRayBernstein(low, high, a, b), s))
+  if (!ClipRay(a, b, direction) || !HaspFirstRoot(HaspRayBernstein(low, high, a, b), s))
     discard;
   vec3 hit = mix(a, b, s);
-  vec2 clip = cellClip.zw + hit.x * indexToClip[0].zw + hit.y * indexToClip[1].zw +
-    hit.z * indexToClip[2].zw;
-  gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far);
+  bool own = all(greaterThanEqual(hit, vec3(0.0))) && all(lessThan(hit, vec3(1.0)));
+  vec3 shown = own ? hit : hit + SetBack * direction;
+  vec2 clip = cellClip.zw + shown.x * indexToClip[0].zw + shown.y * indexToClip[1].zw +
+    shown.z * indexToClip[2].zw;
+  gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far) +
+    (own ? 0.0 : SetBackDepth);
 
   //VTK::DepthPeeling::PreColor
 #ifdef HASP_SELECTION

@@ -47,15 +47,15 @@ struct BallScene : CellTestScene
   }
 };
 
-std::size_t GPUBytes(vtkHaspClusteredCellMapper* mapper)
+hasp::ResourceUse GPUCells(vtkHaspClusteredCellMapper* mapper)
 {
   hasp::ResourceList list;
   mapper->ListResources(list);
   for (const auto& use : list)
     if (use.resource == "active cells, GPU")
-      return use.bytes;
+      return use;
   ADD_FAILURE();
-  return 0;
+  return {};
 }
 
 int BuffersOf(vtkRenderWindow* window)
@@ -84,6 +84,35 @@ TEST_F(CellLives, AMapperMovesBetweenWindows)
     EXPECT_TRUE(second.Shows()) << n;
     EXPECT_TRUE(first.Shows()) << n;
   }
+}
+
+TEST_F(CellLives, TwoWindowsOfOneMapperUploadOnceEach)
+{
+  BallScene first;
+  auto second = std::make_unique<BallScene>();
+  second->Mapper = first.Mapper;
+  second->Actor->SetMapper(first.Mapper);
+  ASSERT_TRUE(first.Shows());
+  const auto once = GPUCells(first.Mapper);
+  ASSERT_TRUE(second->Shows());
+  const auto both = GPUCells(first.Mapper);
+  EXPECT_EQ(both.bytes, 2 * once.bytes);
+  EXPECT_GT(both.milliseconds, once.milliseconds);
+  for (int n = 0; n < 3; ++n)
+  {
+    EXPECT_TRUE(first.Shows());
+    EXPECT_TRUE(second->Shows());
+    EXPECT_EQ(GPUCells(first.Mapper).milliseconds, both.milliseconds) << "something was uploaded";
+  }
+  first.Mapper->SetIsoValue(100); // a smaller ball, in both
+  EXPECT_TRUE(first.Shows());
+  EXPECT_TRUE(second->Shows());
+  const auto smaller = GPUCells(first.Mapper);
+  EXPECT_NE(smaller.milliseconds, both.milliseconds);
+  EXPECT_LT(smaller.bytes, both.bytes);
+  second.reset();
+  EXPECT_EQ(GPUCells(first.Mapper).bytes, smaller.bytes / 2);
+  EXPECT_TRUE(first.Shows());
 }
 
 TEST_F(CellLives, AMapperOutlivesAWindowThatForgotIt)
@@ -168,7 +197,7 @@ TEST_F(CellLives, ChangedInputIsSeenAndWhatIsBrokenIsAnError)
   const vtkSmartPointer<vtkDataArray> ball = image->GetPointData()->GetScalars();
   image->GetPointData()->SetScalars(nothing);
   EXPECT_FALSE(scene.Shows());
-  EXPECT_EQ(GPUBytes(scene.Mapper), 0U);
+  EXPECT_EQ(GPUCells(scene.Mapper).bytes, 0U);
   image->GetPointData()->SetScalars(ball);
   EXPECT_TRUE(scene.Shows());
   // An extent without samples for it: an error, not a crash.
@@ -245,7 +274,8 @@ TEST_F(CellLives, OpenGLIsLeftAsItWasFound)
     GL_PROGRAM_POINT_SIZE, GL_SCISSOR_TEST, GL_STENCIL_TEST };
   const GLenum values[] = { GL_ACTIVE_TEXTURE, GL_ARRAY_BUFFER_BINDING, GL_BLEND_DST_ALPHA,
     GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_SRC_RGB, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK,
-    GL_DRAW_FRAMEBUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING };
+    GL_DRAW_FRAMEBUFFER_BINDING, GL_DRAW_INDIRECT_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_BINDING,
+    GL_VERTEX_ARRAY_BINDING };
   const auto state = [&]
   {
     std::vector<GLint> all;
@@ -253,7 +283,10 @@ TEST_F(CellLives, OpenGLIsLeftAsItWasFound)
       all.push_back(glIsEnabled(name));
     for (const GLenum name : values)
       glGetIntegerv(name, &all.emplace_back());
-    for (GLuint slot = 0; slot < 2; ++slot)
+    GLint colors[4];
+    glGetIntegerv(GL_COLOR_WRITEMASK, colors);
+    all.insert(all.end(), colors, colors + 4);
+    for (GLuint slot = 0; slot < 8; ++slot)
       glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, slot, &all.emplace_back());
     return all;
   };

@@ -1,0 +1,48 @@
+#ifndef CellContext_h
+#define CellContext_h
+
+#include "CellBuffers.h"
+#include "CellProgram.h"
+#include "OcclusionCulling.h"
+
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+class vtkOpenGLRenderWindow;
+
+/// What a mapper holds in the OpenGL context of one window. It is made when the window first draws
+/// the mapper. Threads: RENDER.
+class CellContext
+{
+public:
+  explicit CellContext(vtkOpenGLRenderWindow* window);
+  /// Lets go of everything; what died with its context is forgotten, for its names may be others'
+  /// by now. The context that was current stays so.
+  ~CellContext();
+  CellContext(const CellContext&) = delete;
+  CellContext& operator=(const CellContext&) = delete;
+
+  /// Is this the context the window has now?
+  bool IsOf(vtkOpenGLRenderWindow* window) const;
+  /// The window is gone, or has another context by now.
+  bool IsLost() const { return !this->IsOf(this->Window); }
+  /// To be called for a window that is being deleted: it is no longer behind the weak pointer.
+  void Free(vtkOpenGLRenderWindow* window);
+
+  /// Brings the buffers up to date; the context must be current. Throws std::runtime_error.
+  void Upload(const hasp::ClusteredCells& cells, vtkMTimeType time, std::size_t blockBytes);
+  /// Likewise for culling, which needs memory of its own.
+  OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes);
+
+  CellBuffers Buffers;
+  CellProgram Program;
+  OcclusionCulling Culling;
+  double UploadMilliseconds = 0.0, CullingMilliseconds = 0.0;
+
+private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkMTimeType CreationTime;  ///< of the context; unique
+  vtkMTimeType CellsTime = 0; ///< of what is uploaded
+};
+
+#endif

@@ -1,0 +1,204 @@
+#include "OcclusionCulling.h"
+
+#include "CellBuffers.h"
+#include "CellLayout.h"
+#include "CellScene.h"
+#include "ClusterState.h"
+#include "HaspGL.h"
+#include "ShaderSlots.h"
+#include "vtkHaspClusterBoxFS.h"
+#include "vtkHaspClusterBoxVS.h"
+#include "vtkHaspClusterCommandsCS.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+constexpr std::size_t CommandBytes = 4 * sizeof(GLuint);
+constexpr std::size_t Pieces = 4;
+
+std::string WithParts(std::string shader)
+{
+  FillSlot(shader, "CellLayout", CellLayout);
+  FillSlot(shader, "ClusterState", ClusterState);
+  return shader;
+}
+
+unsigned int MakeBuffer(GLenum target, const void* data, std::size_t bytes, GLenum use)
+{
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(bytes), data, use);
+  glBindBuffer(target, 0);
+  return buffer;
+}
+
+/// VTK's shader cache knows no compute shaders.
+unsigned int MakeComputeProgram(const std::string& text)
+{
+  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+  const char* source = text.c_str();
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  const GLuint program = glCreateProgram();
+  glAttachShader(program, shader);
+  glLinkProgram(program);
+  glDeleteShader(shader); // when the program goes
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked)
+    return program;
+  glDeleteProgram(program);
+  throw std::runtime_error("the shader that writes draw commands did not compile");
+}
+
+} // namespace
+
+void OcclusionCulling::Reset(const hasp::ClusteredCells& cells, std::size_t blockBytes)
+{
+  this->Release();
+  const std::size_t count = cells.clusters.size();
+  if (count == 0)
+    return;
+  if (count * CommandBytes > blockBytes)
+    throw std::runtime_error(std::to_string(count) + " clusters are too many for a block of " +
+                             std::to_string(blockBytes >> 20) + " MiB of draw commands");
+  std::vector<std::uint32_t> states;
+  states.reserve(count);
+  for (const hasp::CellCluster& cluster : cells.clusters)
+    states.push_back(hasp::UnseenState(cluster));
+  this->CommandProgram = MakeComputeProgram(WithParts(vtkHaspClusterCommandsCS));
+  const std::size_t words = count * sizeof(GLuint);
+  this->States = MakeBuffer(GL_SHADER_STORAGE_BUFFER, states.data(), words, GL_DYNAMIC_COPY);
+  this->Order = MakeBuffer(GL_SHADER_STORAGE_BUFFER, nullptr, words, GL_STREAM_DRAW);
+  this->Commands =
+    MakeBuffer(GL_DRAW_INDIRECT_BUFFER, nullptr, count * CommandBytes, GL_DYNAMIC_COPY);
+  this->ByteCount = 2 * words + count * CommandBytes;
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Release();
+    throw std::runtime_error("the GPU has no room for the state of its clusters");
+  }
+}
+
+void OcclusionCulling::Release()
+{
+  for (unsigned int* buffer : { &this->States, &this->Order, &this->Commands })
+    if (*buffer)
+      glDeleteBuffers(1, buffer);
+  if (this->CommandProgram)
+    glDeleteProgram(this->CommandProgram);
+  *this = {};
+}
+
+int OcclusionCulling::ViewerOf(const Frame& frame)
+{
+  for (std::size_t v = 0; v < this->Viewers.size(); ++v)
+    if (this->Viewers[v].renderer == frame.renderer && this->Viewers[v].actor == frame.actor)
+      return static_cast<int>(v);
+  const std::size_t viewer = this->NextViewer++ % hasp::glsl::HaspViewers;
+  this->Viewers.resize(std::max(this->Viewers.size(), viewer + 1));
+  this->Viewers[viewer] = { frame.renderer, frame.actor };
+  return static_cast<int>(viewer); // what its forerunner saw is a guess like any other
+}
+
+void OcclusionCulling::Draw(const Frame& frame)
+{
+  const CellDraws& draws = frame.draws;
+  if (draws.ranges.empty())
+    return;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Order);
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+    static_cast<GLsizeiptr>(draws.entries.size() * sizeof(GLuint)), draws.entries.data());
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, this->States);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, this->Order);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, this->Commands);
+  frame.buffers.BindVertexArray();
+
+  const int viewer = this->ViewerOf(frame);
+  for (const DrawRange& range : draws.ranges)
+    this->WriteCommands(frame, range, viewer, false);
+  for (const DrawRange& range : draws.ranges)
+    this->DrawCells(frame, range);
+  for (std::size_t piece = 0; piece < Pieces; ++piece)
+  {
+    for (const DrawRange& range : draws.ranges)
+      this->TestBoxes(frame, range.Piece(piece, Pieces), viewer);
+    for (const DrawRange& range : draws.ranges)
+      this->WriteCommands(frame, range.Piece(piece, Pieces), viewer, true);
+    for (const DrawRange& range : draws.ranges)
+      this->DrawCells(frame, range.Piece(piece, Pieces));
+  }
+  for (GLuint slot = 2; slot < 5; ++slot)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, 0);
+  frame.buffers.Unbind();
+}
+
+void OcclusionCulling::WriteCommands(
+  const Frame& frame, const DrawRange& range, int viewer, bool late) const
+{
+  if (range.count == 0)
+    return;
+  frame.buffers.Bind(range.part);
+  frame.window->GetShaderCache()->ReleaseCurrentShader(); // VTK must not take it for still bound
+  const GLuint program = this->CommandProgram;
+  glUseProgram(program);
+  const auto set = [program](const char* name, std::size_t value)
+  { glUniform1i(glGetUniformLocation(program, name), static_cast<GLint>(value)); };
+  set("firstEntry", range.first);
+  set("entryCount", range.count);
+  set("firstCluster", range.part.first);
+  set("verticesPerCell", range.VerticesPerCell());
+  set("viewer", viewer);
+  set("late", late);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // what the boxes' fragments wrote
+  glDispatchCompute(static_cast<GLuint>((range.count + 127) / 128), 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  glUseProgram(0);
+}
+
+void OcclusionCulling::TestBoxes(const Frame& frame, const DrawRange& range, int viewer) const
+{
+  if (range.count == 0)
+    return;
+  static const std::string vertex = WithParts(vtkHaspClusterBoxVS),
+                           fragment = WithParts(vtkHaspClusterBoxFS);
+  vtkShaderProgram* program =
+    frame.window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  if (!program)
+    throw std::runtime_error("the shaders of the clusters' boxes did not compile");
+  frame.scene.SetBoxUniforms(program);
+  program->SetUniformi("firstCluster", static_cast<int>(range.part.first));
+  program->SetUniformi("viewer", viewer);
+  frame.buffers.Bind(range.part);
+  vtkOpenGLState* state = frame.window->GetState();
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDrawArrays(
+    GL_TRIANGLES, static_cast<GLint>(range.first * 18), static_cast<GLsizei>(range.count * 18));
+}
+
+void OcclusionCulling::DrawCells(const Frame& frame, const DrawRange& range) const
+{
+  if (range.count == 0)
+    return;
+  frame.ready();
+  frame.buffers.Bind(range.part);
+  frame.prepare(range);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, this->Commands);
+  glMultiDrawArraysIndirect(range.points ? GL_POINTS : GL_TRIANGLES,
+    reinterpret_cast<const void*>(range.first * CommandBytes), static_cast<GLsizei>(range.count),
+    0);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
