@@ -24,7 +24,7 @@ std::size_t CellTracer::Bytes() const
 std::optional<CellHit> CellTracer::Trace(const CellRay& ray) const
 {
   CellWalkRay walk;
-  Scene::Entry entry;
+  CellWalkEntry entry;
   if (!this->Embree->Enter(ray, walk, entry))
     return std::nullopt;
   this->Embree->Nearest(walk);
@@ -36,7 +36,7 @@ std::optional<CellHit> CellTracer::Trace(const CellRay& ray) const
 bool CellTracer::Occluded(const CellRay& ray) const
 {
   CellWalkRay walk;
-  Scene::Entry entry;
+  CellWalkEntry entry;
   return this->Embree->Enter(ray, walk, entry) && this->Embree->Any(walk);
 }
 

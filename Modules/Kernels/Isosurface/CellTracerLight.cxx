@@ -75,7 +75,7 @@ bool CellTracer::LeavesBlocked(
   const GridGeometry& g = this->Cells().geometry;
   const glm::dvec3 along = glm::transpose(g.direction) * direction / g.spacing;
   CellWalkRay walk;
-  Scene::Entry entry;
+  CellWalkEntry entry;
   if (!this->Embree->Enter({ hit.Position(), along, 0.0, distanceMm }, walk, entry))
     return false;
   walk.fromSurface = true;

@@ -91,7 +91,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
   const auto packet = [&](const glm::ivec2& from)
   {
     CellWalkRay walks[Scene::PacketSize];
-    Scene::Entry entries[Scene::PacketSize];
+    CellWalkEntry entries[Scene::PacketSize];
     bool any = false;
     for (int n = 0; n < Scene::PacketSize; ++n)
     {
@@ -99,8 +99,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
       CellRay ray;
       const bool meets = at.x < view.size.x && at.y < view.size.y && rays.Of(at.x, at.y, ray) &&
                          this->Embree->Enter(ray, walks[n], entries[n]);
-      walks[n].tMin = meets ? 0.0 : 1.0;
-      walks[n].tMax = meets ? walks[n].tMax : 0.0;
+      walks[n].tMax = meets ? walks[n].tMax : -1.0;
       any |= meets;
     }
     if (!any)
@@ -108,7 +107,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
     this->Embree->Nearest(walks);
     for (int n = 0; n < Scene::PacketSize; ++n)
     {
-      if (walks[n].tMin > walks[n].tMax || !walks[n].Hit())
+      if (!walks[n].Hit())
         continue;
       const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
       const CellHit hit = this->Embree->HitOf(walks[n], entries[n]);

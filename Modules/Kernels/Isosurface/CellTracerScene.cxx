@@ -44,7 +44,7 @@ void AppendBoxes(const CellCluster& cluster, std::uint32_t number, std::vector<C
     high.x = from.x + std::bit_width(columns) - 1;
     low.y = from.y + std::countr_zero(plane) / 8;
     high.y = from.y + (static_cast<int>(std::bit_width(plane)) - 1) / 8;
-    boxes.push_back({ number, CellBox::Pack(low, high) });
+    boxes.emplace_back(cluster.Origin() + low, cluster.Origin() + high, number);
   }
 }
 
@@ -77,7 +77,7 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
   Require(this->Shared != nullptr, "there are no cells");
   const ClusteredCells& c = *this->Shared;
   c.geometry.Validate();
-  const glm::ivec3 last = c.geometry.Cells();
+  const glm::ivec3 last = this->CellCounts = c.geometry.Cells();
   for (std::size_t n = 0; n < c.clusters.size(); ++n)
   {
     const CellCluster& cluster = c.clusters[n];
@@ -89,7 +89,7 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
     AppendBoxes(cluster, static_cast<std::uint32_t>(n), this->Boxes);
   }
   for (const CellBox& box : this->Boxes)
-    Require(glm::all(glm::lessThan(c.clusters[box.cluster].Origin() + box.High(), last)),
+    Require(glm::all(glm::lessThan(box.High(), last)),
       "cluster " + std::to_string(box.cluster) + " reaches beyond the volume");
   this->Boxes.shrink_to_fit();
 
@@ -117,7 +117,7 @@ CellTracer::Scene::~Scene()
 void CellTracer::Scene::Build()
 {
   this->Tree = rtcNewScene(this->Device);
-  rtcSetSceneFlags(this->Tree, RTC_SCENE_FLAG_COMPACT);
+  rtcSetSceneFlags(this->Tree, RTC_SCENE_FLAG_NONE);
   RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(this->Boxes.size()));
   rtcSetGeometryUserData(geometry, this);
@@ -154,9 +154,8 @@ void CellTracer::Scene::Bounds(const RTCBoundsFunctionArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
   const CellBox& box = scene.Boxes[arguments->primID];
-  const glm::vec3 origin(scene.Store.clusters[box.cluster].Origin());
-  const glm::vec3 low = origin + glm::vec3(box.Low()) - scene.Margin;
-  const glm::vec3 high = origin + glm::vec3(box.High() + 1) + scene.Margin;
+  const glm::vec3 low = glm::vec3(box.Low()) - scene.Margin;
+  const glm::vec3 high = glm::vec3(box.High() + 1) + scene.Margin;
   RTCBounds& bounds = *arguments->bounds_o;
   bounds.lower_x = low.x;
   bounds.lower_y = low.y;
@@ -193,43 +192,10 @@ void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
       RTCRayN_tfar(arguments->ray, arguments->N, n) = -std::numeric_limits<float>::infinity();
 }
 
-bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, Entry& entry) const
+bool CellTracer::Scene::Enter(
+  const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
 {
-  // By the largest component first: squares of 1e-200 vanish.
-  const glm::dvec3 size = glm::abs(ray.direction);
-  const double largest = std::max({ size.x, size.y, size.z });
-  if (!(largest > 0.0 && largest < Infinity) || this->Boxes.empty())
-    return false;
-  const glm::dvec3 scaled = ray.direction / largest;
-  entry.length = largest * glm::length(scaled);
-  const glm::dvec3 direction = scaled / glm::length(scaled);
-  const glm::dvec3 most(this->Shared->geometry.Cells());
-
-  double t0 = ray.tMin * entry.length, t1 = ray.tMax * entry.length;
-  for (int a = 0; a < 3; ++a)
-  {
-    constexpr double slack = 1e-9; // voxels: what a turn into index coordinates may round off
-    if (direction[a] == 0.0)
-    {
-      if (!(ray.origin[a] >= -slack && ray.origin[a] <= most[a] + slack))
-        return false;
-      continue;
-    }
-    const double u = -ray.origin[a] / direction[a], v = (most[a] - ray.origin[a]) / direction[a];
-    t0 = std::max(t0, std::min(u, v));
-    t1 = std::min(t1, std::max(u, v));
-  }
-  // Written so that NaN stops here too.
-  if (!(t0 <= t1) || !std::isfinite(t0) || !std::isfinite(t1))
-    return false;
-  glm::dvec3 origin = ray.origin + t0 * direction;
-  for (int a = 0; a < 3; ++a)
-    origin[a] = std::clamp(origin[a], 0.0, direction[a] == 0.0 ? most[a] - 1e-9 : most[a]);
-  PrepareWalk(walk, origin, direction);
-  walk.tMin = 0.0;
-  walk.tMax = t1 - t0;
-  entry.moved = t0;
-  return true;
+  return !this->Boxes.empty() && BeginWalk(ray, this->CellCounts, walk, entry);
 }
 
 namespace
@@ -280,7 +246,7 @@ void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
   for (int n = 0; n < PacketSize; ++n)
   {
     const CellWalkRay& walk = walks[n];
-    valid[n] = walk.tMin <= walk.tMax ? -1 : 0;
+    valid[n] = walk.tMax >= 0.0 ? -1 : 0;
     packet.ray.org_x[n] = static_cast<float>(walk.origin[0]);
     packet.ray.org_y[n] = static_cast<float>(walk.origin[1]);
     packet.ray.org_z[n] = static_cast<float>(walk.origin[2]);
@@ -298,10 +264,10 @@ void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
   rtcIntersect16(valid, this->Tree, &rays.context, &packet);
 }
 
-CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const Entry& entry) const
+CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const
 {
   const CellCluster& cluster = this->Shared->clusters[walk.cluster];
-  const glm::ivec3 inCluster(walk.place & 7U, walk.place >> 4U & 7U, walk.place >> 8U);
+  const glm::ivec3 inCluster(walk.place & 7U, walk.place >> 3U & 7U, walk.place >> 6U);
   std::uint32_t number = cluster.firstCell;
   for (int z = 0; z < inCluster.z; ++z)
     number += std::popcount(cluster.active[z]);

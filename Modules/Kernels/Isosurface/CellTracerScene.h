@@ -23,20 +23,15 @@ public:
   const ClusteredCells& Cells() const { return *this->Shared; }
   std::size_t Bytes() const;
 
-  /// Sets a walk up for a ray: moves it to where it enters the volume, by `moved` voxels; `length`
-  /// is that of its direction in voxels. False if it does not meet the volume.
-  struct Entry
-  {
-    double moved, length;
-  };
-  bool Enter(const CellRay& ray, CellWalkRay& walk, Entry& entry) const;
+  /// BeginWalk, and false if there are no cells.
+  bool Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const;
 
   void Nearest(CellWalkRay& walk) const;
   bool Any(CellWalkRay& walk) const;
-  /// Nearest for rays that lie close together; those with tMin > tMax are left out.
+  /// Nearest for rays that lie close together; those with tMax < 0 are left out.
   void Nearest(CellWalkRay (&walks)[PacketSize]) const;
 
-  CellHit HitOf(const CellWalkRay& walk, const Entry& entry) const;
+  CellHit HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const;
 
 private:
   struct Rays; // what Embree's calls carry to ours
@@ -48,6 +43,7 @@ private:
 
   std::shared_ptr<const ClusteredCells> Shared;
   std::vector<CellBox> Boxes;
+  glm::ivec3 CellCounts{ 0 }; ///< of the volume
   CellStore Store;
   CellWalk Walk;
   float Margin; ///< voxels by which Embree's boxes are larger: what float may round off

@@ -21,15 +21,12 @@ namespace hasp
 namespace
 {
 
-// Ways along the ray inside a cluster, 8 sqrt(3) voxels at most, are whole numbers of 2^-26 voxel:
+// Ways along the ray inside a box, 4 sqrt(3) voxels at most, are whole numbers of 2^-26 voxel:
 // an integer's minimum and sum take a cycle each, a float's four. LongWay stands for what is never
 // met.
 constexpr double TicksPerVoxel = 67108864.0;
-constexpr double LongWay = 15.9;
+constexpr float LongWay = 1.0e9F; // ticks, more than any; twice as many are still an integer
 constexpr std::int32_t Never = std::numeric_limits<std::int32_t>::max();
-// What four faces of a box may add up to in rounding: a face this close to the box's is the box's.
-constexpr std::int32_t TicksRounded = 4;
-constexpr std::uint32_t OutOfCluster = 0x888U; // guard bits of a packed place x | y << 4 | z << 8
 constexpr double OnStart = 1e-4; // voxels: segments that begin this close to the start touch it
 constexpr float Tiny = 1e-30F,
                 Huge = 1e36F; // corners are scaled into this range: no under- or overflow
@@ -105,7 +102,7 @@ struct Corners
 template <Kind kind>
 HASP_INLINE Corners Decode(const CellStore& store, const CellCluster& cluster, std::uint32_t place)
 {
-  const unsigned z = place >> 8U, bit = (place >> 1U & 56U) | (place & 7U);
+  const unsigned z = place >> 6U, bit = place & 63U;
   const std::uint64_t here = cluster.active[z];
   const std::uint64_t touchLow = here | (z > 0 ? cluster.active[z - 1] : 0);
   const std::uint64_t touchHigh = here | (z < 7 ? cluster.active[z + 1] : 0);
@@ -240,87 +237,101 @@ HASP_INLINE bool FirstRoot(
                  : glsl::HaspFirstRoot(coefficients, s);
 }
 
+/// The sizes of boxes, by CellBox::size.
+struct BoxSizes
+{
+  Double4 sizes[64];
+
+  BoxSizes()
+  {
+    for (int n = 0; n < 64; ++n)
+      this->sizes[n] = Double4{ 1.0 + (n & 3), 1.0 + (n >> 2 & 3), 1.0 + (n >> 4), 0.0 };
+  }
+};
+const BoxSizes Sizes;
+
+/// The largest (F = Most) or least of four lanes, in all of them.
+template <typename F>
+HASP_INLINE Double4 Across(Double4 v, const F& f)
+{
+  v = f(v, __builtin_shuffle(v, Long4{ 2, 3, 0, 1 }));
+  return f(v, __builtin_shuffle(v, Long4{ 1, 0, 3, 2 }));
+}
+
 template <Kind kind>
 HASP_INLINE bool WalkBox(const CellStore& store, std::uint32_t n, CellWalkRay& ray)
 {
-  const CellBox box = store.boxes[n];
-  const CellCluster& cluster = store.clusters[box.cluster];
-  const std::uint32_t word = cluster.place.x, wordZ = cluster.place.y;
-  const Int4 origin{ int(word & 0x1FFFU) * 8, int(word >> 13U & 0x1FFFU) * 8,
-    int(wordZ & 0x1FFFU) * 8, 0 };
-  const int k = static_cast<int>(box.packed);
-  const Int4 low{ k & 7, k >> 3 & 7, k >> 6 & 7, 0 },
-    high{ k >> 9 & 7, k >> 12 & 7, k >> 15 & 7, 0 };
+  const CellBox& box = store.boxes[n];
+  const Double4 low = __builtin_convertvector(Int4{ box.low[0], box.low[1], box.low[2], 0 }, Double4);
+  const Double4 size = Sizes.sizes[box.size];
 
-  // Where the ray enters and leaves the box. Every box and cluster computes the way to a plane by
-  // this one formula, and the point there by the next: so both sides of a face agree in every bit.
-  const Double4 base = __builtin_convertvector(origin, Double4);
-  const Double4 lowF = __builtin_convertvector(low, Double4),
-                highF = __builtin_convertvector(high + 1, Double4);
-  const Double4 u = (lowF + base - ray.origin) * ray.inverse,
-                v = (highF + base - ray.origin) * ray.inverse;
+  // Where the ray enters and leaves the box. Every box computes the way to a plane by this one formula and
+  // the point there by the next, with the crossed axis exactly in the plane: so both sides of a face
+  // agree in every bit.
+  const Double4 u = (low - ray.origin) * ray.inverse, v = (low + size - ray.origin) * ray.inverse;
   const Double4 near = Least(u, v), far = Most(u, v);
-  const double tEnter = std::max(std::max(near[0], near[1]), std::max(near[2], ray.tMin));
-  const double tExit = std::min(std::min(far[0], far[1]), std::min(far[2], ray.tMax));
-  if (!(tEnter <= tExit) || tEnter > ray.t)
+  const Double4 enter = Across(__builtin_shuffle(near, Double4{ 0, 0, 0, 0 }, Long4{ 0, 1, 2, 7 }),
+    [](const Double4& a, const Double4& b) { return Most(a, b); });
+  const Double4 leave =
+    Across(__builtin_shuffle(far, Double4{ 0, 0, 0, ray.tMax }, Long4{ 0, 1, 2, 7 }),
+      [](const Double4& a, const Double4& b) { return Least(a, b); });
+  const double tEnter = enter[0], tLeave = leave[0];
+  if (!(tEnter <= tLeave) || tEnter > ray.t)
     return false;
 
-  const auto pointAt = [&](double t, const Float4& least, const Float4& most)
+  const Float4 zero = Splat(0.0F), one = Splat(1.0F);
+  const Float4 sizeF = __builtin_convertvector(size, Float4);
+  const Double4 nearSide = ray.backwards * size; // of the box, where rays enter
+  const auto pointAt = [&](const Double4& t, const Double4& ways, const Double4& side)
   {
-    const Double4 tt{ t, t, t, t };
-    const Float4 p = __builtin_convertvector(ray.origin + tt * ray.direction - base, Float4);
-    return Least(Most(p, least), most);
+    const Double4 p = ray.origin + t * ray.direction - low;
+    const Long4 crossed = ways == t;
+    const Double4 snapped = (Double4)((crossed & (Long4)side) | (~crossed & (Long4)p));
+    return Least(Most(__builtin_convertvector(snapped, Float4), zero), sizeF);
   };
-  const Float4 least = __builtin_convertvector(low, Float4),
-               most = __builtin_convertvector(high + 1, Float4);
-  const Float4 entry = pointAt(tEnter, least, most);
-  const Int4 enterHigh = __builtin_convertvector((Long4)(ray.enterSide > 0.0), Int4);
-  const auto masked = [](double t, const Double4& ways)
-  {
-    return __builtin_convertvector((Long4)(ways == Double4{ t, t, t, t }), Int4) &
-           Int4{ -1, -1, -1, 0 };
-  };
+  const Float4 entry = pointAt(enter, near, nearSide);
 
-  // The cell, and the ways to the next face of each axis.
-  const Int4 cell = Least(__builtin_convertvector(entry, Int4), high);
-  const Double4 nextFace = __builtin_convertvector(cell + 1 + enterHigh, Double4) + base;
-  const Double4 enter4{ tEnter, tEnter, tEnter, tEnter };
-  Double4 way = (nextFace - ray.origin) * ray.inverse - enter4;
-  way = Least(Most(way, Double4{ 0, 0, 0, 0 }), Double4{ LongWay, LongWay, LongWay, LongWay });
-  Int4 next = __builtin_convertvector(way * TicksPerVoxel + 0.5, Int4);
-  next[3] = Never;
-  const auto end = static_cast<std::int32_t>((tExit - tEnter) * TicksPerVoxel) - TicksRounded;
+  // The cell, the ways to the next face of each axis, and how many faces are left inside the box.
+  const Int4 lastCell = __builtin_convertvector(size, Int4) - 1;
+  const Int4 cell = Least(__builtin_convertvector(entry, Int4), lastCell);
+  Float4 cellF = __builtin_convertvector(cell, Float4);
+  const Float4 way = (__builtin_convertvector(cell + ray.forwards, Float4) - entry) * ray.inverseF;
+  Int4 next = __builtin_convertvector(Least(Most(way, zero), Splat(LongWay)) + Splat(0.5F), Int4);
+  Int4 left = Select(ray.forwards > 0, lastCell - cell, cell);
+  next |= (left == 0) & Never; // also in the lane that is none
+  const auto end = static_cast<std::int32_t>((tLeave - tEnter) * TicksPerVoxel);
 
-  std::uint32_t place = static_cast<std::uint32_t>(cell[0] | cell[1] << 4 | cell[2] << 8);
+  const CellCluster& cluster = store.clusters[box.cluster];
+  std::uint32_t place = ((box.low[0] & 7U) + cell[0]) | ((box.low[1] & 7U) + cell[1]) << 3U |
+                        ((box.low[2] & 7U) + cell[2]) << 6U;
   std::int32_t ticks = 0;
-  Int4 crossed = masked(tEnter, near);
+  Int4 crossed{ 0, 0, 0, 0 };
   constexpr auto perTick = static_cast<float>(1.0 / TicksPerVoxel);
   while (true)
   {
     const Int4 m1 = Least(next, __builtin_shuffle(next, Int4{ 2, 3, 0, 1 }));
     const Int4 m = Least(m1, __builtin_shuffle(m1, Int4{ 1, 0, 3, 2 }));
     const Int4 crossing = next == m;
-    const std::int32_t leave = m[0];
-    const std::uint32_t nextPlace = place + ray.step[Bits(crossing)];
-    const bool last = leave >= end || (nextPlace & OutOfCluster) != 0;
-    if (cluster.active[place >> 8U] >> ((place >> 1U & 56U) | (place & 7U)) & 1U)
+    const std::int32_t until = m[0];
+    const bool last = until >= end;
+    if (cluster.active[place >> 6U] >> (place & 63U) & 1U)
     {
-      const Int4 c{ int(place & 7U), int(place >> 4U & 7U), int(place >> 8U), 0 };
-      const Float4 cellF = __builtin_convertvector(c, Float4);
-      const Float4 zero = Splat(0.0F), one = Splat(1.0F);
-      const Float4 enterSide = Select(enterHigh, one, zero);
+      const Float4 backwards = __builtin_convertvector(1 - ray.forwards, Float4);
       Float4 a = entry + Splat(float(ticks) * perTick) * ray.directionF - cellF;
-      a = Least(Most(Select(crossed, enterSide, a), zero), one);
-      Float4 b =
-        last ? pointAt(tExit, least, most) : entry + Splat(float(leave) * perTick) * ray.directionF;
-      b = Least(
-        Most(Select(last ? masked(tExit, far) : crossing, one - enterSide, b - cellF), zero), one);
+      a = Least(Most(Select(crossed, backwards, a), zero), one);
+      Float4 b;
+      if (last)
+        b = pointAt(leave, far, size - nearSide) - cellF;
+      else
+        b = Select(crossing, one - backwards,
+          entry + Splat(float(until) * perTick) * ray.directionF - cellF);
+      b = Least(Most(b, zero), one);
       const Corners corners = Decode<kind>(store, cluster, place);
       const double tA = tEnter + ticks / TicksPerVoxel;
       float s;
-      if (FirstRoot<kind>(corners, a, b, ray, ray.fromSurface && tA - ray.tMin < OnStart, s))
+      if (FirstRoot<kind>(corners, a, b, ray, ray.fromSurface && tA < OnStart, s))
       {
-        const double tB = last ? tExit : tEnter + leave / TicksPerVoxel, t = tA + s * (tB - tA);
+        const double tB = last ? tLeave : tEnter + until / TicksPerVoxel, t = tA + s * (tB - tA);
         if (!(t < ray.t || (t == ray.t && box.cluster < ray.cluster)))
           return false;
         ray.t = t;
@@ -334,10 +345,12 @@ HASP_INLINE bool WalkBox(const CellStore& store, std::uint32_t n, CellWalkRay& r
     }
     if (last)
       return false;
-    ticks = leave;
-    next += ray.delta & crossing;
+    ticks = until;
+    place += static_cast<std::uint32_t>(ray.step[Bits(crossing)]);
+    left += crossing;
+    next = (next + (ray.delta & crossing)) | ((left == 0) & Never);
+    cellF += (Float4)((Int4)ray.cellStep & crossing);
     crossed = crossing;
-    place = nextPlace;
   }
 }
 
@@ -360,30 +373,77 @@ HASP_CLONES bool WalkCompact(const CellStore& store, std::uint32_t n, CellWalkRa
 
 } // namespace
 
-void PrepareWalk(CellWalkRay& ray, const glm::dvec3& origin, const glm::dvec3& direction)
+CellBox::CellBox(const glm::ivec3& first, const glm::ivec3& last, std::uint32_t number)
+  : low{ std::uint16_t(first.x), std::uint16_t(first.y), std::uint16_t(first.z) },
+    size(static_cast<std::uint16_t>(
+      (last.x - first.x) | (last.y - first.y) << 2 | (last.z - first.z) << 4)),
+    cluster(number)
 {
-  const std::int32_t steps[3] = { 1, 16, 256 };
-  std::int32_t step[3];
-  for (int a = 0; a < 3; ++a)
+}
+
+HASP_CLONES bool BeginWalk(
+  const CellRay& ray, const glm::ivec3& cells, CellWalkRay& walk, CellWalkEntry& entry)
+{
+  const Double4 given{ ray.direction.x, ray.direction.y, ray.direction.z, 0.0 };
+  const Double4 origin{ ray.origin.x, ray.origin.y, ray.origin.z, 0.0 };
+  const Double4 most{ double(cells.x), double(cells.y), double(cells.z), 0.0 };
+  const auto lengthOf = [](const Double4& v)
   {
-    const double d = direction[a];
-    ray.origin[a] = origin[a];
-    ray.direction[a] = d;
-    // +-0 counts as positive: a ray within a face belongs to the cell above it, everywhere.
-    ray.inverse[a] = d == 0.0 ? 1e300 : std::clamp(1.0 / d, -1e300, 1e300);
-    ray.enterSide[a] = d < 0.0 ? 1.0 : 0.0;
-    ray.directionF[a] = static_cast<float>(d);
-    ray.delta[a] =
-      static_cast<std::int32_t>(std::min(std::abs(ray.inverse[a]), LongWay) * TicksPerVoxel + 0.5);
-    step[a] = d < 0.0 ? -steps[a] : steps[a];
+    const Double4 squares = v * v;
+    return std::sqrt(squares[0] + squares[1] + squares[2]);
+  };
+  Double4 direction = given;
+  double scale = 1.0, length = lengthOf(direction);
+  if (!(length > 1e-100 && length < 1e100)) // squares vanish or overflow: by the largest component first
+  {
+    scale = std::max({ std::abs(given[0]), std::abs(given[1]), std::abs(given[2]) });
+    if (!(scale > 0.0 && scale <= std::numeric_limits<double>::max()))
+      return false;
+    direction = given / Double4{ scale, scale, scale, scale };
+    length = lengthOf(direction);
   }
-  ray.origin[3] = ray.direction[3] = ray.enterSide[3] = 0.0;
-  ray.inverse[3] = 1.0;
-  ray.directionF[3] = 0.0F;
-  ray.delta[3] = 0;
-  for (int bits = 0; bits < 8; ++bits)
-    ray.step[bits] = static_cast<std::uint32_t>(
-      (bits & 1 ? step[0] : 0) + (bits & 2 ? step[1] : 0) + (bits & 4 ? step[2] : 0));
+  direction /= Double4{ length, length, length, length };
+  entry.length = scale * length;
+
+  // +-0 counts as positive: a ray within a face belongs to the cell above it, everywhere.
+  constexpr double slack = 1e-9; // voxels: what a turn into index coordinates may round off
+  const Double4 huge{ 1e300, 1e300, 1e300, 1e300 }, none{ 0, 0, 0, 0 };
+  const Long4 still = direction == none;
+  const Double4 inverse = Least(Most(1.0 / (Double4)(~still & (Long4)direction), -huge), huge);
+  const Double4 u = -origin * inverse, v = (most - origin) * inverse;
+  const Double4 near = Least(u, v), far = Most(u, v);
+  double t0 = ray.tMin * entry.length, t1 = ray.tMax * entry.length;
+  for (int a = 0; a < 3; ++a)
+    if (still[a] == 0)
+    {
+      t0 = std::max(t0, near[a]);
+      t1 = std::min(t1, far[a]);
+    }
+    else if (!(origin[a] >= -slack && origin[a] <= most[a] + slack))
+      return false;
+  if (!(t0 <= t1 && t1 - t0 <= std::numeric_limits<double>::max())) // NaN stops here too
+    return false;
+
+  // In the last face of the volume a ray that stays there belongs to the cell below it.
+  const Double4 moved = origin + Double4{ t0, t0, t0, t0 } * direction;
+  const Double4 end = most - (Double4)(still & (Long4)Double4{ slack, slack, slack, slack });
+  walk.origin = Least(Most(moved, none), end);
+  walk.direction = direction;
+  walk.inverse = inverse;
+  const Long4 negative = direction < none;
+  walk.backwards = (Double4)(negative & (Long4)Double4{ 1, 1, 1, 1 });
+  walk.forwards = __builtin_convertvector(negative, Int4) + 1;
+  walk.directionF = __builtin_convertvector(direction, Float4);
+  const Double4 ticks = Least(Most(inverse, -Double4{ 1e20, 1e20, 1e20, 1e20 }), Double4{ 1e20, 1e20, 1e20, 1e20 }) * TicksPerVoxel;
+  walk.inverseF = __builtin_convertvector(ticks, Float4);
+  walk.delta = __builtin_convertvector(Least(Most(walk.inverseF, -walk.inverseF), Splat(LongWay)) + 0.5F, Int4);
+  walk.cellStep = __builtin_convertvector(walk.forwards * 2 - 1, Float4);
+  const std::int32_t x = walk.forwards[0] * 2 - 1, y = walk.forwards[1] * 16 - 8, z = walk.forwards[2] * 128 - 64;
+  const std::int32_t steps[8] = { 0, x, y, x + y, z, z + x, z + y, z + x + y };
+  std::copy(steps, steps + 8, walk.step);
+  walk.tMax = t1 - t0;
+  entry.moved = t0;
+  return true;
 }
 
 CellWalk ChooseCellWalk(CornerType type, CellPrecision precision)
