@@ -43,6 +43,7 @@ struct vtkHaspClusteredCellMapper::Internals
   std::shared_ptr<const hasp::ClusteredCells>
     Finished; ///< drawn in their place where the input is cells
   double CellsIsoValue = 0.0;
+  int CellsPrecision = 0;
   vtkTimeStamp CellsTime;
   double CellsMilliseconds = 0.0;
 
@@ -125,7 +126,8 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
     return true;
   }
   const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
-  const bool sameSurface = in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue;
+  const bool sameSurface = in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue &&
+                           in.CellsPrecision == this->Precision;
   if (!newImage && sameSurface && !in.Changed())
     return true;
   try
@@ -139,10 +141,12 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
     else
     {
       in.Blocks.Update(grid, in.ChangedLow, in.ChangedHigh);
-      in.Cells = ExtractActiveCells(grid, in.Blocks, this->IsoValue);
+      in.Cells = ExtractActiveCells(grid, in.Blocks, this->IsoValue,
+        this->Precision == Compact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact);
     }
     in.ForgetChanges();
     in.CellsIsoValue = this->IsoValue;
+    in.CellsPrecision = this->Precision;
     in.CellsTime.Modified();
     in.CellsMilliseconds = MillisecondsSince(start);
     return true;
@@ -154,6 +158,20 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     return false;
   }
+}
+
+void vtkHaspClusteredCellMapper::SetRenderer(int renderer)
+{
+  renderer = std::clamp<int>(renderer, Automatic, Trace);
+  if (this->Renderer == renderer)
+    return;
+  this->Renderer = renderer;
+  this->Modified();
+}
+
+std::string vtkHaspClusteredCellMapper::GetRendererChoice() const
+{
+  return "nothing drawn";
 }
 
 void vtkHaspClusteredCellMapper::MarkModified(const int extent[6])
@@ -221,6 +239,8 @@ void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "Renderer: " << this->Renderer << " (" << this->GetRendererChoice() << ")\n";
+  os << indent << "Precision: " << this->Precision << "\n";
   os << indent << "OcclusionCulling: " << this->OcclusionCulling << "\n";
   os << indent << "Active cells: " << this->GetCells().Count() << "\n";
 }

@@ -16,8 +16,8 @@
  * The cells that the surface crosses are extracted once per volume and isovalue, with their corner
  * samples. Each is drawn as one point, or one screen rectangle where a point will not do, in whose
  * fragments the ray meets the trilinear polynomial (thesis 3.2.2, Paper VI; cell rasterisation
- * after Liu, Clapworthy, Dong 2009). Depth is that of the hit and the normal is the analytic
- * gradient, so the surface mixes with any other actor.
+ * after Liu, Clapworthy, Dong 2009). Or rays are traced on the CPU: SetRenderer. Depth is that of
+ * the hit and the normal is the analytic gradient, so the surface mixes with any other actor.
  *
  * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity (VTK's
  * order-independent translucency and depth peeling); lights; clipping planes (not capped); hardware
@@ -39,6 +39,7 @@
 #include "vtkMapper.h"
 
 #include <memory> // for unique_ptr
+#include <string> // for GetRendererChoice
 
 class vtkImageData;
 
@@ -74,6 +75,41 @@ public:
   vtkSetMacro(OcclusionCulling, bool);
   vtkGetMacro(OcclusionCulling, bool);
   vtkBooleanMacro(OcclusionCulling, bool);
+  ///@}
+
+  /// What draws opaque surfaces. Both give the same surface, to 0.001 voxel, and shade it alike;
+  /// what is translucent is always rasterised.
+  enum Renderers
+  {
+    Automatic, ///< where OpenGL is software the faster one, by timing the first frames of both;
+               ///< else the rasteriser
+    Rasterize, ///< OpenGL
+    Trace      ///< rays on the CPU, by all cores; needs a build with Embree
+  };
+  ///@{
+  /// Default Automatic. Trace, where it is not built in, is refused with an error.
+  virtual void SetRenderer(int renderer);
+  vtkGetMacro(Renderer, int);
+  void SetRendererToAutomatic() { this->SetRenderer(Automatic); }
+  void SetRendererToRasterize() { this->SetRenderer(Rasterize); }
+  void SetRendererToTrace() { this->SetRenderer(Trace); }
+  ///@}
+  /// Which renderer drew last, and why: "traced: traced in 31.0 ms, rasterised in 412.5 ms".
+  virtual std::string GetRendererChoice() const;
+
+  /// How the corners of cells that are extracted from a volume are kept.
+  enum Precisions
+  {
+    Exact,  ///< the samples, bit for bit
+    Compact ///< 8 bits each: less memory, and the surface moves by hundredths of a voxel
+            ///< (CompactLevels)
+  };
+  ///@{
+  /// Default Exact. Cells that are the input stay as they are.
+  vtkSetClampMacro(Precision, int, Exact, Compact);
+  vtkGetMacro(Precision, int);
+  void SetPrecisionToExact() { this->SetPrecision(Exact); }
+  void SetPrecisionToCompact() { this->SetPrecision(Compact); }
   ///@}
 
   /// Brings the active cells up to date with input and isovalue; Render does it by itself. The
@@ -113,6 +149,8 @@ protected:
   vtkMTimeType GetCellsTime() const;
 
   bool OcclusionCulling = true;
+  int Renderer = Automatic;
+  int Precision = Exact;
 
 private:
   vtkHaspClusteredCellMapper(const vtkHaspClusteredCellMapper&) = delete;

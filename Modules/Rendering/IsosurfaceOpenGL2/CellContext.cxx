@@ -1,8 +1,13 @@
 #include "CellContext.h"
 
+#include "HaspGL.h"
+
 #include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <string>
 
 namespace
 {
@@ -11,10 +16,21 @@ double MillisecondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
     .count();
 }
+
+/// Does the processor do what a GPU should?
+bool IsSoftwareOpenGL()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  const std::array<const char*, 4> software{ "llvmpipe", "softpipe", "SWR", "swrast" };
+  return std::any_of(software.begin(), software.end(),
+    [&](const char* part) { return renderer.find(part) != std::string::npos; });
+}
 }
 
 CellContext::CellContext(vtkOpenGLRenderWindow* window)
-  : Window(window),
+  : SoftwareOpenGL(IsSoftwareOpenGL()),
+    Window(window),
     CreationTime(window->GetContextCreationTime())
 {
 }
@@ -38,17 +54,20 @@ void CellContext::Free(vtkOpenGLRenderWindow* window)
     {
       this->Buffers.Release();
       this->Culling.Release();
+      this->Traced.Release();
     }
     window->PopContext();
   }
   this->Buffers = {};
   this->Culling = {};
+  this->Traced = {};
   this->CreationTime = 0;
 }
 
 void CellContext::Upload(
   const hasp::ClusteredCells& cells, vtkMTimeType time, std::size_t blockBytes)
 {
+  this->BuffersUsed = true;
   if (time == this->CellsTime)
     return;
   const auto start = std::chrono::steady_clock::now();
@@ -57,6 +76,17 @@ void CellContext::Upload(
   this->Buffers.Upload(cells, blockBytes);
   this->CellsTime = time;
   this->UploadMilliseconds = MillisecondsSince(start);
+}
+
+void CellContext::ReleaseUnusedBuffers()
+{
+  if (!this->BuffersUsed)
+  {
+    this->Buffers.Release();
+    this->Culling.Release();
+    this->CellsTime = 0;
+  }
+  this->BuffersUsed = false;
 }
 
 OcclusionCulling& CellContext::UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes)

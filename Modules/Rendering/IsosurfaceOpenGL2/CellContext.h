@@ -4,6 +4,7 @@
 #include "CellBuffers.h"
 #include "CellProgram.h"
 #include "OcclusionCulling.h"
+#include "TracedCells.h"
 
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
@@ -31,18 +32,23 @@ public:
 
   /// Brings the buffers up to date; the context must be current. Throws std::runtime_error.
   void Upload(const hasp::ClusteredCells& cells, vtkMTimeType time, std::size_t blockBytes);
+  /// Frees what rasterising needs, unless it was used since the last call.
+  void ReleaseUnusedBuffers();
   /// Likewise for culling, which needs memory of its own.
   OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes);
 
   CellBuffers Buffers;
   CellProgram Program;
   OcclusionCulling Culling;
+  TracedCells Traced;
+  const bool SoftwareOpenGL;
   double UploadMilliseconds = 0.0, CullingMilliseconds = 0.0;
 
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType CreationTime;  ///< of the context; unique
   vtkMTimeType CellsTime = 0; ///< of what is uploaded
+  bool BuffersUsed = false;
 };
 
 #endif

@@ -2,11 +2,15 @@
 
 #include "CellLayout.h"
 #include "CellScene.h"
+#include "CellSelection.h"
+#include "CellShading.h"
 #include "RayRoot.h"
 #include "ShaderSlots.h"
 #include "vtkHaspClusteredCellFS.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspClusteredCellVS.h"
+#include "vtkHaspTracedCellFS.h"
+#include "vtkHaspTracedCellVS.h"
 
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
@@ -100,6 +104,8 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
   std::string vertex = vtkHaspClusteredCellVS, geometry, fragment = vtkHaspClusteredCellFS;
   FillSlot(vertex, "CellLayout", CellLayout);
   FillSlot(fragment, "RayRoot", RayRoot);
+  FillSlot(fragment, "CellShading", CellShading);
+  FillSlot(fragment, "CellSelection", CellSelection);
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
   for (vtkOpenGLRenderPass* pass : passes)
   {
@@ -126,6 +132,27 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
   const std::vector<float>& levels = mapper->GetCells().levels;
   if (!levels.empty())
     program->SetUniform1fv("levels", static_cast<int>(levels.size()), levels.data());
+  if (selector)
+    SetSelectionUniforms(program, selector);
+  return program;
+}
+
+vtkShaderProgram* CellProgram::ReadyTraced(
+  vtkOpenGLRenderWindow* window, const CellScene& scene, vtkHardwareSelector* selector)
+{
+  const auto start = std::chrono::steady_clock::now();
+  std::string fragment = vtkHaspTracedCellFS;
+  FillSlot(fragment, "CellShading", CellShading);
+  FillSlot(fragment, "CellSelection", CellSelection);
+  FillSlot(fragment, "Defines", scene.Defines() + (selector ? "#define HASP_SELECTION\n" : ""));
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkHaspTracedCellVS, fragment.c_str(), "");
+  if (!program)
+    return nullptr;
+  if (this->Milliseconds[2] == 0.0)
+    this->Milliseconds[2] =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  scene.SetUniforms(program);
   if (selector)
     SetSelectionUniforms(program, selector);
   return program;

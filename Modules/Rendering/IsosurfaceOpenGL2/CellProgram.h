@@ -21,12 +21,17 @@ public:
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, vtkHaspClusteredCellMapper* mapper,
     vtkActor* actor, const CellScene& scene, vtkHardwareSelector* selector);
 
+  /// The program that shades a traced picture, likewise. Opaque surfaces only: no pass has a say.
+  vtkShaderProgram* ReadyTraced(
+    vtkOpenGLRenderWindow* window, const CellScene& scene, vtkHardwareSelector* selector);
+
   /// Time of the first compilation; 0 if that variant was never asked for.
   double ShadeMilliseconds() const { return this->Milliseconds[0]; }
   double SelectMilliseconds() const { return this->Milliseconds[1]; }
+  double TracedMilliseconds() const { return this->Milliseconds[2]; }
 
 private:
-  double Milliseconds[2] = { 0.0, 0.0 };
+  double Milliseconds[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -2,7 +2,9 @@
 
 #include "CellContext.h"
 #include "CellScene.h"
+#include "CellTracing.h"
 #include "HaspGL.h"
+#include "RendererSwitch.h"
 
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkHaspOpenGLClusteredCellMapper);
 
@@ -88,6 +91,8 @@ private:
 struct vtkHaspOpenGLClusteredCellMapper::OpenGL
 {
   std::vector<std::unique_ptr<CellContext>> Contexts; ///< of windows that drew this mapper
+  CellTracing Tracing;
+  RendererSwitch Switch;
 
   /// The context of the window, which is current.
   CellContext& Of(vtkOpenGLRenderWindow* window)
@@ -123,6 +128,20 @@ std::size_t vtkHaspOpenGLClusteredCellMapper::GetStorageBlockBytes() const
   return static_cast<std::size_t>(bytes);
 }
 
+void vtkHaspOpenGLClusteredCellMapper::SetRenderer(int renderer)
+{
+  if (renderer == Trace && !CellTracing::Available())
+    vtkErrorMacro("Rays cannot be traced: this build of Hasp was made without Embree; configure it "
+                  "with HASP_ENABLE_EMBREE=ON (Debian: libembree-dev).");
+  else
+    this->Superclass::SetRenderer(renderer);
+}
+
+std::string vtkHaspOpenGLClusteredCellMapper::GetRendererChoice() const
+{
+  return this->GL->Switch.Text();
+}
+
 void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -132,11 +151,19 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   CellContext& context = this->GL->Of(window);
   try
   {
-    context.Upload(this->GetCells(), this->GetCellsTime(), this->GetStorageBlockBytes());
-    if (!this->OcclusionCulling)
-      context.Culling.Release();
-    if (context.Buffers.Uploaded()) // else no surface at this isovalue
-      this->Draw(context, renderer, actor);
+    RendererSwitch& renderers = this->GL->Switch;
+    const bool traced = renderers.IsTraced({ this->Renderer, renderer, HidesWhatIsBehind(actor),
+      context.SoftwareOpenGL, this->GetCells().Count() });
+    if (traced)
+      this->DrawTraced(context, renderer, actor);
+    else
+      this->DrawRasterized(context, renderer, actor);
+    if (!renderers.MayTrace(this->Renderer))
+    {
+      this->GL->Tracing.Release();
+      context.Traced.Release();
+    }
+    vtkOpenGLCheckErrorMacro("after drawing active cells");
   }
   catch (const std::exception& e)
   {
@@ -144,10 +171,39 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   }
 }
 
-void vtkHaspOpenGLClusteredCellMapper::Draw(
+void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   CellContext& context, vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->GL->Switch.Measures())
+    context.ReleaseUnusedBuffers();
+  if (this->GetCells().Count() == 0)
+    return;
+  CellTracing& tracing = this->GL->Tracing;
+  tracing.Update(this->GetCells(), this->GetCellsTime());
+  this->GL->Switch.Start();
+  const CellScene scene(this, renderer, actor);
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  const SelectionScope selection(selector, this->GetCells().Count());
+  tracing.Trace(scene);
+  context.Traced.Upload(window, tracing, selector != nullptr);
+  vtkShaderProgram* program = context.Program.ReadyTraced(window, scene, selector);
+  if (!program)
+    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
+  context.Traced.Draw(program, tracing, scene);
+  this->GL->Switch.Finish();
+}
+
+void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
+  CellContext& context, vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  context.Upload(this->GetCells(), this->GetCellsTime(), this->GetStorageBlockBytes());
+  if (!this->OcclusionCulling)
+    context.Culling.Release();
+  if (!context.Buffers.Uploaded())
+    return; // no surface at this isovalue
+  this->GL->Switch.Start();
   const CellScene scene(this, renderer, actor);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
@@ -172,7 +228,7 @@ void vtkHaspOpenGLClusteredCellMapper::Draw(
         [&] { window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
   else
     context.Buffers.Draw(draws, prepare);
-  vtkOpenGLCheckErrorMacro("after drawing active cells");
+  this->GL->Switch.Finish();
 }
 
 void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) const
@@ -181,7 +237,10 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing drawn" };
   hasp::ResourceUse culling{ "occlusion culling", 0, 0.0,
     this->OcclusionCulling ? "nothing opaque drawn" : "switched off" };
-  double shade = 0.0, select = 0.0;
+  const CellTracing& tracing = this->GL->Tracing;
+  hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(), 0.0,
+    tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
+  double shade = 0.0, select = 0.0, traced = 0.0;
   for (const auto& context : this->GL->Contexts)
   {
     cells.bytes += context->Buffers.Bytes();
@@ -195,13 +254,20 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
       culling.milliseconds += context->CullingMilliseconds;
       culling.reason = "state and draw command of each cluster";
     }
+    picture.bytes += context->Traced.Bytes();
+    traced += context->Program.TracedMilliseconds();
     shade += context->Program.ShadeMilliseconds();
     select += context->Program.SelectMilliseconds();
   }
   list.push_back(cells);
   list.push_back(culling);
+  list.push_back({ "ray tracing tree", tracing.TreeBytes(), tracing.TreeMilliseconds(),
+    this->GetRendererChoice() });
+  list.push_back(picture);
   list.push_back({ "shader: shaded cells", 0, shade,
     shade > 0 ? "compiled at the first frame" : "nothing drawn" });
+  list.push_back({ "shader: traced cells", 0, traced,
+    traced > 0 ? "compiled at the first traced frame" : "nothing traced" });
   list.push_back({ "shader: cell selection", 0, select,
     select > 0 ? "a pick was asked for" : "no pick was asked for" });
   list.push_back({ "picking buffers", 0, 0.0, "none of its own: cell ids come from the cells" });

@@ -30,6 +30,8 @@ public:
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  void SetRenderer(int renderer) override;
+  std::string GetRendererChoice() const override;
   void ListResources(hasp::ResourceList& list) const override;
 
 protected:
@@ -44,7 +46,8 @@ private:
   vtkHaspOpenGLClusteredCellMapper(const vtkHaspOpenGLClusteredCellMapper&) = delete;
   void operator=(const vtkHaspOpenGLClusteredCellMapper&) = delete;
 
-  void Draw(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
+  void DrawTraced(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
+  void DrawRasterized(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
 
   struct OpenGL;
   std::unique_ptr<OpenGL> GL;

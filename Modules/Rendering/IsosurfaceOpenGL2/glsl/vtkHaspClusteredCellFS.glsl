@@ -10,13 +10,12 @@
 #define HASP_FUNCTION
 #define HASP_OUT(T) out T
 //Hasp::RayRoot
+//Hasp::CellShading
+//Hasp::CellSelection
 
 // What a scene does not have is not in its shader. Defaults, for a shader compiled as it stands:
 #ifndef HASP_PLANES
 #define HASP_PLANES 1 // with the near plane
-#endif
-#ifndef HASP_LIGHTS
-#define HASP_LIGHTS 1
 #endif
 
 uniform mat4 indexToClip;
@@ -25,27 +24,7 @@ uniform mat3 normalToView;
 uniform mat4 clipToIndex;
 uniform vec4 eyeIndex; // (eye, 1), or (minus the view direction, 0) if parallel
 uniform vec4 viewportToDevice; // scale, offset: pixels to [-1,1]
-uniform bool parallelProjection;
 uniform vec4 planes[HASP_PLANES];
-#if HASP_LIGHTS > 0
-uniform vec3 lightColor[HASP_LIGHTS];
-uniform vec3 lightDirection[HASP_LIGHTS];   // unit, from the light to what it lights
-#ifdef HASP_POSITIONAL_LIGHTS
-uniform vec3 lightPosition[HASP_LIGHTS];    // view coordinates, mm
-uniform vec3 lightAttenuation[HASP_LIGHTS]; // constant, linear, quadratic
-uniform vec3 lightCone[HASP_LIGHTS];        // least cosine, exponent of the fall-off, 1 if positional
-#endif
-#endif
-uniform vec3 ambientColor;
-uniform vec3 diffuseColor;
-uniform vec3 specularColor;
-uniform float specularPower;
-uniform float opacity;
-#ifdef HASP_SELECTION
-uniform vec3 selectionColor;
-uniform int selectionShift; // bits to drop from the cell id; -1: selectionColor
-#endif
-
 flat in vec4 low;
 flat in vec4 high;
 flat in vec4 cellClip;
@@ -100,39 +79,6 @@ bool ClipRay(out vec3 a, out vec3 b, out vec3 direction)
   return t0 <= t1;
 }
 
-vec3 Shade(vec3 position, vec3 normal)
-{
-  vec3 color = ambientColor;
-#ifdef HASP_SPECULAR
-  vec3 toEye = parallelProjection ? vec3(0.0, 0.0, 1.0) : normalize(-position);
-#endif
-#if HASP_LIGHTS > 0
-  for (int n = 0; n < HASP_LIGHTS; ++n)
-  {
-    vec3 direction = lightDirection[n];
-    vec3 light = lightColor[n];
-#ifdef HASP_POSITIONAL_LIGHTS
-    if (lightCone[n].z > 0.5)
-    {
-      vec3 way = position - lightPosition[n];
-      float distance = length(way);
-      direction = way / distance;
-      light /= dot(lightAttenuation[n], vec3(1.0, distance, distance * distance));
-      float cosine = dot(direction, lightDirection[n]);
-      light *= cosine < lightCone[n].x ? 0.0 : pow(max(cosine, 1e-6), lightCone[n].y);
-    }
-#endif
-    float facing = max(0.0, dot(normal, -direction));
-    color += facing * light * diffuseColor;
-#ifdef HASP_SPECULAR
-    float mirrored = max(1e-6, dot(reflect(direction, normal), toEye));
-    color += facing > 0.0 ? light * specularColor * pow(mirrored, specularPower) : vec3(0.0);
-#endif
-  }
-#endif
-  return color;
-}
-
 void main()
 {
   vec3 a, b, direction;
@@ -149,16 +95,11 @@ void main()
 
   //VTK::DepthPeeling::PreColor
 #ifdef HASP_SELECTION
-  uint id = uint(cell.w) >> uint(max(selectionShift, 0)); // whether there is one says the actor pass
-  fragOutput0 = selectionShift < 0
-    ? vec4(selectionColor, 1.0)
-    : vec4(vec3(id & 255u, (id >> 8u) & 255u, (id >> 16u) & 255u) / 255.0, 1.0);
+  fragOutput0 = SelectionColor(uint(cell.w));
 #else
   vec3 position = (indexToView * vec4(vec3(cell.xyz) + hit, 1.0)).xyz;
-  vec3 normal = normalize(normalToView * -HaspTrilinearGradient(low, high, hit));
-  if (dot(normal, parallelProjection ? vec3(0.0, 0.0, 1.0) : -position) < 0.0)
-    normal = -normal; // seen from inside
-  fragOutput0 = vec4(Shade(position, normal), opacity);
+  vec3 normal = FaceEye(position, normalize(normalToView * -HaspTrilinearGradient(low, high, hit)));
+  fragOutput0 = Shade(position, normal, PropertyMaterial());
 #endif
   //VTK::DepthPeeling::Impl
 }

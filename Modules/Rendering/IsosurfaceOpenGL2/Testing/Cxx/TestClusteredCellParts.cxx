@@ -42,6 +42,7 @@ std::vector<unsigned char> Picture(
   mapper->SetInputData(image);
   mapper->SetIsoValue(120);
   mapper->SetOcclusionCulling(culling);
+  mapper->SetRendererToRasterize();
   scene.Actor->SetMapper(mapper);
   scene.Look({ 60, -80, 30 }, { 0, 0, 0 }, 20, 200);
   scene.Draw();

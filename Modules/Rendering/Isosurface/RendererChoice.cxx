@@ -1,0 +1,54 @@
+#include "RendererChoice.h"
+
+#include <cstdio>
+
+namespace hasp
+{
+namespace
+{
+bool FarFrom(std::size_t now, std::size_t then)
+{
+  return now > 2 * then || then > 2 * now;
+}
+}
+
+bool RendererChoice::Trace(std::size_t cells, std::size_t pixels)
+{
+  if (FarFrom(cells, this->Cells) || FarFrom(pixels, this->Pixels))
+  {
+    *this = {};
+    this->Cells = cells;
+    this->Pixels = pixels;
+  }
+  return this->Decided() ? this->TraceWins() : this->Step == 0;
+}
+
+void RendererChoice::Note(double milliseconds)
+{
+  if (this->Decided())
+    return;
+  if (this->Step == 0)
+    this->TraceMilliseconds = milliseconds;
+  else
+    this->RasterMilliseconds = milliseconds;
+  ++this->Step;
+  if (this->Step > 1 && this->RasterMilliseconds > 4.0 * this->TraceMilliseconds + 1000.0)
+    this->Step = Steps;
+}
+
+std::string RendererChoice::Text() const
+{
+  if (this->Step == 0)
+    return "to be measured";
+  char figures[96];
+  if (!this->Decided())
+    std::snprintf(
+      figures, sizeof figures, "being measured: traced in %.1f ms", this->TraceMilliseconds);
+  else
+    std::snprintf(figures, sizeof figures, "%s: traced in %.1f ms, rasterised in %.1f ms",
+      this->TraceWins() ? "traced" : "rasterised", this->TraceMilliseconds,
+      this->RasterMilliseconds);
+  return figures;
+}
+
+} // namespace hasp

@@ -1,0 +1,41 @@
+#ifndef RendererChoice_h
+#define RendererChoice_h
+
+#include "vtkHaspRenderingIsosurfaceModule.h" // for export macro
+
+#include <cstddef>
+#include <string>
+
+namespace hasp
+{
+
+/// Which of two renderers is the faster one for a scene, found out by drawing: first a traced
+/// frame, then three rasterised ones, of which the third counts, for the first compiles and culling
+/// needs two to settle. A rasterised frame that takes a second more than four times the traced one
+/// decides at once. The verdict holds until the cells or the pixels become twice or half as many.
+/// Any thread, one at a time.
+class VTKHASPRENDERINGISOSURFACE_EXPORT RendererChoice
+{
+public:
+  /// Is the next frame of so many cells and pixels to be traced?
+  bool Trace(std::size_t cells, std::size_t pixels);
+  /// What that frame took, waited for to its end. Without meaning, and ignored, once decided.
+  void Note(double milliseconds);
+  bool Decided() const { return this->Step == Steps; }
+  /// Not decided, or for tracing.
+  bool MayTrace() const { return !this->Decided() || this->TraceWins(); }
+  /// The verdict and both times, or how far measuring has come.
+  std::string Text() const;
+
+private:
+  bool TraceWins() const { return this->TraceMilliseconds < this->RasterMilliseconds; }
+
+  static constexpr int Steps = 4;
+  int Step = 0;
+  std::size_t Cells = 0, Pixels = 0;
+  double TraceMilliseconds = 0.0, RasterMilliseconds = 0.0;
+};
+
+} // namespace hasp
+
+#endif

@@ -1,0 +1,90 @@
+#include "TracedCells.h"
+
+#include "CellScene.h"
+#include "CellTracing.h"
+#include "HaspGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <stdexcept>
+
+namespace
+{
+void Fill(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window,
+  const glm::ivec2& size, int components, int type, const void* data)
+{
+  if (!texture)
+    texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  if (type == VTK_UNSIGNED_INT)
+  {
+    texture->SetInternalFormat(GL_R32UI);
+    texture->SetFormat(GL_RED_INTEGER);
+    texture->SetDataType(GL_UNSIGNED_INT);
+  }
+  if (!texture->Create2DFromRaw(static_cast<unsigned int>(size.x),
+        static_cast<unsigned int>(size.y), components, type, const_cast<void*>(data)))
+    throw std::runtime_error("the GPU has no room for the traced picture");
+}
+}
+
+TracedCells::TracedCells() = default;
+TracedCells::~TracedCells() = default;
+TracedCells& TracedCells::operator=(TracedCells&&) = default;
+
+void TracedCells::Upload(vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection)
+{
+  const hasp::TracedPicture& picture = tracing.Picture();
+  if (picture.cells.empty())
+    return;
+  Fill(this->Gradients, window, picture.size, 4, VTK_FLOAT, picture.gradients.data());
+  this->ByteCount = picture.gradients.size() * sizeof(picture.gradients[0]);
+  if (selection)
+  {
+    Fill(this->Numbers, window, picture.size, 1, VTK_UNSIGNED_INT, picture.cells.data());
+    this->ByteCount += picture.cells.size() * sizeof(picture.cells[0]);
+  }
+  else
+    this->Numbers = nullptr;
+  if (this->VertexArray == 0)
+    glGenVertexArrays(1, &this->VertexArray);
+}
+
+void TracedCells::Draw(
+  vtkShaderProgram* program, const CellTracing& tracing, const CellScene& scene) const
+{
+  const hasp::TracedPicture& picture = tracing.Picture();
+  if (picture.cells.empty())
+    return;
+  const glm::ivec2 firstPixel = scene.viewportOrigin + tracing.Origin();
+  const glm::vec2 size(scene.viewportSize);
+  const glm::vec2 low = 2.0F * glm::vec2(tracing.Origin()) / size - 1.0F;
+  const glm::vec2 high = 2.0F * glm::vec2(tracing.Origin() + picture.size) / size - 1.0F;
+  const float rectangle[4] = { low.x, low.y, high.x, high.y };
+  program->SetUniform4f("rectangle", rectangle);
+  program->SetUniform2i("firstPixel", &firstPixel.x);
+  this->Gradients->Activate();
+  program->SetUniformi("gradients", this->Gradients->GetTextureUnit());
+  if (this->Numbers)
+  {
+    this->Numbers->Activate();
+    program->SetUniformi("numbers", this->Numbers->GetTextureUnit());
+  }
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glBindVertexArray(0);
+  this->Gradients->Deactivate();
+  if (this->Numbers)
+    this->Numbers->Deactivate();
+}
+
+void TracedCells::Release()
+{
+  if (this->VertexArray)
+    glDeleteVertexArrays(1, &this->VertexArray);
+  *this = {};
+}

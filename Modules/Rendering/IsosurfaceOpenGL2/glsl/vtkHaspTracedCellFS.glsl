@@ -1,0 +1,40 @@
+#version 430 core
+// Shades what the ray of this pixel met on the CPU. Writes the depth of the hit.
+//
+// in   gradients    of the volume at the hit, per voxel; depth in [0,1], or more where nothing was met
+// in   numbers      of the cell met, for selection
+// in   firstPixel   of the picture, in the window
+// out  fragOutput0  colour, or what hardware selection asks for
+//Hasp::Defines
+//Hasp::CellShading
+//Hasp::CellSelection
+
+uniform sampler2D gradients;
+#ifdef HASP_SELECTION
+uniform usampler2D numbers;
+#endif
+uniform ivec2 firstPixel;
+uniform mat4 clipToIndex;
+uniform mat4 indexToView;
+uniform mat3 normalToView;
+uniform vec4 viewportToDevice; // scale, offset: pixels to [-1,1]
+
+layout(location = 0) out vec4 fragOutput0;
+
+void main()
+{
+  ivec2 texel = ivec2(gl_FragCoord.xy) - firstPixel;
+  vec4 met = texelFetch(gradients, texel, 0);
+  if (met.w > 1.0)
+    discard;
+  gl_FragDepth = gl_DepthRange.near + gl_DepthRange.diff * met.w;
+#ifdef HASP_SELECTION
+  fragOutput0 = SelectionColor(texelFetch(numbers, texel, 0).x);
+#else
+  vec2 device = gl_FragCoord.xy * viewportToDevice.xy + viewportToDevice.zw;
+  vec4 index = clipToIndex * vec4(device, 2.0 * met.w - 1.0, 1.0);
+  vec3 position = (indexToView * (index / index.w)).xyz;
+  vec3 normal = FaceEye(position, normalize(normalToView * -met.xyz));
+  fragOutput0 = Shade(position, normal, PropertyMaterial());
+#endif
+}
