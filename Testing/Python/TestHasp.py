@@ -148,6 +148,35 @@ class Files(unittest.TestCase):
                              image.GetPointData().GetScalars().GetValue(p))
 
 
+class Cells(unittest.TestCase):
+    def test_come_back_as_written(self):
+        cells = hasp.vtkHaspClusteredCellFilter()
+        cells.SetInputData(ball())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ball.hcells")
+            writer = hasp.vtkHaspClusteredCellWriter()
+            writer.SetInputConnection(cells.GetOutputPort())
+            writer.SetFileName(path)
+            self.assertEqual(writer.Write(), 1)
+            reader = hasp.vtkHaspClusteredCellReader()
+            reader.SetFileName(path)
+            reader.Update()
+        back = reader.GetOutput()
+        self.assertGreater(back.GetNumberOfCells(), 1000)  # about one for each mm2: 4 pi 81
+        self.assertEqual(back.GetNumberOfCells(), cells.GetOutput().GetNumberOfCells())
+        bounds = [0.0] * 6
+        back.GetBounds(bounds)
+        self.assertEqual(bounds, [-12, 12] * 3)
+
+    def test_a_missing_file_is_an_error(self):
+        reader = hasp.vtkHaspClusteredCellReader()
+        reader.SetFileName("/nonexistent/head.hcells")
+        said = errors_of(reader)
+        reader.Update()
+        self.assertIn("the .hcells file: cannot be opened", "".join(said))
+        self.assertEqual(reader.GetOutput().GetNumberOfCells(), 0)
+
+
 class Stereo(unittest.TestCase):
     def test_an_unknown_layout_is_an_error_and_changes_nothing(self):
         picture = hasp.vtkHaspStereoPicture()

@@ -1,7 +1,6 @@
 #pragma once
 #include "Isosurface/ActiveCells.h"
 
-#include <cstring>
 #include <random>
 #include <vector>
 
@@ -14,10 +13,7 @@ inline bool SameCells(const ClusteredCells& a, const ClusteredCells& b)
   const GridGeometry &g = a.geometry, &h = b.geometry;
   return g.dims == h.dims && g.origin == h.origin && g.spacing == h.spacing &&
          g.direction == h.direction && a.isovalue == b.isovalue && a.cornerType == b.cornerType &&
-         a.precision == b.precision && a.count == b.count &&
-         a.clusters.size() == b.clusters.size() &&
-         std::memcmp(
-           a.clusters.data(), b.clusters.data(), a.clusters.size() * sizeof(CellCluster)) == 0 &&
+         a.precision == b.precision && a.count == b.count && a.clusters == b.clusters &&
          a.corners == b.corners && a.levels == b.levels && a.labels == b.labels &&
          a.colors == b.colors && a.firstColors == b.firstColors;
 }
