@@ -69,12 +69,12 @@ struct ShadowSettings
   double distanceMm = std::numeric_limits<double>::infinity(); ///< to the light; > 0
 };
 
-/// Traces rays against the trilinear isosurface in clustered cells, with Embree's tree over boxes
-/// of at most 4^3 cells of one cluster and, in each box, a walk from cell to cell with the root of
+/// Traces rays against the trilinear isosurface in clustered cells, with Embree's tree over the
+/// boxes of the clusters' active cells and, in each box, a walk from cell to cell with the root of
 /// glsl/RayRoot.glsl in active ones (thesis 3.2.2; Decisions/0012 says why not triangles).
 ///
-/// No ray slips between cells, boxes or clusters: both sides of a face see the same point and the
-/// same value there. A ray is moved in double precision to where it enters the volume, so an eye a
+/// No ray slips between cells or clusters: both sides of a face see the same point and the same
+/// value there. A ray is moved in double precision to where it enters the volume, so an eye a
 /// million voxels away is as good as a near one. Results do not depend on the CPU's instruction
 /// set.
 ///
@@ -92,13 +92,13 @@ public:
 
   const ClusteredCells& Cells() const;
   /// What the tracer holds beside the cells: Embree's memory as Embree counts it, and the boxes.
-  /// About 70 bytes a box; an eighth of an indexed mesh's tree.
+  /// About 110 bytes a cluster, 1.6 an active cell on a head; a mesh and its tree take 170.
   std::size_t Bytes() const;
 
   /// The first point of the surface along the ray, from either side. Nothing if it misses, or if a
-  /// component is not finite. About 0.1 us on a head CT.
+  /// component is not finite. About 0.2 us on a head CT.
   std::optional<CellHit> Trace(const CellRay& ray) const;
-  /// Does it meet the surface at all? Cheaper than Trace.
+  /// Does it meet the surface at all? No dearer than Trace.
   bool Occluded(const CellRay& ray) const;
 
   /// Trace for every pixel of a view, in packets, all threads, the same picture with any number of

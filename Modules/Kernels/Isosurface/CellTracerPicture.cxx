@@ -25,7 +25,7 @@ class PixelRays
 public:
   explicit PixelRays(const PictureView& view)
     : ToIndex(glm::inverse(view.indexToClip)),
-      Size(view.size),
+      PixelSize(2.0 / glm::dvec2(view.size)),
       Planes(view.planes)
   {
     const glm::dvec4 depth = glm::row(view.indexToClip, 2), w = glm::row(view.indexToClip, 3);
@@ -40,16 +40,18 @@ public:
   /// False where the planes leave nothing.
   bool Of(int x, int y, CellRay& ray) const
   {
-    const glm::dvec2 device = (glm::dvec2(x, y) + 0.5) / glm::dvec2(this->Size) * 2.0 - 1.0;
+    const glm::dvec2 device = (glm::dvec2(x, y) + 0.5) * this->PixelSize - 1.0;
     // Points (a + z b) / (a.w + z b.w) for depths z; their derivative points along the ray.
-    const glm::dvec4 a = this->ToIndex * glm::dvec4(device, 0.0, 1.0), b = this->ToIndex[2];
+    const glm::dvec4 a =
+      this->ToIndex[0] * device.x + this->ToIndex[1] * device.y + this->ToIndex[3];
+    const glm::dvec4& b = this->ToIndex[2];
     ray.origin = glm::dvec3(a) / a.w;
-    ray.direction = glm::normalize(glm::dvec3(b) * a.w - glm::dvec3(a) * b.w);
+    ray.direction = glm::dvec3(b) * a.w - glm::dvec3(a) * b.w;
     ray.tMin = -std::numeric_limits<double>::infinity();
     ray.tMax = std::numeric_limits<double>::infinity();
     for (const glm::dvec4& plane : this->Planes)
     {
-      const double at = glm::dot(plane, glm::dvec4(ray.origin, 1.0));
+      const double at = glm::dot(glm::dvec3(plane), ray.origin) + plane.w;
       const double slope = glm::dot(glm::dvec3(plane), ray.direction);
       if (slope > 0.0)
         ray.tMin = std::max(ray.tMin, -at / slope);
@@ -63,7 +65,7 @@ public:
 
 private:
   glm::dmat4 ToIndex;
-  glm::dvec2 Size;
+  glm::dvec2 PixelSize; ///< of a picture from -1 to 1
   std::vector<glm::dvec4> Planes;
 };
 
@@ -99,7 +101,8 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
       CellRay ray;
       const bool meets = at.x < view.size.x && at.y < view.size.y && rays.Of(at.x, at.y, ray) &&
                          this->Embree->Enter(ray, walks[n], entries[n]);
-      walks[n].tMax = meets ? walks[n].tMax : -1.0;
+      if (!meets)
+        walks[n].inverse[3] = -1.0; // begins after its end
       any |= meets;
     }
     if (!any)

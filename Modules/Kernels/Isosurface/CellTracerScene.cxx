@@ -19,33 +19,26 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Appends the boxes of a cluster: of each octant, the cells between its active ones.
-void AppendBoxes(const CellCluster& cluster, std::uint32_t number, std::vector<CellBox>& boxes)
+/// The box around the active cells of a cluster.
+CellBox BoxOf(const CellCluster& cluster, std::uint32_t number)
 {
-  constexpr std::uint64_t octantRows = 0x0F0F0F0FU;
-  for (int octant = 0; octant < 8; ++octant)
-  {
-    const glm::ivec3 from = 4 * glm::ivec3(octant & 1, octant >> 1 & 1, octant >> 2);
-    const int shift = 8 * from.y + from.x;
-    std::uint64_t plane = 0;
-    glm::ivec3 low(8), high(-1);
-    for (int z = from.z; z < from.z + 4; ++z)
-      if (const std::uint64_t cells = cluster.active[z] >> shift & octantRows)
-      {
-        plane |= cells;
-        low.z = std::min(low.z, z);
-        high.z = z;
-      }
-    if (plane == 0)
-      continue;
-    const auto columns =
-      static_cast<unsigned>((plane | plane >> 8U | plane >> 16U | plane >> 24U) & 15U);
-    low.x = from.x + std::countr_zero(columns);
-    high.x = from.x + std::bit_width(columns) - 1;
-    low.y = from.y + std::countr_zero(plane) / 8;
-    high.y = from.y + (static_cast<int>(std::bit_width(plane)) - 1) / 8;
-    boxes.emplace_back(cluster.Origin() + low, cluster.Origin() + high, number);
-  }
+  std::uint64_t plane = 0; // of all slices
+  glm::ivec3 low(8), high(-1);
+  for (int z = 0; z < 8; ++z)
+    if (const std::uint64_t cells = cluster.active[z])
+    {
+      plane |= cells;
+      low.z = std::min(low.z, z);
+      high.z = z;
+    }
+  std::uint64_t columns = plane | plane >> 32U;
+  columns |= columns >> 16U;
+  columns = (columns | columns >> 8U) & 0xFFU;
+  low.x = std::countr_zero(columns);
+  high.x = static_cast<int>(std::bit_width(columns)) - 1;
+  low.y = std::countr_zero(plane) / 8;
+  high.y = (static_cast<int>(std::bit_width(plane)) - 1) / 8;
+  return { cluster.Origin() + low, cluster.Origin() + high, number };
 }
 
 void Require(bool condition, const std::string& what)
@@ -78,6 +71,7 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
   const ClusteredCells& c = *this->Shared;
   c.geometry.Validate();
   const glm::ivec3 last = this->CellCounts = c.geometry.Cells();
+  this->Boxes.reserve(c.clusters.size());
   for (std::size_t n = 0; n < c.clusters.size(); ++n)
   {
     const CellCluster& cluster = c.clusters[n];
@@ -86,12 +80,11 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
     Require(cluster.firstWord + (bits + 31) / 32 + 2 <= c.corners.size(),
       "cluster " + std::to_string(n) + " has corners beyond the stream of " +
         std::to_string(c.corners.size()) + " words");
-    AppendBoxes(cluster, static_cast<std::uint32_t>(n), this->Boxes);
+    this->Boxes.push_back(BoxOf(cluster, static_cast<std::uint32_t>(n)));
   }
   for (const CellBox& box : this->Boxes)
     Require(glm::all(glm::lessThan(box.High(), last)),
       "cluster " + std::to_string(box.cluster) + " reaches beyond the volume");
-  this->Boxes.shrink_to_fit();
 
   this->Store = { c.clusters.data(), c.corners.data(), this->Boxes.data(), c.isovalue, {} };
   if (c.precision == CellPrecision::Compact)
@@ -192,8 +185,7 @@ void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
       RTCRayN_tfar(arguments->ray, arguments->N, n) = -std::numeric_limits<float>::infinity();
 }
 
-bool CellTracer::Scene::Enter(
-  const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
+bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
 {
   return !this->Boxes.empty() && BeginWalk(ray, this->CellCounts, walk, entry);
 }
@@ -211,7 +203,7 @@ void SetRay(Ray& ray, const CellWalkRay& walk)
   ray.dir_y = walk.directionF[1];
   ray.dir_z = walk.directionF[2];
   ray.tnear = 0.0F;
-  ray.tfar = static_cast<float>(walk.tMax) * 1.000001F;
+  ray.tfar = static_cast<float>(walk.End()) * 1.000001F;
   ray.time = 0.0F;
   ray.mask = ~0U;
   ray.id = 0;
@@ -246,7 +238,7 @@ void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
   for (int n = 0; n < PacketSize; ++n)
   {
     const CellWalkRay& walk = walks[n];
-    valid[n] = walk.tMax >= 0.0 ? -1 : 0;
+    valid[n] = walk.End() >= 0.0 ? -1 : 0;
     packet.ray.org_x[n] = static_cast<float>(walk.origin[0]);
     packet.ray.org_y[n] = static_cast<float>(walk.origin[1]);
     packet.ray.org_z[n] = static_cast<float>(walk.origin[2]);
@@ -254,7 +246,7 @@ void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
     packet.ray.dir_y[n] = walk.directionF[1];
     packet.ray.dir_z[n] = walk.directionF[2];
     packet.ray.tnear[n] = 0.0F;
-    packet.ray.tfar[n] = static_cast<float>(walk.tMax) * 1.000001F;
+    packet.ray.tfar[n] = static_cast<float>(walk.End()) * 1.000001F;
     packet.ray.time[n] = 0.0F;
     packet.ray.mask[n] = ~0U;
     packet.ray.id[n] = static_cast<unsigned>(n);
@@ -268,15 +260,9 @@ CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const CellWalkEntry& e
 {
   const CellCluster& cluster = this->Shared->clusters[walk.cluster];
   const glm::ivec3 inCluster(walk.place & 7U, walk.place >> 3U & 7U, walk.place >> 6U);
-  std::uint32_t number = cluster.firstCell;
-  for (int z = 0; z < inCluster.z; ++z)
-    number += std::popcount(cluster.active[z]);
-  const std::uint64_t before = (std::uint64_t(1) << (8 * inCluster.y + inCluster.x)) - 1U;
-  number += std::popcount(cluster.active[inCluster.z] & before);
-
   CellHit hit{};
   hit.t = (entry.moved + walk.t) / entry.length;
-  hit.number = number;
+  hit.number = CellNumber(cluster, walk.place);
   hit.cell = cluster.Origin() + inCluster;
   hit.local = { walk.local[0], walk.local[1], walk.local[2] };
   hit.gradient = glsl::HaspTrilinearGradient({ walk.low[0], walk.low[1], walk.low[2], walk.low[3] },

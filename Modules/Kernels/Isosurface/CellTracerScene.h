@@ -28,7 +28,7 @@ public:
 
   void Nearest(CellWalkRay& walk) const;
   bool Any(CellWalkRay& walk) const;
-  /// Nearest for rays that lie close together; those with tMax < 0 are left out.
+  /// Nearest for rays that lie close together; those with End() < 0 are left out.
   void Nearest(CellWalkRay (&walks)[PacketSize]) const;
 
   CellHit HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const;

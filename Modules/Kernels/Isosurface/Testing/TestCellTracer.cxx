@@ -156,10 +156,10 @@ TEST(CellTracer, CountsItsBytes)
 {
   const auto small = Noise<std::int16_t>({ 9, 9, 9 }, 8),
              large = Noise<std::int16_t>({ 65, 65, 65 }, 8);
-  EXPECT_GT(small.tracer.Bytes(), 8U);
-  // 512 clusters of 8 boxes; a leaf and its share of nodes take 60 to 110 bytes.
-  EXPECT_GT(large.tracer.Bytes(), 512U * 8U * 40U);
-  EXPECT_LT(large.tracer.Bytes(), 512U * 8U * 130U);
+  EXPECT_GT(small.tracer.Bytes(), sizeof(hasp::CellCluster) / 8);
+  // 512 clusters; a leaf and its share of the nodes take about 100 bytes, and Embree rounds up.
+  EXPECT_GT(large.tracer.Bytes(), 512U * 50U);
+  EXPECT_LT(large.tracer.Bytes(), 512U * 250U);
 }
 
 } // namespace
