@@ -40,10 +40,17 @@ GridGeometry ImageGeometry(vtkImageData* image)
 
 AnyGridView ViewImage(vtkImageData* image)
 {
-  const GridGeometry geometry = ImageGeometry(image);
+  if (!image)
+    throw std::invalid_argument("image: there is none");
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars)
     throw std::invalid_argument("image: no active point scalars");
+  return ViewPointArray(image, scalars);
+}
+
+AnyGridView ViewPointArray(vtkImageData* image, vtkDataArray* scalars)
+{
+  const GridGeometry geometry = ImageGeometry(image);
   if (scalars->GetNumberOfComponents() != 1)
     throw std::invalid_argument("image: scalars have " +
                                 std::to_string(scalars->GetNumberOfComponents()) +

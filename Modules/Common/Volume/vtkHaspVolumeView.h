@@ -8,6 +8,7 @@
 
 #include <vector> // for samples
 
+class vtkDataArray;
 class vtkImageData;
 class vtkPolyData;
 
@@ -26,6 +27,9 @@ VTKHASPCOMMONVOLUME_EXPORT GridGeometry ImageGeometry(vtkImageData* image);
 /// one for each point, or if their type is not short, unsigned short, unsigned char or float
 /// (signed char counts as neither: convert it first).
 VTKHASPCOMMONVOLUME_EXPORT AnyGridView ViewImage(vtkImageData* image);
+
+/// The same of any array with one value for each point of the image.
+VTKHASPCOMMONVOLUME_EXPORT AnyGridView ViewPointArray(vtkImageData* image, vtkDataArray* values);
 
 /// Samples and geometry as a new image; the samples are copied once. T as in AnyGridView.
 template <typename T>

@@ -29,7 +29,7 @@ enum class Primitive
 class ClusterRange
 {
 public:
-  explicit ClusterRange(const glm::dvec4& function)
+  ClusterRange(const glm::dvec4& function, double margin)
     : Slope(function),
       Middle(function.w),
       Spread(0.0)
@@ -37,7 +37,7 @@ public:
     for (int a = 0; a < 3; ++a)
     {
       this->Middle += function[a] * 0.5 * MinMaxBlocks::Side;
-      this->Spread += std::abs(function[a]) * 0.5 * MinMaxBlocks::Side;
+      this->Spread += std::abs(function[a]) * (0.5 * MinMaxBlocks::Side + margin);
     }
   }
   double AtMiddle(const glm::dvec3& origin) const
@@ -55,13 +55,15 @@ private:
 class Classifier
 {
 public:
-  Classifier(const glm::dmat4& indexToClip, const glm::ivec2& viewport, double pointLimit)
-    : Walls{ Wall(indexToClip, 0, 1), Wall(indexToClip, 0, -1), Wall(indexToClip, 1, 1),
-        Wall(indexToClip, 1, -1), Wall(indexToClip, 2, 1), Wall(indexToClip, 2, -1) },
-      W(glm::row(indexToClip, 3)),
-      Z(glm::row(indexToClip, 2)),
+  Classifier(
+    const glm::dmat4& indexToClip, const glm::ivec2& viewport, double pointLimit, double margin)
+    : Walls{ Wall(indexToClip, 0, 1, margin), Wall(indexToClip, 0, -1, margin),
+        Wall(indexToClip, 1, 1, margin), Wall(indexToClip, 1, -1, margin),
+        Wall(indexToClip, 2, 1, margin), Wall(indexToClip, 2, -1, margin) },
+      W(glm::row(indexToClip, 3), margin),
+      Z(glm::row(indexToClip, 2), margin),
       Viewport(viewport),
-      PointLimit(pointLimit)
+      PointLimit(pointLimit / (1.0 + 2.0 * margin))
   {
     const glm::dmat4& m = indexToClip;
     for (int a = 0; a < 3; ++a)
@@ -91,9 +93,9 @@ public:
 
 private:
   /// Positive on the inner side of one of the six walls of what is seen.
-  static ClusterRange Wall(const glm::dmat4& indexToClip, int axis, double sign)
+  static ClusterRange Wall(const glm::dmat4& indexToClip, int axis, double sign, double margin)
   {
-    return ClusterRange(glm::row(indexToClip, 3) + sign * glm::row(indexToClip, axis));
+    return { glm::row(indexToClip, 3) + sign * glm::row(indexToClip, axis), margin };
   }
 
   /// Bound of a cell's extent on screen. Device x is clip x / w with |x / w| <= 1 on screen, so
@@ -146,9 +148,9 @@ std::vector<Seen> SortByDepth(const std::vector<Seen>& seen)
 } // namespace
 
 VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
-  const glm::ivec2& viewport, double pointLimit)
+  const glm::ivec2& viewport, double pointLimit, double margin)
 {
-  const Classifier classifier(indexToClip, viewport, pointLimit);
+  const Classifier classifier(indexToClip, viewport, pointLimit, margin);
   std::vector<Seen> seen;
   for (std::size_t c = 0; c < cells.clusters.size(); ++c)
   {

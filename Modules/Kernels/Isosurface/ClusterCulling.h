@@ -28,11 +28,12 @@ struct VisibleClusters
 /// indexToClip     index coordinates of the volume to OpenGL clip coordinates
 /// viewport        width and height in pixels
 /// pointLimit      largest point the GPU draws, in pixels; 0 asks for rectangles only
+/// margin          voxels that cells are drawn larger on each side
 /// Conservative: a cluster that can be seen is always in one of the lists. Each list runs from
 /// front to back by the depth of the clusters' middles, to 1/4096 of their span; equals by number.
 /// Any thread. O(clusters): 2 ms for 100,000.
 VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
-  const glm::ivec2& viewport, double pointLimit);
+  const glm::ivec2& viewport, double pointLimit, double margin = 0.0);
 
 /// The state (glsl/ClusterState.glsl) of a cluster that no viewer has seen yet: the box around its
 /// active cells, of which there must be one.
@@ -47,10 +48,11 @@ struct ClusterPart
 /// Least `blockBytes` of DivideClusters; OpenGL promises 512 times as much.
 constexpr std::size_t LeastBlockBytes = 32768;
 
-/// Splits the cells for a GPU whose storage blocks hold no more than blockBytes: clusters and words
-/// of each part fit one block each, and the parts together are all clusters, in order. Parts begin
-/// at multiples of 8 clusters and 64 words, for what is bound must begin at a multiple of up to 256
-/// bytes. Throws std::invalid_argument if blockBytes < LeastBlockBytes. O(clusters).
+/// Splits the cells for a GPU whose storage blocks hold no more than blockBytes: clusters, words,
+/// labels and colours of each part fit one block each, and the parts together are all clusters, in
+/// order. Parts begin at multiples of 8 clusters and 64 words, for what is bound must begin at a
+/// multiple of up to 256 bytes. Throws std::invalid_argument if blockBytes < LeastBlockBytes.
+/// O(clusters).
 std::vector<ClusterPart> DivideClusters(const ClusteredCells& cells, std::size_t blockBytes);
 
 } // namespace hasp

@@ -25,12 +25,18 @@ std::vector<ClusterPart> DivideClusters(const ClusteredCells& cells, std::size_t
     return c < count ? std::min<std::size_t>(cells.clusters[c].firstWord + 2, cells.corners.size())
                      : cells.corners.size();
   };
+  std::vector<std::size_t> cornersBefore{ 0 }; // each may have a colour, a word
+  for (const CellCluster& cluster : cells.clusters)
+    cornersBefore.push_back(cornersBefore.back() + cluster.CornerCount());
   std::vector<ClusterPart> parts;
   for (std::size_t first = 0, end = 0; first < count; first = end)
   {
     const std::size_t firstWord = cells.clusters[first].firstWord / wordStep * wordStep;
     const auto fits = [&](std::size_t to)
-    { return to - first <= clusterLimit && endWord(to) - firstWord <= wordLimit; };
+    {
+      return to - first <= clusterLimit && endWord(to) - firstWord <= wordLimit &&
+             cornersBefore[to] - cornersBefore[first] <= wordLimit;
+    };
     while (end < count && fits(std::min(end + clusterStep, count)))
       end = std::min(end + clusterStep, count);
     parts.push_back({ first, end, firstWord, endWord(end) });

@@ -1,10 +1,12 @@
 #include "vtkHaspClusteredCellMapper.h"
 
+#include "ClusteredCellAttributes.h"
 #include "Isosurface/ActiveCells.h"
 #include "vtkHaspClusteredCells.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -13,7 +15,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -21,12 +23,22 @@ vtkAbstractObjectFactoryNewMacro(vtkHaspClusteredCellMapper);
 
 namespace
 {
-double MillisecondsSince(std::chrono::steady_clock::time_point start)
+
+/// Each pose may carry cells from anywhere in the bounds: their eight corners go along.
+void AddPosedBounds(const hasp::CellLabels& labels, double bounds[6])
 {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-    .count();
+  vtkBoundingBox box(bounds);
+  for (const auto& [n, label] : labels)
+    for (int c = 0; label.pose && label.visible && c < 8; ++c)
+    {
+      const glm::dvec4 corner = *label.pose * glm::dvec4(bounds[c & 1], bounds[2 + (c >> 1 & 1)],
+                                                bounds[4 + (c >> 2)], 1.0);
+      box.AddPoint(corner.x, corner.y, corner.z);
+    }
+  box.GetBounds(bounds);
 }
-}
+
+} // namespace
 
 struct vtkHaspClusteredCellMapper::Internals
 {
@@ -71,8 +83,9 @@ struct vtkHaspClusteredCellMapper::Internals
   /// Neither blocks nor cells are of this image: make the first, forget the second.
   void NewImage(vtkImageData* image)
   {
-    const auto start = std::chrono::steady_clock::now();
+    const hasp::Stopwatch watch;
     this->Cells = {};
+    this->CellsTime = {};
     this->Blocks = {};
     this->ForgetChanges();
     this->Image = nullptr;
@@ -80,11 +93,44 @@ struct vtkHaspClusteredCellMapper::Internals
     this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
     this->Image = image;
     this->ImageTime = image->GetMTime();
-    this->BlocksMilliseconds = MillisecondsSince(start);
+    this->BlocksMilliseconds = watch.Milliseconds();
+  }
+
+  /// An isovalue that is not a number is never up to date, and refused each time.
+  void UpdateSurface(vtkImageData* image, double isovalue, int precision)
+  {
+    const bool sameSurface = this->CellsTime.GetMTime() != 0 && this->CellsIsoValue == isovalue &&
+                             this->CellsPrecision == precision;
+    if (sameSurface && !this->Changed())
+      return;
+    const hasp::Stopwatch watch;
+    const hasp::AnyGridView grid = hasp::ViewImage(image);
+    if (sameSurface)
+      UpdateActiveCells(this->Cells, grid, this->Blocks, this->ChangedLow, this->ChangedHigh);
+    else
+    {
+      this->Blocks.Update(grid, this->ChangedLow, this->ChangedHigh);
+      this->Cells = ExtractActiveCells(grid, this->Blocks, isovalue,
+        precision == Compact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact);
+    }
+    this->ForgetChanges();
+    this->CellsIsoValue = isovalue;
+    this->CellsPrecision = precision;
+    this->CellsTime.Modified();
+    this->CellsMilliseconds = watch.Milliseconds();
+  }
+
+  /// 0 if no sample is a number.
+  double MiddleOfRange() const
+  {
+    const double middle = 0.5 * (double{ this->Blocks.Min() } + double{ this->Blocks.Max() });
+    return this->Blocks.Min() <= this->Blocks.Max() && std::isfinite(middle) ? middle : 0.0;
   }
 };
 
-vtkHaspClusteredCellMapper::vtkHaspClusteredCellMapper() : Internal(new Internals)
+vtkHaspClusteredCellMapper::vtkHaspClusteredCellMapper()
+  : Internal(new Internals),
+    Attribute(new Attributes)
 {
   this->ScalarVisibility = false; // else VTK maps every voxel to a colour
 }
@@ -110,6 +156,15 @@ vtkImageData* vtkHaspClusteredCellMapper::GetImage()
   return vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
 }
 
+void vtkHaspClusteredCellMapper::SetIsoValue(double value)
+{
+  if (this->IsoValueIsSet && this->IsoValue == value)
+    return;
+  this->IsoValueIsSet = true;
+  this->IsoValue = value;
+  this->Modified();
+}
+
 bool vtkHaspClusteredCellMapper::UpdateCells()
 {
   if (this->GetNumberOfInputConnections(0) == 0)
@@ -123,32 +178,19 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
   if (auto* cells = vtkHaspClusteredCells::SafeDownCast(this->GetInputDataObject(0, 0)))
   {
     in.Keep(cells->GetCells());
+    this->UseColorsOf(this->GetCells());
     return true;
   }
   const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
-  const bool sameSurface = in.CellsTime.GetMTime() != 0 && in.CellsIsoValue == this->IsoValue &&
-                           in.CellsPrecision == this->Precision;
-  if (!newImage && sameSurface && !in.Changed())
-    return true;
   try
   {
     if (newImage)
       in.NewImage(image);
-    const auto start = std::chrono::steady_clock::now();
-    const hasp::AnyGridView grid = hasp::ViewImage(image);
-    if (in.Changed() && sameSurface)
-      UpdateActiveCells(in.Cells, grid, in.Blocks, in.ChangedLow, in.ChangedHigh);
-    else
-    {
-      in.Blocks.Update(grid, in.ChangedLow, in.ChangedHigh);
-      in.Cells = ExtractActiveCells(grid, in.Blocks, this->IsoValue,
-        this->Precision == Compact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact);
-    }
-    in.ForgetChanges();
-    in.CellsIsoValue = this->IsoValue;
-    in.CellsPrecision = this->Precision;
-    in.CellsTime.Modified();
-    in.CellsMilliseconds = MillisecondsSince(start);
+    if (newImage && !this->IsoValueIsSet)
+      this->IsoValue = in.MiddleOfRange();
+    in.UpdateSurface(image, this->IsoValue, this->Precision);
+    this->UpdateLabels(in.Cells, image);
+    this->UpdateColors(in.Cells, image);
     return true;
   }
   catch (const std::exception& e)
@@ -201,24 +243,35 @@ vtkMTimeType vtkHaspClusteredCellMapper::GetCellsTime() const
   return this->Internal->CellsTime.GetMTime();
 }
 
-bool vtkHaspClusteredCellMapper::GetCellIndex(vtkIdType cellId, int ijk[3]) const
-{
-  const hasp::ClusteredCells& cells = this->GetCells();
-  if (cellId < 0 || static_cast<std::size_t>(cellId) >= cells.Count())
-    return false;
-  const glm::ivec3 cell = cells.Cell(static_cast<std::size_t>(cellId));
-  for (int a = 0; a < 3; ++a)
-    ijk[a] = cell[a];
-  return true;
-}
-
 void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   const Internals& in = *this->Internal;
   list.push_back({ "min-max blocks", in.Blocks.Bytes(), in.BlocksMilliseconds,
     "coarse phase of extraction; kept for the next isovalue" });
-  list.push_back({ "active cells, host", this->GetCells().Bytes(), in.CellsMilliseconds,
-    std::to_string(this->GetCells().Count()) + " cells; kept to answer picks" });
+  const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
+  const hasp::ClusteredCells& cells = this->GetCells();
+  const std::size_t labels = bytes(cells.labels);
+  const std::size_t colors = bytes(cells.colors) + bytes(cells.firstColors);
+  list.push_back({ "active cells, host", cells.Bytes() - labels - colors, in.CellsMilliseconds,
+    std::to_string(cells.Count()) + " cells; kept to answer picks" });
+  const Attributes& own = *this->Attribute;
+  list.push_back({ "cell labels, host", labels, own.LabelsMilliseconds,
+    this->LabelArrayName.empty() ? "no label array was named" : "from " + this->LabelArrayName });
+  list.push_back({ "cell colours, host", colors + bytes(own.Coloring.table), own.ColorsMilliseconds,
+    !this->ScalarVisibility ? "scalar visibility is off"
+    : own.Coloring.uniform  ? "one colour: the scalars are the volume's own"
+                            : "mapped at the stored corners" });
+}
+
+bool vtkHaspClusteredCellMapper::HasOpaqueGeometry()
+{
+  return !this->ScalarVisibility || !this->UpdateCells() || !this->Attribute->Coloring.translucent;
+}
+
+bool vtkHaspClusteredCellMapper::HasTranslucentPolygonalGeometry()
+{
+  const bool labels = !this->LabelArrayName.empty() && AnyTranslucent(this->Attribute->Labels);
+  return labels || !this->HasOpaqueGeometry();
 }
 
 double* vtkHaspClusteredCellMapper::GetBounds()
@@ -231,6 +284,8 @@ double* vtkHaspClusteredCellMapper::GetBounds()
       image->GetBounds(this->Bounds);
     else if (auto* cells = vtkHaspClusteredCells::SafeDownCast(this->GetInputDataObject(0, 0)))
       cells->GetBounds(this->Bounds);
+    if (vtkMath::AreBoundsInitialized(this->Bounds))
+      AddPosedBounds(this->Attribute->Labels, this->Bounds);
   }
   return this->Bounds;
 }
@@ -238,7 +293,10 @@ double* vtkHaspClusteredCellMapper::GetBounds()
 void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "IsoValue: " << this->IsoValue
+     << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
+  os << indent << "LabelArrayName: " << this->LabelArrayName << "\n";
+  os << indent << "BlendNormals: " << this->BlendNormals << "\n";
   os << indent << "Renderer: " << this->Renderer << " (" << this->GetRendererChoice() << ")\n";
   os << indent << "Precision: " << this->Precision << "\n";
   os << indent << "OcclusionCulling: " << this->OcclusionCulling << "\n";

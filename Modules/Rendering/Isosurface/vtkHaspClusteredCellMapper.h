@@ -21,11 +21,22 @@
  *
  * Honoured: the actor's matrix, colour, ambient, diffuse, specular and opacity (VTK's
  * order-independent translucency and depth peeling); lights; clipping planes (not capped); hardware
- * selection (cell ids are active cells: GetCellIndex gives the voxel); stereo and off-axis cameras
- * (the eye comes from the full matrix). Inside is sample >= isovalue. Cells with a NaN or
- * infinite corner are left out.
+ * selection (cell ids are active cells: GetCellIndex gives the voxel, PickCell the point;
+ * vtkCellPicker needs a vtkHaspClusteredCellLocator); stereo
+ * and off-axis cameras (the eye comes from the full matrix). Inside is sample >= isovalue. Cells
+ * with a NaN or infinite corner are left out.
  *
- * Limit: texture, scalar colouring, edges and representation are ignored.
+ * Scalar colours are vtkMapper's, off unless ScalarVisibility is on: lookup table, scalar range,
+ * scalar mode, colour mode and InterpolateScalarsBeforeMapping mean what they mean there, for point
+ * data. They are mapped at the stored corners, so a new lookup table extracts nothing. Where they
+ * are the volume's own samples (scalar mode default, unless the image's active scalars are others)
+ * the whole surface has the colour of the isovalue, for that is their value there. Cell and field
+ * data are refused.
+ *
+ * Labels: name a point array of whole numbers and each cell takes the most frequent label of its
+ * inside corners. A label can have a colour, a rigid pose and be hidden; all are drawn in one pass.
+ *
+ * Limit: texture, edges and representation are ignored.
  *
  * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
  * Threads: RENDER only; extraction uses all cores inside the call.
@@ -34,19 +45,42 @@
 #ifndef vtkHaspClusteredCellMapper_h
 #define vtkHaspClusteredCellMapper_h
 
+#include "CellLabels.h"                       // for CellLabels
 #include "Grid/ResourceUse.h"                 // for ResourceList
 #include "vtkHaspRenderingIsosurfaceModule.h" // for export macro
 #include "vtkMapper.h"
 
-#include <memory> // for unique_ptr
-#include <string> // for GetRendererChoice
+#include <cstdint> // for uint32_t
+#include <memory>  // for unique_ptr
+#include <span>    // for span
+#include <string>  // for string
 
+class vtkAbstractArray;
+class vtkDataArray;
 class vtkImageData;
+class vtkLinearTransform;
+class vtkMatrix4x4;
+class vtkPointData;
 
 namespace hasp
 {
+struct CellColoring;
+struct CellHit;
 struct ClusteredCells;
 }
+
+/// What a pick gives: see vtkHaspClusteredCellMapper::PickCell.
+struct vtkHaspPickedCell
+{
+  vtkIdType cellId;   ///< number of the active cell
+  int ijk[3];         ///< voxel: its first corner sample, counted from the image's first
+  double inCell[3];   ///< where in that cell, 0 to 1
+  double t;           ///< the point is from + t (to - from)
+  double position[3]; ///< data coordinates, mm; on the surface within float's rounding
+  double normal[3];   ///< unit, away from the inside
+  double value; ///< of the scalars that colour the surface there, interpolated; else the isovalue
+  int label;    ///< of the cell; 0 without labels
+};
 
 class VTKHASPRENDERINGISOSURFACE_EXPORT vtkHaspClusteredCellMapper : public vtkMapper
 {
@@ -56,9 +90,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// In the units of the scalars; default 0. A value outside their range draws nothing and is no
-  /// error.
-  vtkSetMacro(IsoValue, double);
+  /// In the units of the scalars. A value outside their range draws nothing and is no error. Until
+  /// it is set it is the middle of the scalars' range, found anew for each new image (0 before the
+  /// first update).
+  virtual void SetIsoValue(double value);
   vtkGetMacro(IsoValue, double);
   ///@}
 
@@ -77,8 +112,20 @@ public:
   vtkBooleanMacro(OcclusionCulling, bool);
   ///@}
 
+  ///@{
+  /// Blend normals and colours between neighbouring cells? The trilinear surface has facets where
+  /// its gradient jumps from cell to cell, most where samples are noisy or have few grey levels;
+  /// blended shading is smooth, and the depth stays exact. Opaque drawing alone; translucent
+  /// surfaces are drawn as without. Every cell is drawn twice, once four times as large, and there
+  /// are textures of 24 to 56 bytes a pixel; nothing while it is off. Default off.
+  vtkSetMacro(BlendNormals, bool);
+  vtkGetMacro(BlendNormals, bool);
+  vtkBooleanMacro(BlendNormals, bool);
+  ///@}
+
   /// What draws opaque surfaces. Both give the same surface, to 0.001 voxel, and shade it alike;
-  /// what is translucent is always rasterised.
+  /// what is translucent is always rasterised, and so are labels of which something is said,
+  /// colours of another array and blended normals.
   enum Renderers
   {
     Automatic, ///< where OpenGL is software the faster one, by timing the first frames of both;
@@ -131,13 +178,48 @@ public:
   /// False, and ijk untouched, if there is no such active cell.
   bool GetCellIndex(vtkIdType cellId, int ijk[3]) const;
 
+  ///@{
+  /// Name of the point array that holds a label a sample: short, unsigned short or unsigned char, 0
+  /// to 65535, 0 for none. Empty, the default: no labels, and nothing of what follows costs
+  /// anything.
+  vtkSetStdStringFromCharMacro(LabelArrayName);
+  vtkGetCharFromStdStringMacro(LabelArrayName);
+  ///@}
+
+  ///@{
+  /// How label n is drawn. Components in [0, 1]; alpha multiplies the actor's opacity. A pose moves
+  /// the label's cells, rigidly, in the actor's data coordinates (labelToWorld where the actor has
+  /// no matrix of its own); it is copied, so set it again after a change; null takes it away.
+  /// Errors: vtkErrorMacro, and nothing changes, if n is not in [0, 65535], a component is out of
+  /// range or the pose is not rigid.
+  void SetLabelColor(int n, double r, double g, double b, double a = 1.0);
+  void SetLabelPose(int n, vtkMatrix4x4* pose);
+  void SetLabelPose(int n, vtkLinearTransform* pose);
+  void SetLabelVisibility(int n, bool visible);
+  /// Forgets colours, poses and visibilities of all labels.
+  void ClearLabels();
+  const hasp::CellLabels& GetLabels() const;
+  ///@}
+
+  /// Where the line from `from` to `to` first meets the surface in the active cell `cellId`, as
+  /// hardware selection gives it. In the actor's data coordinates, like the result: where the actor
+  /// has a matrix, take both points through its inverse first. False, and the result untouched, if
+  /// there is no such cell or the line misses the surface in it. Clipping planes are not asked.
+  bool PickCell(
+    vtkIdType cellId, const double from[3], const double to[3], vtkHaspPickedCell& result) const;
+  /// The same for the first of all cells along the line that are not hidden. O(clusters).
+  bool PickFirstCell(const double from[3], const double to[3], vtkHaspPickedCell& result) const;
+
   /// Appends what this mapper holds and what it skipped, with bytes and milliseconds.
   virtual void ListResources(hasp::ResourceList& list) const;
 
+  /// Of the volume, and of the volume in each pose of a label. Brings the pipeline up to date, no
+  /// cells.
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
-  bool HasOpaqueGeometry() override { return true; }
-  bool HasTranslucentPolygonalGeometry() override { return false; }
+  vtkMTimeType GetMTime() override;
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
   bool GetSupportsSelection() override { return true; }
 
 protected:
@@ -147,8 +229,15 @@ protected:
 
   /// Counts updates of the cells: what is on the GPU is stale when this has moved.
   vtkMTimeType GetCellsTime() const;
+  /// The same of the cells' labels and colours.
+  vtkMTimeType GetAttributesTime() const;
+  /// Counts changes of what is said of labels.
+  vtkMTimeType GetLabelsTime() const;
+  /// How they are coloured by scalars, as of the last update.
+  const hasp::CellColoring& GetColoring() const;
 
   bool OcclusionCulling = true;
+  bool BlendNormals = false;
   int Renderer = Automatic;
   int Precision = Exact;
 
@@ -156,9 +245,25 @@ private:
   vtkHaspClusteredCellMapper(const vtkHaspClusteredCellMapper&) = delete;
   void operator=(const vtkHaspClusteredCellMapper&) = delete;
 
+  void UpdateLabels(hasp::ClusteredCells& cells, vtkImageData* image);
+  void UpdateColors(hasp::ClusteredCells& cells, vtkImageData* image);
+  void UseColorsOf(const hasp::ClusteredCells& finished);
+  vtkAbstractArray* FindColorArray(vtkImageData* image);
+  void ColorByDensity(vtkPointData* data, float isovalue);
+  void ColorByArray(hasp::ClusteredCells& cells, vtkPointData* data, vtkAbstractArray* array);
+  void MapColors(vtkPointData* data, vtkAbstractArray* array, vtkDataArray* values,
+    std::span<std::uint32_t> colors);
+  hasp::CellLabel* LabelOf(int n);
+  const hasp::CellLabel* LabelOfCell(std::size_t cell) const;
+  vtkHaspPickedCell Tell(const hasp::CellHit& hit) const;
+
   double IsoValue = 0.0;
+  bool IsoValueIsSet = false;
+  std::string LabelArrayName;
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  struct Attributes;
+  std::unique_ptr<Attributes> Attribute;
 };
 
 #endif

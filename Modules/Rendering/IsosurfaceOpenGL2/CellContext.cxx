@@ -53,12 +53,16 @@ void CellContext::Free(vtkOpenGLRenderWindow* window)
     if (window->IsCurrent())
     {
       this->Buffers.Release();
+      this->Attributes.Release();
+      this->Blending.Release();
       this->Culling.Release();
       this->Traced.Release();
     }
     window->PopContext();
   }
   this->Buffers = {};
+  this->Attributes = {};
+  this->Blending = {};
   this->Culling = {};
   this->Traced = {};
   this->CreationTime = 0;

@@ -1,8 +1,10 @@
 #ifndef CellContext_h
 #define CellContext_h
 
+#include "AttributeBuffers.h"
 #include "CellBuffers.h"
 #include "CellProgram.h"
+#include "NormalBlending.h"
 #include "OcclusionCulling.h"
 #include "TracedCells.h"
 
@@ -38,6 +40,8 @@ public:
   OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes);
 
   CellBuffers Buffers;
+  AttributeBuffers Attributes;
+  NormalBlending Blending;
   CellProgram Program;
   OcclusionCulling Culling;
   TracedCells Traced;

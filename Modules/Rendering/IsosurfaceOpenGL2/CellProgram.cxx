@@ -1,9 +1,13 @@
 #include "CellProgram.h"
 
+#include "AttributeBuffers.h"
+#include "CellColors.h"
+#include "CellFrame.h"
 #include "CellLayout.h"
 #include "CellScene.h"
 #include "CellSelection.h"
 #include "CellShading.h"
+#include "CellSplat.h"
 #include "RayRoot.h"
 #include "ShaderSlots.h"
 #include "vtkHaspClusteredCellFS.h"
@@ -42,6 +46,18 @@ std::string CornerDefines(const hasp::ClusteredCells& cells)
       break;
   }
   return {};
+}
+
+std::string AttributeDefines(const AttributeBuffers& attributes)
+{
+  std::string text;
+  if (attributes.Labelled())
+    text += "#define HASP_LABELS\n";
+  if (attributes.Colored())
+    text += "#define HASP_COLORS\n";
+  if (attributes.Tabled())
+    text += "#define HASP_COLOR_TABLE\n";
+  return text;
 }
 
 std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
@@ -98,23 +114,29 @@ void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* select
 
 vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
   vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
-  vtkHardwareSelector* selector)
+  const AttributeBuffers& attributes, vtkHardwareSelector* selector, CellPass pass)
 {
   const auto start = std::chrono::steady_clock::now();
   std::string vertex = vtkHaspClusteredCellVS, geometry, fragment = vtkHaspClusteredCellFS;
   FillSlot(vertex, "CellLayout", CellLayout);
+  FillSlot(vertex, "CellFrame", CellFrame);
   FillSlot(fragment, "RayRoot", RayRoot);
+  FillSlot(fragment, "CellFrame", CellFrame);
   FillSlot(fragment, "CellShading", CellShading);
+  FillSlot(fragment, "CellColors", CellColors);
+  FillSlot(fragment, "CellSplat", CellSplat);
   FillSlot(fragment, "CellSelection", CellSelection);
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
-  for (vtkOpenGLRenderPass* pass : passes)
+  for (vtkOpenGLRenderPass* one : passes)
   {
-    pass->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
-    pass->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+    one->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+    one->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
   }
-  std::string defines = CornerDefines(mapper->GetCells()) + scene.Defines();
-  if (selector)
-    defines += "#define HASP_SELECTION\n";
+  std::string defines =
+    CornerDefines(mapper->GetCells()) + scene.Defines() + AttributeDefines(attributes);
+  constexpr const char* passDefines[] = { "", "#define HASP_SELECTION\n", "#define HASP_HITS\n",
+    "#define HASP_SPLATS\n" };
+  defines += passDefines[static_cast<int>(pass)];
   FillSlot(vertex, "Defines", defines);
   FillSlot(fragment, "Defines", defines + NameOutputs(fragment));
 
@@ -122,12 +144,12 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
     vertex.c_str(), fragment.c_str(), geometry.c_str());
   if (!program)
     return nullptr;
-  double& milliseconds = this->Milliseconds[selector ? 1 : 0];
+  double& milliseconds = this->Milliseconds[static_cast<int>(pass)];
   if (milliseconds == 0.0)
     milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  for (vtkOpenGLRenderPass* pass : passes)
-    pass->SetShaderParameters(program, mapper, actor);
+  for (vtkOpenGLRenderPass* one : passes)
+    one->SetShaderParameters(program, mapper, actor);
   scene.SetUniforms(program);
   const std::vector<float>& levels = mapper->GetCells().levels;
   if (!levels.empty())
@@ -149,8 +171,8 @@ vtkShaderProgram* CellProgram::ReadyTraced(
     window->GetShaderCache()->ReadyShaderProgram(vtkHaspTracedCellVS, fragment.c_str(), "");
   if (!program)
     return nullptr;
-  if (this->Milliseconds[2] == 0.0)
-    this->Milliseconds[2] =
+  if (this->Milliseconds[static_cast<int>(CellPass::Traced)] == 0.0)
+    this->Milliseconds[static_cast<int>(CellPass::Traced)] =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   scene.SetUniforms(program);
   if (selector)

@@ -80,7 +80,8 @@ glm::vec4 EyeInIndex(const glm::dmat4& clipToIndex, bool parallel)
 
 } // namespace
 
-CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
+  const std::optional<glm::vec4>& surfaceColor)
 {
   vtkMatrix4x4 *view, *projection,
     *clip; // VTK hands these out with column-major memory, for OpenGL
@@ -115,13 +116,22 @@ CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, 
   }
   const auto color = [](const double* rgb, double share)
   { return glm::vec3(glm::make_vec3(rgb) * share); };
+  const bool unlit = this->lightColor.empty(); // VTK then shows ambient and diffuse as they are
+  this->colorShares = { property->GetAmbient() + (unlit ? property->GetDiffuse() : 0.0),
+    property->GetDiffuse() };
   this->ambientColor = color(property->GetAmbientColor(), property->GetAmbient());
   this->diffuseColor = color(property->GetDiffuseColor(), property->GetDiffuse());
-  if (this->lightColor.empty()) // unlit: VTK then shows both as they are
+  if (unlit)
     this->ambientColor += this->diffuseColor;
   this->specularColor = color(property->GetSpecularColor(), property->GetSpecular());
   this->specularPower = static_cast<float>(property->GetSpecularPower());
   this->opacity = static_cast<float>(property->GetOpacity());
+  if (surfaceColor)
+  {
+    this->ambientColor = this->colorShares.x * glm::vec3(*surfaceColor);
+    this->diffuseColor = this->colorShares.y * glm::vec3(*surfaceColor);
+    this->opacity *= surfaceColor->a;
+  }
 }
 
 std::string CellScene::Defines() const
@@ -135,6 +145,23 @@ std::string CellScene::Defines() const
   return text;
 }
 
+void CellScene::AppendFrame(std::vector<float>& data, const glm::dmat4& move) const
+{
+  const glm::dmat4 toClip = this->indexToClip * move, toView = this->indexToView * move;
+  const glm::dmat4 fromClip = glm::inverse(toClip);
+  const glm::dmat4 normals(glm::transpose(glm::inverse(glm::dmat3(toView))));
+  const auto append = [&](const auto& value)
+  {
+    for (int n = 0; n < static_cast<int>(sizeof(value) / sizeof(double)); ++n)
+      data.push_back(static_cast<float>(glm::value_ptr(value)[n]));
+  };
+  for (const glm::dmat4& matrix : { toClip, fromClip, toView, normals })
+    append(matrix);
+  append(glm::dvec4(EyeInIndex(fromClip, this->parallelProjection)));
+  for (const glm::dvec4& plane : this->planes)
+    append(plane * move);
+}
+
 void CellScene::SetUniforms(vtkShaderProgram* program) const
 {
   const glm::dmat4 clipToIndex = glm::inverse(this->indexToClip);
@@ -146,6 +173,7 @@ void CellScene::SetUniforms(vtkShaderProgram* program) const
   SetMatrix(program, "indexToClip", this->indexToClip);
   SetMatrix(program, "clipToIndex", clipToIndex);
   SetMatrix(program, "indexToView", this->indexToView);
+  SetMatrix(program, "clipToView", this->indexToView * clipToIndex);
   program->SetUniformMatrix3x3("normalToView", const_cast<float*>(glm::value_ptr(normalToView)));
   program->SetUniform4f("eyeIndex", &eye.x);
   program->SetUniform2f("viewport", &size.x);
@@ -157,6 +185,7 @@ void CellScene::SetUniforms(vtkShaderProgram* program) const
 
   program->SetUniform3f("ambientColor", &this->ambientColor.x);
   program->SetUniform3f("diffuseColor", &this->diffuseColor.x);
+  program->SetUniform2f("colorShares", &this->colorShares.x);
   program->SetUniform3f("specularColor", &this->specularColor.x);
   program->SetUniformf("specularPower", this->specularPower);
   program->SetUniformf("opacity", this->opacity);

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,18 @@ struct CellScene
   std::vector<glm::vec3> lightColor, lightDirection, lightPosition, lightAttenuation, lightCone;
   bool positionalLights = false;
   glm::vec3 ambientColor, diffuseColor, specularColor;
+  glm::vec2 colorShares; ///< ambient and diffuse, of colours that take the place of the property's
   float specularPower, opacity, isovalue;
 
-  /// RENDER thread, inside vtkMapper::Render.
-  CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
+  /// surfaceColor takes the place of the property's colour and multiplies its opacity. RENDER
+  /// thread, inside vtkMapper::Render.
+  CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
+    const std::optional<glm::vec4>& surfaceColor = {});
 
   /// The #define lines of the shader variant this scene needs: what it does not have is not in it.
   std::string Defines() const;
+  /// Appends a CellFrame (CellFrame.glsl) of cells that are moved, in index coordinates.
+  void AppendFrame(std::vector<float>& data, const glm::dmat4& move) const;
   /// RENDER thread, with a program of that variant bound.
   void SetUniforms(vtkShaderProgram* program) const;
   /// Of the program that draws the boxes of clusters (OcclusionCulling). RENDER thread.

@@ -119,9 +119,6 @@ void OcclusionCulling::Draw(const Frame& frame)
   glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
     static_cast<GLsizeiptr>(draws.entries.size() * sizeof(GLuint)), draws.entries.data());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, this->States);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, this->Order);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, this->Commands);
   frame.buffers.BindVertexArray();
 
   const int viewer = this->ViewerOf(frame);
@@ -143,12 +140,20 @@ void OcclusionCulling::Draw(const Frame& frame)
   frame.buffers.Unbind();
 }
 
+void OcclusionCulling::Bind(const Frame& frame, const DrawRange& range) const
+{
+  frame.buffers.Bind(range.part);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, this->States);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, this->Order);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, this->Commands);
+}
+
 void OcclusionCulling::WriteCommands(
   const Frame& frame, const DrawRange& range, int viewer, bool late) const
 {
   if (range.count == 0)
     return;
-  frame.buffers.Bind(range.part);
+  this->Bind(frame, range);
   frame.window->GetShaderCache()->ReleaseCurrentShader(); // VTK must not take it for still bound
   const GLuint program = this->CommandProgram;
   glUseProgram(program);
@@ -179,7 +184,7 @@ void OcclusionCulling::TestBoxes(const Frame& frame, const DrawRange& range, int
   frame.scene.SetBoxUniforms(program);
   program->SetUniformi("firstCluster", static_cast<int>(range.part.first));
   program->SetUniformi("viewer", viewer);
-  frame.buffers.Bind(range.part);
+  this->Bind(frame, range);
   vtkOpenGLState* state = frame.window->GetState();
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
   vtkOpenGLState::ScopedglColorMask colorMask(state);

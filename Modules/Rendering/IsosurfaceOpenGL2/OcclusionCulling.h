@@ -59,6 +59,8 @@ private:
     vtkWeakPointer<vtkObject> renderer, actor;
   };
   int ViewerOf(const Frame& frame);
+  /// Attributes of cells take the same slots while cells are drawn.
+  void Bind(const Frame& frame, const DrawRange& range) const;
   void WriteCommands(const Frame& frame, const DrawRange& range, int viewer, bool late) const;
   void TestBoxes(const Frame& frame, const DrawRange& range, int viewer) const;
   void DrawCells(const Frame& frame, const DrawRange& range) const;

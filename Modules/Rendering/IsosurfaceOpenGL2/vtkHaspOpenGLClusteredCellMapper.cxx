@@ -13,6 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -86,6 +87,16 @@ private:
   bool Sized;
 };
 
+/// Which labels a pass draws where some are opaque and some translucent: 1 the opaque ones, 0 the
+/// others, -1 all, for the actor has one pass alone.
+int OpaquePass(vtkActor* actor)
+{
+  if (actor->GetForceOpaque() || actor->GetForceTranslucent() ||
+      actor->GetProperty()->GetOpacity() < 1.0 || !actor->GetMapper()->HasOpaqueGeometry())
+    return -1;
+  return actor->IsRenderingTranslucentPolygonalGeometry() ? 0 : 1;
+}
+
 } // namespace
 
 struct vtkHaspOpenGLClusteredCellMapper::OpenGL
@@ -152,13 +163,14 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   try
   {
     RendererSwitch& renderers = this->GL->Switch;
-    const bool traced = renderers.IsTraced({ this->Renderer, renderer, HidesWhatIsBehind(actor),
+    const int wanted = this->NeedsRasterizer() ? int(Rasterize) : this->Renderer;
+    const bool traced = renderers.IsTraced({ wanted, renderer, HidesWhatIsBehind(actor),
       context.SoftwareOpenGL, this->GetCells().Count() });
     if (traced)
       this->DrawTraced(context, renderer, actor);
     else
       this->DrawRasterized(context, renderer, actor);
-    if (!renderers.MayTrace(this->Renderer))
+    if (!renderers.MayTrace(wanted))
     {
       this->GL->Tracing.Release();
       context.Traced.Release();
@@ -171,18 +183,80 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   }
 }
 
+/// One frame's worth of what the passes share.
+struct vtkHaspOpenGLClusteredCellMapper::Pass
+{
+  CellContext& context;
+  vtkOpenGLRenderWindow* window;
+  vtkRenderer* renderer;
+  vtkActor* actor;
+  const CellScene& scene;
+  vtkHardwareSelector* selector;
+};
+
+CellDraws vtkHaspOpenGLClusteredCellMapper::InView(const Pass& pass, double margin)
+{
+  const AttributeBuffers& attributes = pass.context.Attributes;
+  const CellScene& scene = pass.scene;
+  return CellDraws(attributes.Moved() ? attributes.Cull(scene, LargestPoint(), margin)
+                                      : CullClusters(this->GetCells(), scene.indexToClip,
+                                          scene.viewportSize, LargestPoint(), margin),
+    pass.context.Buffers.Parts());
+}
+
+vtkShaderProgram* vtkHaspOpenGLClusteredCellMapper::ReadyProgram(const Pass& pass, CellPass what)
+{
+  AttributeBuffers& attributes = pass.context.Attributes;
+  vtkShaderProgram* program = pass.context.Program.Ready(
+    pass.window, this, pass.actor, pass.scene, attributes, pass.selector, what);
+  if (!program)
+    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
+  if (attributes.Labelled())
+    program->SetUniformi("opaquePass", pass.selector ? -1 : OpaquePass(pass.actor));
+  return program;
+}
+
+void vtkHaspOpenGLClusteredCellMapper::DrawCells(
+  const Pass& pass, vtkShaderProgram* program, const CellDraws& draws, bool occlusion)
+{
+  CellContext& context = pass.context;
+  const hasp::ClusteredCells& cells = this->GetCells();
+  const auto prepare = [&](const DrawRange& range)
+  {
+    context.Attributes.Bind(cells, range.part.first, range.part.end, program);
+    program->SetUniformi("points", range.points);
+    program->SetUniformi("firstWord", static_cast<int>(range.part.firstWord));
+  };
+  if (occlusion)
+    context.UseCulling(cells, this->GetStorageBlockBytes())
+      .Draw({ pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
+        [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
+  else
+    context.Buffers.Draw(draws, prepare);
+}
+
+/// Is something asked for that only the rasteriser draws?
+bool vtkHaspOpenGLClusteredCellMapper::NeedsRasterizer() const
+{
+  const hasp::ClusteredCells& cells = this->GetCells();
+  return this->BlendNormals || (!cells.labels.empty() && !this->GetLabels().empty()) ||
+         (this->ScalarVisibility && !cells.colors.empty());
+}
+
 void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   CellContext& context, vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!this->GL->Switch.Measures())
     context.ReleaseUnusedBuffers();
+  context.Attributes.Release(); // NeedsRasterizer() says that nothing of them is asked for
+  context.Blending.Release();
   if (this->GetCells().Count() == 0)
     return;
   CellTracing& tracing = this->GL->Tracing;
   tracing.Update(this->GetCells(), this->GetCellsTime());
   this->GL->Switch.Start();
-  const CellScene scene(this, renderer, actor);
+  const CellScene scene(this, renderer, actor, this->GetColoring().uniform);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
   tracing.Trace(scene);
@@ -198,36 +272,44 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
   CellContext& context, vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  AttributeBuffers& attributes = context.Attributes;
   context.Upload(this->GetCells(), this->GetCellsTime(), this->GetStorageBlockBytes());
-  if (!this->OcclusionCulling)
+  attributes.Update(this->GetCells(), this->GetColoring(), this->GetLabels(),
+    this->ScalarVisibility,
+    { std::max(this->GetCellsTime(), this->GetAttributesTime()), this->GetLabelsTime() });
+  if (!this->OcclusionCulling || attributes.Moved())
     context.Culling.Release();
+  if (!this->BlendNormals)
+    context.Blending.Release();
   if (!context.Buffers.Uploaded())
     return; // no surface at this isovalue
   this->GL->Switch.Start();
-  const CellScene scene(this, renderer, actor);
+  const CellScene scene(this, renderer, actor, this->GetColoring().uniform);
+  if (attributes.Labelled())
+    attributes.UpdateFrames(scene);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
-  vtkShaderProgram* program = context.Program.Ready(window, this, actor, scene, selector);
-  if (!program)
-    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
+  const Pass pass{ context, window, renderer, actor, scene, selector };
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   const PointSizeScope sizes;
-  const CellDraws draws(
-    CullClusters(this->GetCells(), scene.indexToClip, scene.viewportSize, LargestPoint()),
-    context.Buffers.Parts());
-  const auto prepare = [program](const DrawRange& range)
-  {
-    program->SetUniformi("points", range.points);
-    program->SetUniformi("firstWord", static_cast<int>(range.part.firstWord));
-  };
-  if (this->OcclusionCulling && !selector && HidesWhatIsBehind(actor))
-    context.UseCulling(this->GetCells(), this->GetStorageBlockBytes())
-      .Draw({ window, renderer, actor, scene, context.Buffers, draws,
-        [&] { window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
+  const CellDraws draws = this->InView(pass, 0.0);
+  const bool hides = !selector && HidesWhatIsBehind(actor);
+  const bool occlusion = this->OcclusionCulling && hides && !attributes.Moved();
+  if (this->BlendNormals && hides)
+    context.Blending.Draw(
+      window, scene, attributes.Labelled() || attributes.Colored(),
+      [&] { this->DrawCells(pass, this->ReadyProgram(pass, CellPass::Hits), draws, occlusion); },
+      [&](const NormalBlending::Textures& bind)
+      {
+        vtkShaderProgram* program = this->ReadyProgram(pass, CellPass::Splats);
+        bind(program);
+        this->DrawCells(pass, program, this->InView(pass, 0.5), false);
+      });
   else
-    context.Buffers.Draw(draws, prepare);
+    this->DrawCells(pass, this->ReadyProgram(pass, selector ? CellPass::Select : CellPass::Shade),
+      draws, occlusion);
   this->GL->Switch.Finish();
 }
 
@@ -237,6 +319,10 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing drawn" };
   hasp::ResourceUse culling{ "occlusion culling", 0, 0.0,
     this->OcclusionCulling ? "nothing opaque drawn" : "switched off" };
+  hasp::ResourceUse labels{ "cell labels, GPU", 0, 0.0, "nothing was said of a label" };
+  hasp::ResourceUse colors{ "cell colours, GPU", 0, 0.0, "no scalars colour the surface" };
+  hasp::ResourceUse blending{ "normal blending", 0, 0.0,
+    this->BlendNormals ? "nothing opaque drawn" : "switched off" };
   const CellTracing& tracing = this->GL->Tracing;
   hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(), 0.0,
     tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
@@ -254,13 +340,27 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
       culling.milliseconds += context->CullingMilliseconds;
       culling.reason = "state and draw command of each cluster";
     }
+    labels.bytes += context->Attributes.LabelBytes();
+    colors.bytes += context->Attributes.ColorBytes();
+    blending.bytes += context->Blending.Bytes();
+    blending.milliseconds += context->Program.CompileMilliseconds(CellPass::Hits) +
+                             context->Program.CompileMilliseconds(CellPass::Splats);
     picture.bytes += context->Traced.Bytes();
-    traced += context->Program.TracedMilliseconds();
-    shade += context->Program.ShadeMilliseconds();
-    select += context->Program.SelectMilliseconds();
+    traced += context->Program.CompileMilliseconds(CellPass::Traced);
+    shade += context->Program.CompileMilliseconds(CellPass::Shade);
+    select += context->Program.CompileMilliseconds(CellPass::Select);
   }
   list.push_back(cells);
   list.push_back(culling);
+  if (labels.bytes > 0)
+    labels.reason = "labels of cells, their colours and poses";
+  if (colors.bytes > 0)
+    colors.reason = "of the stored corners";
+  if (blending.bytes > 0)
+    blending.reason = "textures as large as the window, shaders";
+  list.push_back(blending);
+  list.push_back(labels);
+  list.push_back(colors);
   list.push_back({ "ray tracing tree", tracing.TreeBytes(), tracing.TreeMilliseconds(),
     this->GetRendererChoice() });
   list.push_back(picture);

@@ -20,6 +20,9 @@
 #include "vtkHaspRenderingIsosurfaceOpenGL2Module.h" // for export macro
 
 class CellContext;
+struct CellDraws;
+enum class CellPass;
+class vtkShaderProgram;
 
 class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLClusteredCellMapper :
   public vtkHaspClusteredCellMapper
@@ -46,6 +49,12 @@ private:
   vtkHaspOpenGLClusteredCellMapper(const vtkHaspOpenGLClusteredCellMapper&) = delete;
   void operator=(const vtkHaspOpenGLClusteredCellMapper&) = delete;
 
+  struct Pass;
+  CellDraws InView(const Pass& pass, double margin);
+  vtkShaderProgram* ReadyProgram(const Pass& pass, CellPass what);
+  void DrawCells(
+    const Pass& pass, vtkShaderProgram* program, const CellDraws& draws, bool occlusion);
+  bool NeedsRasterizer() const;
   void DrawTraced(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
   void DrawRasterized(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
 

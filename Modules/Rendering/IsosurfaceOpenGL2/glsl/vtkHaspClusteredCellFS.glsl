@@ -1,11 +1,10 @@
 #version 430 core
 // Meets the pixel's ray with the trilinear polynomial of one cell; discards where they do not meet.
-// Writes the depth of the hit. Shading is VTK's: ambient, diffuse, specular of the property, all lights.
+// Writes the depth of the hit.
 //
-// in   see vtkHaspClusteredCellVS.glsl
-// in   indexToClip, indexToView, normalToView   columns in voxels; view coordinates in mm
-// in   planes        near plane, then clipping planes, in index coordinates: plane . (p, 1) >= 0 is kept
-// out  fragOutput0   colour, or what hardware selection asks for
+// in   see vtkHaspClusteredCellVS.glsl; CellFrame.glsl, CellShading.glsl, CellColors.glsl
+// out  fragOutput0   colour, or what hardware selection asks for, or the number of the frame (HASP_HITS), or sums
+//                    to blend (HASP_SPLATS)
 //Hasp::Defines
 #define HASP_FUNCTION
 #define HASP_OUT(T) out T
@@ -13,18 +12,11 @@
 //Hasp::CellShading
 //Hasp::CellSelection
 
-// What a scene does not have is not in its shader. Defaults, for a shader compiled as it stands:
-#ifndef HASP_PLANES
-#define HASP_PLANES 1 // with the near plane
-#endif
+// What a scene does not have is not in its shader.
+//Hasp::CellFrame
+//Hasp::CellColors
 
-uniform mat4 indexToClip;
-uniform mat4 indexToView;
-uniform mat3 normalToView;
-uniform mat4 clipToIndex;
-uniform vec4 eyeIndex; // (eye, 1), or (minus the view direction, 0) if parallel
 uniform vec4 viewportToDevice; // scale, offset: pixels to [-1,1]
-uniform vec4 planes[HASP_PLANES];
 flat in vec4 low;
 flat in vec4 high;
 flat in vec4 cellClip;
@@ -79,8 +71,14 @@ bool ClipRay(out vec3 a, out vec3 b, out vec3 direction)
   return t0 <= t1;
 }
 
+#ifdef HASP_SPLATS
+//Hasp::CellSplat
+#else
 void main()
 {
+#ifdef HASP_LABELS
+  EnterFrame(label);
+#endif
   vec3 a, b, direction;
   float s;
   if (!ClipRay(a, b, direction) || !HaspFirstRoot(HaspRayBernstein(low, high, a, b), s))
@@ -94,12 +92,19 @@ void main()
     (own ? 0.0 : SetBackDepth);
 
   //VTK::DepthPeeling::PreColor
-#ifdef HASP_SELECTION
+#ifdef HASP_HITS
+#ifdef HASP_LABELS
+  fragOutput0 = vec4(float(label.x & 0xFFFFu), 0.0, 0.0, 0.0);
+#else
+  fragOutput0 = vec4(0.0);
+#endif
+#elif defined(HASP_SELECTION)
   fragOutput0 = SelectionColor(uint(cell.w));
 #else
   vec3 position = (indexToView * vec4(vec3(cell.xyz) + hit, 1.0)).xyz;
   vec3 normal = FaceEye(position, normalize(normalToView * -HaspTrilinearGradient(low, high, hit)));
-  fragOutput0 = Shade(position, normal, PropertyMaterial());
+  fragOutput0 = Shade(position, normal, CellMaterial(hit));
 #endif
   //VTK::DepthPeeling::Impl
 }
+#endif

@@ -39,6 +39,7 @@ vtkSmartPointer<vtkActor> Isosurface(
   const GridGeometry geometry{ { 50, 50, 50 }, glm::dvec3(-24.5), { 1, 1, 1 }, glm::dmat3(1) };
   vtkNew<vtkHaspClusteredCellMapper> mapper;
   mapper->SetInputData(MakeImage(geometry, SampleAnalytic<std::int16_t>(shape, geometry, 100, 0)));
+  mapper->SetIsoValue(0);
   configure(mapper.GetPointer());
   return MakeActor(mapper, 0.9, 0.85, 0.7, opacity);
 }

@@ -1,10 +1,14 @@
 // Hardware selection gives the cell the ray caster meets; and a scene that does not pick pays
 // nothing.
 #include "CellTestScene.h"
+#include "Isosurface/ClusteredCells.h"
 #include "Isosurface/RayCaster.h"
+#include "vtkHaspClusteredCellLocator.h"
 
+#include "vtkCellPicker.h"
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
+#include "vtkPointData.h"
 #include "vtkWorldPointPicker.h"
 
 #include <gtest/gtest.h>
@@ -102,6 +106,88 @@ TEST_F(CellPicking, WorldPointPickerGivesThePointOnTheSurface)
   const double* at = picker->GetPickPosition();
   // The picker takes the pixel's corner, not its centre: half a pixel, some 0.2 mm here.
   EXPECT_LT(glm::length(glm::dvec3(at[0], at[1], at[2]) - truth->position), 1.0);
+}
+
+// An actor with a matrix, and the picker as any program uses it.
+TEST_F(CellPicking, ACellPickerWithTheLocatorIsExact)
+{
+  PickScene s;
+  s.scene.Actor->SetPosition(3, -4, 5);
+  s.scene.Actor->RotateZ(20);
+  s.scene.Draw();
+  vtkNew<vtkHaspClusteredCellLocator> locator;
+  locator->SetMapper(s.scene.Mapper);
+  vtkNew<vtkCellPicker> picker;
+  picker->AddLocator(locator);
+  int hits = 0;
+  for (int y = 5; y < 200; y += 7)
+    for (int x = 5; x < 240; x += 9)
+    {
+      const auto truth = s.scene.Point(x, y);
+      // The picker takes the pixel's lower left corner.
+      ASSERT_EQ(picker->Pick(x + 0.5, y + 0.5, 0, s.scene.Renderer) != 0, truth.has_value());
+      if (!truth)
+        continue;
+      ++hits;
+      // 24 bits of depth from 40 to 300 mm: 0.02 mm.
+      EXPECT_LT(glm::distance(glm::make_vec3(picker->GetPickPosition()), *truth), 0.03);
+      EXPECT_EQ(picker->GetActor(), s.scene.Actor.GetPointer());
+      const vtkIdType id = picker->GetCellId();
+      const glm::ivec3 n = s.geometry.Cells();
+      EXPECT_TRUE(s.scene.Mapper->GetCells().Find({ id % n.x, id / n.x % n.y, id / n.x / n.y }));
+    }
+  EXPECT_GT(hits, 200);
+}
+
+// Why the locator is needed: see vtkHaspClusteredCellLocator.h.
+TEST_F(CellPicking, ACellPickerWithoutItStopsAtTheVolumesBox)
+{
+  PickScene s;
+  vtkNew<vtkCellPicker> picker;
+  picker->Pick(120.5, 100.5, 0, s.scene.Renderer);
+  const glm::dvec3 index = s.geometry.WorldToIndex(glm::make_vec3(picker->GetPickPosition()));
+  const glm::dvec3 fromWall = glm::min(index, glm::dvec3(s.geometry.dims - 1) - index);
+  EXPECT_LT(std::min({ fromWall.x, fromWall.y, fromWall.z }), 1.01) << "in the outermost voxels";
+  EXPECT_GT(
+    glm::distance(glm::make_vec3(picker->GetPickPosition()), *s.scene.Point(120, 100)), 2.0);
+}
+
+TEST_F(CellPicking, GivesVoxelPointNormalAndValue)
+{
+  PickScene s;
+  vtkNew<vtkFloatArray> height; // x + 2 y - z in index coordinates: trilinear is exact
+  height->SetName("height");
+  for (int k = 0; k < s.geometry.dims.z; ++k)
+    for (int j = 0; j < s.geometry.dims.y; ++j)
+      for (int i = 0; i < s.geometry.dims.x; ++i)
+        height->InsertNextValue(static_cast<float>(i + 2 * j - k));
+  s.image->GetPointData()->AddArray(height);
+  const hasp::RayCaster caster(hasp::ViewImage(s.image), s.blocks, 0.0);
+  s.scene.Draw();
+  for (const bool colored : { false, true })
+  {
+    s.scene.Mapper->SetScalarVisibility(colored);
+    s.scene.Mapper->SetScalarModeToUsePointFieldData();
+    s.scene.Mapper->SelectColorArray("height");
+    s.scene.Draw();
+    const auto [origin, direction] = s.scene.Ray(120, 100);
+    const glm::dvec3 to = origin + 300.0 * direction;
+    const auto truth = caster.Cast(origin, direction);
+    vtkHaspPickedCell picked{};
+    ASSERT_TRUE(s.scene.Mapper->PickFirstCell(&origin.x, &to.x, picked));
+    EXPECT_EQ(glm::make_vec3(picked.ijk), truth->cell);
+    // The root is found in float inside a cell: a millionth of it.
+    EXPECT_LT(glm::distance(glm::make_vec3(picked.position), truth->position), 1e-5);
+    EXPECT_GT(glm::dot(glm::make_vec3(picked.normal), -glm::normalize(truth->gradient)), 0.9999);
+    EXPECT_EQ(picked.label, 0);
+    const glm::dvec3 index = s.geometry.WorldToIndex(truth->position);
+    EXPECT_NEAR(picked.value, colored ? index.x + 2 * index.y - index.z : 0.0, 1e-4);
+    vtkHaspPickedCell same{};
+    EXPECT_TRUE(s.scene.Mapper->PickCell(picked.cellId, &origin.x, &to.x, same));
+    EXPECT_EQ(same.t, picked.t);
+    EXPECT_FALSE(s.scene.Mapper->PickCell(picked.cellId, &origin.x, &origin.x, same));
+    EXPECT_FALSE(s.scene.Mapper->PickCell(-1, &origin.x, &to.x, same));
+  }
 }
 
 TEST_F(CellPicking, CellsOutsideTheRangeAreNoCells)

@@ -1,0 +1,82 @@
+#include "Isosurface/MovedClusters.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+MovedClusters::MovedClusters(
+  const ClusteredCells& cells, std::span<const std::uint32_t> moveOfLabel, std::size_t moveCount)
+  : Groups(moveCount),
+    ClusterCount(cells.clusters.size())
+{
+  if (cells.labels.size() != cells.Count() || moveCount == 0)
+    throw std::invalid_argument("MovedClusters: " + std::to_string(cells.labels.size()) +
+                                " labels for " + std::to_string(cells.Count()) + " cells and " +
+                                std::to_string(moveCount) +
+                                " moves; there must be a label a cell and a move");
+  for (const std::uint32_t move : moveOfLabel)
+    if (move >= moveCount)
+      throw std::invalid_argument("MovedClusters: move " + std::to_string(move) + " of " +
+                                  std::to_string(moveCount) + "; they count from 0");
+  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
+  {
+    const std::size_t first = cells.clusters[c].firstCell;
+    const std::size_t end =
+      c + 1 < cells.clusters.size() ? cells.clusters[c + 1].firstCell : cells.Count();
+    for (std::size_t n = first; n < end; ++n)
+    {
+      const std::uint16_t label = cells.labels[n];
+      Group& group = this->Groups[label < moveOfLabel.size() ? moveOfLabel[label] : 0];
+      if (!group.numbers.empty() && group.numbers.back() == c)
+        continue;
+      group.numbers.push_back(static_cast<std::uint32_t>(c));
+      group.cells.clusters.push_back(cells.clusters[c]);
+    }
+  }
+}
+
+VisibleClusters MovedClusters::Cull(const glm::dmat4& indexToClip,
+  std::span<const glm::dmat4> moves, const glm::ivec2& viewport, double pointLimit,
+  double margin) const
+{
+  if (moves.size() != this->Groups.size())
+    throw std::invalid_argument("MovedClusters: " + std::to_string(moves.size()) + " moves, not " +
+                                std::to_string(this->Groups.size()));
+  enum : std::uint8_t
+  {
+    Hidden,
+    Point,
+    Rectangle
+  };
+  std::vector<std::uint8_t> states(this->ClusterCount, Hidden);
+  for (std::size_t m = 0; m < moves.size(); ++m)
+  {
+    const Group& group = this->Groups[m];
+    const VisibleClusters seen =
+      CullClusters(group.cells, indexToClip * moves[m], viewport, pointLimit, margin);
+    for (const std::uint32_t n : seen.points)
+      states[group.numbers[n]] = std::max<std::uint8_t>(states[group.numbers[n]], Point);
+    for (const std::uint32_t n : seen.rectangles)
+      states[group.numbers[n]] = Rectangle;
+  }
+  VisibleClusters visible;
+  for (std::uint32_t c = 0; c < this->ClusterCount; ++c)
+    if (states[c] == Hidden)
+      ++visible.culled;
+    else
+      (states[c] == Point ? visible.points : visible.rectangles).push_back(c);
+  return visible;
+}
+
+std::size_t MovedClusters::Bytes() const
+{
+  std::size_t bytes = 0;
+  for (const Group& group : this->Groups)
+    bytes += group.numbers.size() * (sizeof(CellCluster) + sizeof(std::uint32_t));
+  return bytes;
+}
+
+} // namespace hasp

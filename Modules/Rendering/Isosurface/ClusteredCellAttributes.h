@@ -1,0 +1,54 @@
+#ifndef ClusteredCellAttributes_h
+#define ClusteredCellAttributes_h
+// Private to vtkHaspClusteredCellMapper.
+
+#include "CellColoring.h"
+#include "vtkHaspClusteredCellMapper.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <chrono>
+#include <string>
+
+namespace hasp
+{
+
+class Stopwatch
+{
+public:
+  double Milliseconds() const
+  {
+    return std::chrono::duration<double, std::milli>(Clock::now() - this->Start).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Start = Clock::now();
+};
+
+/// "a, b, c", for a message.
+std::string PointArrayNames(vtkPointData* data);
+
+} // namespace hasp
+
+/// What the mapper's cells have besides their places and samples, and from what it was made.
+struct vtkHaspClusteredCellMapper::Attributes
+{
+  hasp::CellLabels Labels;
+  vtkTimeStamp LabelsTime; ///< of what is said of labels
+  double LabelsMilliseconds = 0.0;
+  vtkMTimeType LabelledCells = 0; ///< time of the cells that were labelled last,
+  std::string LabelArray;         ///< and by which array
+
+  hasp::CellColoring Coloring;
+  vtkWeakPointer<vtkAbstractArray> ColorArray; ///< null if it is the volume itself
+  double ColorsMilliseconds = 0.0;
+  vtkMTimeType ColoredCells = 0; ///< time of the cells that were coloured last,
+  vtkMTimeType ColorsTime = 0;   ///< and of the mapper's settings then
+
+  vtkTimeStamp Time; ///< of the last change of the cells' labels or colours
+};
+
+#endif

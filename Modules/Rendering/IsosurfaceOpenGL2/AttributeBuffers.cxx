@@ -1,0 +1,133 @@
+#include "AttributeBuffers.h"
+
+#include "CellScene.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+
+// Slots of storage blocks; 0 and 1 are the cells.
+enum Slot : unsigned int
+{
+  FirstColorSlot = 2,
+  ColorTableSlot,
+  LabelSlot,
+  LabelTableSlot,
+  FrameSlot,
+  ColorSlot
+};
+
+/// Where bound ranges may begin: at multiples of what is at most 256 bytes.
+constexpr std::size_t Step = 256;
+
+template <typename T>
+void UploadAll(StorageBuffer& buffer, const std::vector<T>& values, const char* what)
+{
+  buffer.Upload(values.data(), values.size() * sizeof(T), what);
+}
+
+} // namespace
+
+void AttributeBuffers::Update(const hasp::ClusteredCells& cells, const hasp::CellColoring& coloring,
+  const hasp::CellLabels& labels, bool colored, const Times& times)
+{
+  const bool labelled = !cells.labels.empty() && !labels.empty();
+  const bool newCells =
+    times.cells != this->Then.cells || colored != this->ColoredThen || labelled != this->Labelled();
+  if (newCells)
+    this->Release();
+  if (labelled && (newCells || times.labels != this->Then.labels))
+    this->UpdateLabels(cells, labels, newCells);
+  if (newCells && colored && !cells.colors.empty())
+  {
+    UploadAll(this->FirstColors, cells.firstColors, "colours");
+    UploadAll(this->Colors, cells.colors, "colours");
+    UploadAll(this->ColorTable, coloring.table, "colours");
+  }
+  this->Then = times;
+  this->ColoredThen = colored;
+}
+
+void AttributeBuffers::UpdateLabels(
+  const hasp::ClusteredCells& cells, const hasp::CellLabels& labels, bool newCells)
+{
+  if (newCells)
+  {
+    std::vector<std::uint16_t> whole = cells.labels; // words
+    whole.resize((whole.size() + 1) / 2 * 2);
+    UploadAll(this->Labels, whole, "labels");
+  }
+  const std::vector<std::uint32_t> before = this->Frames.moveOfLabel;
+  this->Frames = LabelFrames(labels, cells.geometry);
+  UploadAll(this->LabelTable, this->Frames.table, "what is said of labels");
+  if (!this->Frames.Moved())
+    this->Clusters = {};
+  else if (newCells || this->Frames.moveOfLabel != before)
+    this->Clusters =
+      hasp::MovedClusters(cells, this->Frames.moveOfLabel, this->Frames.moves.size());
+}
+
+void AttributeBuffers::UpdateFrames(const CellScene& scene)
+{
+  std::vector<float> data;
+  for (const glm::dmat4& move : this->Frames.moves)
+    scene.AppendFrame(data, move);
+  UploadAll(this->FrameData, data, "poses of labels");
+}
+
+void AttributeBuffers::Bind(const hasp::ClusteredCells& cells, std::size_t first, std::size_t end,
+  vtkShaderProgram* program) const
+{
+  const bool last = end == cells.clusters.size();
+  if (this->Labelled())
+  {
+    const std::size_t from = cells.clusters[first].firstCell * sizeof(std::uint16_t) / Step * Step;
+    const std::size_t to = last ? cells.Count() : cells.clusters[end].firstCell;
+    this->Labels.Bind(LabelSlot, from, (to * sizeof(std::uint16_t) + 3) / 4 * 4);
+    program->SetUniformi("firstLabelWord", static_cast<int>(from / sizeof(std::uint32_t)));
+    this->LabelTable.Bind(LabelTableSlot);
+    this->FrameData.Bind(FrameSlot);
+  }
+  if (this->Colored())
+  {
+    const std::size_t word = sizeof(std::uint32_t);
+    const std::size_t fromCluster = first * word / Step * Step;
+    this->FirstColors.Bind(FirstColorSlot, fromCluster, end * word);
+    const std::size_t from = cells.firstColors[first] * word / Step * Step;
+    const std::size_t to = last ? cells.colors.size() : cells.firstColors[end];
+    this->Colors.Bind(ColorSlot, from, to * word);
+    program->SetUniformi("firstColor", static_cast<int>(from / word));
+    program->SetUniformi("clustersBefore", static_cast<int>(first - fromCluster / word));
+    if (this->Tabled())
+      this->ColorTable.Bind(ColorTableSlot);
+  }
+}
+
+void AttributeBuffers::Release()
+{
+  for (StorageBuffer* buffer : { &this->Labels, &this->LabelTable, &this->FrameData,
+         &this->FirstColors, &this->Colors, &this->ColorTable })
+    buffer->Release();
+  *this = {};
+}
+
+hasp::VisibleClusters AttributeBuffers::Cull(
+  const CellScene& scene, double pointLimit, double margin) const
+{
+  return this->Clusters.Cull(
+    scene.indexToClip, this->Frames.moves, scene.viewportSize, pointLimit, margin);
+}
+
+std::size_t AttributeBuffers::LabelBytes() const
+{
+  return this->Labels.Bytes() + this->LabelTable.Bytes() + this->FrameData.Bytes() +
+         this->Clusters.Bytes();
+}
+
+std::size_t AttributeBuffers::ColorBytes() const
+{
+  return this->FirstColors.Bytes() + this->Colors.Bytes() + this->ColorTable.Bytes();
+}

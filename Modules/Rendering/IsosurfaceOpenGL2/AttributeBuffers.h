@@ -1,0 +1,58 @@
+#ifndef AttributeBuffers_h
+#define AttributeBuffers_h
+
+#include "CellColoring.h"
+#include "Isosurface/MovedClusters.h"
+#include "LabelFrames.h"
+#include "StorageBuffer.h"
+
+#include "vtkType.h"
+
+struct CellScene;
+class vtkShaderProgram;
+
+/// Labels and colours of cells on the GPU, each only if the scene asks for it, and where poses take
+/// the cells. Threads: RENDER, with the context current.
+class AttributeBuffers
+{
+public:
+  /// When what is given to Update last changed.
+  struct Times
+  {
+    vtkMTimeType cells = 0;  ///< cells, their labels, their colours
+    vtkMTimeType labels = 0; ///< what is said of labels
+  };
+  /// Brings what is asked for up to date and releases what is not. Throws std::runtime_error if the
+  /// GPU has no room.
+  void Update(const hasp::ClusteredCells& cells, const hasp::CellColoring& coloring,
+    const hasp::CellLabels& labels, bool colored, const Times& times);
+  /// The frames of the labels' poses for this view; once a frame, if Labelled.
+  void UpdateFrames(const CellScene& scene);
+  /// Binds what belongs to clusters [first, end) of the cells, and sets their uniforms.
+  void Bind(const hasp::ClusteredCells& cells, std::size_t first, std::size_t end,
+    vtkShaderProgram* program) const;
+  void Release();
+
+  bool Labelled() const { return this->Labels.Bytes() > 0; }
+  bool Moved() const { return this->Labelled() && this->Frames.Moved(); }
+  bool Colored() const { return this->Colors.Bytes() > 0; }
+  /// Colours are places in a table.
+  bool Tabled() const { return this->ColorTable.Bytes() > 0; }
+  /// The clusters in view, if Moved.
+  hasp::VisibleClusters Cull(const CellScene& scene, double pointLimit, double margin) const;
+  std::size_t LabelBytes() const;
+  std::size_t ColorBytes() const;
+
+private:
+  void UpdateLabels(
+    const hasp::ClusteredCells& cells, const hasp::CellLabels& labels, bool newCells);
+
+  StorageBuffer Labels, LabelTable, FrameData;
+  StorageBuffer FirstColors, Colors, ColorTable;
+  LabelFrames Frames;
+  hasp::MovedClusters Clusters; ///< empty unless Moved
+  Times Then;
+  bool ColoredThen = false;
+};
+
+#endif
