@@ -107,6 +107,7 @@ class Isosurface(unittest.TestCase):
         mapper = hasp.vtkHaspClusteredCellMapper()
         self.assertEqual(type(mapper).__name__, "vtkHaspOpenGLClusteredCellMapper")
         mapper.SetInputData(ball())
+        mapper.SetIsoValue(0.0)
         window, _ = scene(mapper)
         pixels_per_mm = HEIGHT / (2 * PARALLEL_SCALE)
         disc = math.pi * (RADIUS * pixels_per_mm) ** 2
@@ -189,6 +190,7 @@ class Stereo(unittest.TestCase):
         hasp.UseHeadlessWindows()
         mapper = hasp.vtkHaspClusteredCellMapper()
         mapper.SetInputData(ball())
+        mapper.SetIsoValue(0.0)
         _window, renderer = scene(mapper)
         renderer.GetActiveCamera().ParallelProjectionOff()
         picture = hasp.vtkHaspStereoPicture()

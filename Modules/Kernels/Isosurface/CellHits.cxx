@@ -14,7 +14,8 @@ namespace hasp
 namespace
 {
 
-// Boxes reach this far into their neighbours, in voxels, so that no line slips between two; as in drawing.
+// Boxes reach this far into their neighbours, in voxels, so that no line slips between two; as in
+// drawing.
 constexpr double Overlap = 1e-4;
 
 struct Line

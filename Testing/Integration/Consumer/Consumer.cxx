@@ -49,6 +49,7 @@ int main()
   hasp::UseHeadlessWindows();
   vtkNew<vtkHaspClusteredCellMapper> mapper;
   mapper->SetInputData(Ball());
+  mapper->SetIsoValue(0);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;

@@ -53,7 +53,7 @@ public:
     this->Window->SetSize(width, height);
     this->Window->AddRenderer(this->Renderer);
     this->Mapper = vtkSmartPointer<vtkHaspClusteredCellMapper>::New();
-    this->Mapper->SetIsoValue(0.0); // most volumes here are signed distances
+    this->Mapper->SetIsoValue(0.0);         // most volumes here are signed distances
     this->Mapper->SetRendererToRasterize(); // not what a measurement says
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);

@@ -3,8 +3,12 @@
 #include "Isosurface/ClusterCulling.h"
 #include "vtkHaspOpenGLClusteredCellMapper.h"
 
+#include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 
 #include <gtest/gtest.h>
 
@@ -90,6 +94,51 @@ TEST_F(CellParts, Int16CellsLookTheSame)
 TEST_F(CellParts, FloatCellsLookTheSame)
 {
   ExpectTheSamePictureInParts<float>();
+}
+
+// Labels, a pose, and colours of another array go along in parts, too.
+TEST_F(CellParts, LabelsAndColoursLookTheSame)
+{
+  const auto image = Gyroid<std::int16_t>();
+  vtkNew<vtkUnsignedShortArray> label;
+  vtkNew<vtkFloatArray> height;
+  label->SetName("label");
+  height->SetName("height");
+  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
+  {
+    label->InsertNextValue(static_cast<unsigned short>(n / 5000 % 4));
+    height->InsertNextValue(static_cast<float>(n % 1777));
+  }
+  image->GetPointData()->AddArray(label);
+  image->GetPointData()->AddArray(height);
+  vtkNew<vtkTransform> pose;
+  pose->Translate(4, -8, 3);
+  const auto ask = [&](vtkHaspClusteredCellMapper* mapper, bool posed)
+  {
+    mapper->SetLabelArrayName("label");
+    mapper->SetLabelColor(1, 1, 0, 0);
+    mapper->SetLabelVisibility(2, false);
+    mapper->SetLabelPose(3, posed ? pose.GetPointer() : nullptr);
+    mapper->ScalarVisibilityOn();
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray("height");
+    mapper->SetScalarRange(0, 1777);
+  };
+  for (const bool posed : { false, true })
+  {
+    vtkNew<vtkHaspOpenGLClusteredCellMapper> whole;
+    vtkNew<SmallBlockMapper> parts;
+    ask(whole, posed);
+    ask(parts, posed);
+    EXPECT_EQ(Picture(parts, image, true), Picture(whole, image, false)) << "posed " << posed;
+    for (const auto& part : DivideClusters(whole->GetCells(), hasp::LeastBlockBytes))
+    {
+      const auto& first = whole->GetCells().firstColors;
+      const std::size_t end =
+        part.end < first.size() ? first[part.end] : whole->GetCells().colors.size();
+      EXPECT_LE(4 * (end - first[part.first]) + 256, hasp::LeastBlockBytes);
+    }
+  }
 }
 
 } // namespace
