@@ -18,6 +18,8 @@ bool RendererSwitch::IsTraced(const Frame& frame)
   };
   if (frame.wanted == vtkHaspClusteredCellMapper::Rasterize)
     return because(false, "as asked for");
+  if (!frame.traceable)
+    return because(false, "labels, scalar colours and blended normals always are");
   if (!frame.hides)
     return because(false, "translucent surfaces always are");
   if (frame.wanted == vtkHaspClusteredCellMapper::Trace)

@@ -17,7 +17,8 @@ class RendererSwitch
 public:
   struct Frame
   {
-    int wanted; ///< vtkHaspClusteredCellMapper::Renderers
+    int wanted;     ///< vtkHaspClusteredCellMapper::Renderers
+    bool traceable; ///< the cells have no more than their surface
     vtkRenderer* renderer;
     bool hides; ///< the pass is opaque and writes depth
     bool softwareOpenGL;

@@ -5,6 +5,7 @@
 #include "HaspGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -41,6 +42,7 @@ void TracedCells::Upload(vtkOpenGLRenderWindow* window, const CellTracing& traci
   const hasp::TracedPicture& picture = tracing.Picture();
   if (picture.cells.empty())
     return;
+  vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
   Fill(this->Gradients, window, picture.size, 4, VTK_FLOAT, picture.gradients.data());
   this->ByteCount = picture.gradients.size() * sizeof(picture.gradients[0]);
   if (selection)
@@ -67,6 +69,7 @@ void TracedCells::Draw(
   const float rectangle[4] = { low.x, low.y, high.x, high.y };
   program->SetUniform4f("rectangle", rectangle);
   program->SetUniform2i("firstPixel", &firstPixel.x);
+  vtkOpenGLState::ScopedglActiveTexture unit(this->Gradients->GetContext()->GetState());
   this->Gradients->Activate();
   program->SetUniformi("gradients", this->Gradients->GetTextureUnit());
   if (this->Numbers)

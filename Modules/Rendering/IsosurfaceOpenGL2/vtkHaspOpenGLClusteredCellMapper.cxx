@@ -163,14 +163,14 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   try
   {
     RendererSwitch& renderers = this->GL->Switch;
-    const int wanted = this->NeedsRasterizer() ? int(Rasterize) : this->Renderer;
-    const bool traced = renderers.IsTraced({ wanted, renderer, HidesWhatIsBehind(actor),
-      context.SoftwareOpenGL, this->GetCells().Count() });
+    const bool traceable = !this->NeedsRasterizer();
+    const bool traced = renderers.IsTraced({ this->Renderer, traceable, renderer,
+      HidesWhatIsBehind(actor), context.SoftwareOpenGL, this->GetCells().Count() });
     if (traced)
       this->DrawTraced(context, renderer, actor);
     else
       this->DrawRasterized(context, renderer, actor);
-    if (!renderers.MayTrace(wanted))
+    if (!traceable || !renderers.MayTrace(this->Renderer))
     {
       this->GL->Tracing.Release();
       context.Traced.Release();

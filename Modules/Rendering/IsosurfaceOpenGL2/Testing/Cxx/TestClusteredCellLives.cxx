@@ -293,16 +293,20 @@ TEST_F(CellLives, OpenGLIsLeftAsItWasFound)
   BallScene scene;
   ASSERT_TRUE(scene.Shows());
   vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->GetRenderFramebuffer()->Bind();
-  for (const bool sized : { false, true })
-  {
-    (sized ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE);
-    const auto before = state();
-    scene.Mapper->Render(scene.Renderer, scene.Actor);
-    EXPECT_EQ(state(), before);
-    scene.Mapper->SetIsoValue(scene.Mapper->GetIsoValue() + 1); // with an upload
-    scene.Mapper->Render(scene.Renderer, scene.Actor);
-    EXPECT_EQ(state(), before);
-  }
+  const int renderers[] = { vtkHaspClusteredCellMapper::Rasterize,
+    HASP_WITH_EMBREE ? vtkHaspClusteredCellMapper::Trace : vtkHaspClusteredCellMapper::Rasterize };
+  for (const int renderer : renderers)
+    for (const bool sized : { false, true })
+    {
+      scene.Mapper->SetRenderer(renderer);
+      (sized ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE);
+      const auto before = state();
+      scene.Mapper->Render(scene.Renderer, scene.Actor);
+      EXPECT_EQ(state(), before) << "renderer " << renderer;
+      scene.Mapper->SetIsoValue(scene.Mapper->GetIsoValue() + 1); // with an upload
+      scene.Mapper->Render(scene.Renderer, scene.Actor);
+      EXPECT_EQ(state(), before) << "renderer " << renderer;
+    }
   glDisable(GL_PROGRAM_POINT_SIZE);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }

@@ -239,6 +239,13 @@ TEST_F(TracedCells, AreNotThereUntilAskedForAndGoneAfterwards)
   EXPECT_EQ(mapper->GetRendererChoice(), "rasterised: translucent surfaces always are");
   scene.Actor->GetProperty()->SetOpacity(1.0);
 
+  mapper->SetBlendNormals(true);
+  scene.Draw();
+  EXPECT_EQ(mapper->GetRendererChoice(),
+    "rasterised: labels, scalar colours and blended normals always are");
+  EXPECT_EQ(bytes("ray tracing tree"), 0U);
+  mapper->SetBlendNormals(false);
+
   mapper->SetRendererToRasterize();
   scene.Draw();
   EXPECT_EQ(bytes("ray tracing tree"), 0U);
