@@ -29,6 +29,11 @@ AnalyticVolume AnalyticTorus(
 /// sin x cos y + sin y cos z + sin z cos x with the period in mm, scaled to about 1 per mm at the
 /// surface.
 AnalyticVolume AnalyticGyroid(double period);
+/// Spongy bone: a ball of the given radius around the origin, solid down to `shell` below its
+/// surface and a network of struts further in (the part of a gyroid of the given period that is
+/// about a quarter of space). mm. Many surfaces lie behind each other. Throws std::invalid_argument
+/// unless 0 < shell < radius and period > 0.
+AnalyticVolume AnalyticTrabecular(double radius, double shell, double period);
 
 /// The first point where the field turns from outside to inside along origin + t * direction,
 /// t in [tMin, tMax] in units of |direction|; nothing if there is none. Steps of |value| /

@@ -37,7 +37,7 @@ TEST(AnalyticVolumes, LipschitzBoundHolds)
   std::uniform_real_distribution<double> any(-50, 50), small(-1, 1);
   for (const auto& v : { hasp::AnalyticSphere({ 1, 2, 3 }, 10),
          hasp::AnalyticTorus({ 0, 0, 0 }, glm::normalize(glm::dvec3(1, 2, 2)), 20, 6),
-         hasp::AnalyticGyroid(17) })
+         hasp::AnalyticGyroid(17), hasp::AnalyticTrabecular(40, 2, 9) })
     for (int n = 0; n < 20000; ++n)
     {
       const glm::dvec3 a(any(random), any(random), any(random));
@@ -45,6 +45,28 @@ TEST(AnalyticVolumes, LipschitzBoundHolds)
       ASSERT_LE(std::abs(v.value(a) - v.value(b)), v.lipschitz * glm::length(a - b) + 1e-12)
         << v.name;
     }
+}
+
+TEST(AnalyticVolumes, TrabecularBoneIsAShellWithAQuarterOfStruts)
+{
+  EXPECT_THROW(hasp::AnalyticTrabecular(10, 10, 3), std::invalid_argument);
+  EXPECT_THROW(hasp::AnalyticTrabecular(10, 0, 3), std::invalid_argument);
+  EXPECT_THROW(hasp::AnalyticTrabecular(10, 1, 0), std::invalid_argument);
+  const auto bone = hasp::AnalyticTrabecular(30, 2, 6);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> any(-16, 16), depth(0, 2);
+  int solid = 0;
+  constexpr int count = 20000;
+  for (int n = 0; n < count; ++n)
+  {
+    const glm::dvec3 p(any(random), any(random), any(random)); // inside the shell: |p| < 28
+    solid += bone.value(p) > 0;
+    const glm::dvec3 outward = glm::normalize(p);
+    EXPECT_GE(bone.value((30 - depth(random)) * outward), 0);
+    EXPECT_NEAR(bone.value((30.0 + depth(random)) * outward), 0, 2.0); // minus the distance
+    EXPECT_LT(bone.value(30.001 * outward), 0);
+  }
+  EXPECT_NEAR(double(solid) / count, 0.25, 0.03); // of the network; 0.003 a standard deviation
 }
 
 TEST(AnalyticVolumes, IntegersAreRoundedAndSaturated)
