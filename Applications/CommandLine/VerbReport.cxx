@@ -11,6 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -57,6 +59,20 @@ std::vector<const ReportEntry*> Chosen(const std::vector<std::string>& names)
   return chosen;
 }
 
+/// Of the process, so far: in `all`, also of the reports before. What each resource holds is said
+/// by its owner.
+ReportRow PeakMemory(const std::string& report)
+{
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  ReportRow row;
+  row.id = report + ".memory.peak";
+  row.value = double(use.ru_maxrss) / (1024.0 * 1024.0);
+  row.unit = "GiB resident at most";
+  row.rival = "all methods of this report together";
+  return row;
+}
+
 Report RunReport(const ReportEntry& entry, const ReportSettings& settings, Session& session)
 {
   Report report;
@@ -75,6 +91,7 @@ Report RunReport(const ReportEntry& entry, const ReportSettings& settings, Sessi
       session.progress.Share(share);
     } };
   entry.run(context);
+  report.rows.push_back(PeakMemory(report.name));
   return report;
 }
 
