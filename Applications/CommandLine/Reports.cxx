@@ -1,7 +1,9 @@
 #include "ReportRegistry.h"
 
 #if HASP_WITH_CELLS
+#include "ReportCells.h"
 #include "ReportIsosurface.h"
+#include "ReportStability.h"
 #endif
 #include "ReportImport.h"
 #include "ReportStereo.h"
@@ -16,6 +18,10 @@ const std::vector<ReportEntry>& ReportRegistry()
 #if HASP_WITH_CELLS
     { "isosurface", "error against time of cells, mesh, GPU volume and direct rays",
       ReportIsosurface },
+      { "cells", "bytes, extraction, edits, frames and rays of clustered cells, against a mesh",
+        ReportCells },
+      { "stability", "what is predicted of extreme volumes, rays and eyes, against what comes",
+        ReportStability },
 #endif
       { "import", "where samples lie and how long reading takes, against other readers",
         ReportImport },

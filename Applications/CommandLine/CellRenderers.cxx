@@ -1,0 +1,13 @@
+#include "CellRenderers.h"
+
+namespace hasp
+{
+
+std::vector<NamedMethod> CellRenderers(const IsosurfaceView& view)
+{
+  std::vector<NamedMethod> all;
+  all.push_back({ "rasterize", MakeCellMethod(view) });
+  return all;
+}
+
+} // namespace hasp
