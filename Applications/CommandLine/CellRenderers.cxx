@@ -7,6 +7,7 @@ std::vector<NamedMethod> CellRenderers(const IsosurfaceView& view)
 {
   std::vector<NamedMethod> all;
   all.push_back({ "rasterize", MakeCellMethod(view) });
+  all.push_back({ "rasterize.all", MakeCellMethod(view, false) });
   return all;
 }
 

@@ -72,16 +72,21 @@ protected:
 class CellMethod : public WindowMethod
 {
 public:
-  explicit CellMethod(const IsosurfaceView& view) : WindowMethod(view)
+  CellMethod(const IsosurfaceView& view, bool culling) : WindowMethod(view)
   {
     this->Mapper = vtkSmartPointer<vtkHaspClusteredCellMapper>::New();
+    this->Mapper->SetOcclusionCulling(culling);
     this->Mapper->SetInputData(view.image);
     this->Mapper->SetIsoValue(view.isovalue);
     vtkNew<vtkActor> actor;
     actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(actor);
   }
-  std::string Name() const override { return "clustered cells"; }
+  std::string Name() const override
+  {
+    return this->Mapper->GetOcclusionCulling() ? "clustered cells"
+                                               : "clustered cells, hidden clusters drawn too";
+  }
   std::size_t Bytes() const override { return this->Mapper->GetCells().Bytes(); }
   ResourceList Resources() const override
   {
@@ -179,9 +184,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view)
+std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view, bool culling)
 {
-  return std::make_unique<CellMethod>(view);
+  return std::make_unique<CellMethod>(view, culling);
 }
 
 std::unique_ptr<IsosurfaceMethod> MakeMeshMethod(const IsosurfaceView& view)

@@ -25,8 +25,8 @@ public:
   virtual ResourceList Resources() const { return {}; }
 };
 
-/// The view must outlive the method.
-std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view);
+/// The view must outlive the method. Without culling, clusters that others hide are drawn too.
+std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view, bool culling = true);
 std::unique_ptr<IsosurfaceMethod> MakeMeshMethod(const IsosurfaceView& view);
 /// sampleDistance in voxels (of the smallest spacing).
 std::unique_ptr<IsosurfaceMethod> MakeVolumeMethod(

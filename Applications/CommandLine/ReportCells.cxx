@@ -85,6 +85,9 @@ void ReportCells(ReportContext& context)
   MeasureVolume(context, pixels);
   const std::int64_t rays = quick ? 20'000 : context.settings.soak ? 100'000'000 : 1'000'000;
   ReportRandomRays(context, scene, rays);
+  ReportCellStream(context, quick ? 256 : 1024);
+  if (context.settings.soak)
+    ReportCellStream(context, 2048);
 }
 
 } // namespace hasp

@@ -38,6 +38,23 @@ void AddCurve(ReportContext& context, const std::string& method, double ms, doub
   context.report.curves.push_back({ id, method, "ms", "voxel RMS", { { ms, error } } });
 }
 
+/// What drawing holds beside the kernel's cells, which stay in memory to answer picks.
+void AddDrawingBytes(ReportContext& context, const CellScene& scene, const IsosurfaceMethod& method,
+  const DepthErrors& errors, const PairedTimes& times)
+{
+  std::size_t bytes = 0;
+  std::string list;
+  for (const ResourceUse& use : method.Resources())
+    if (use.bytes > 0 && use.resource != "active cells, host" && use.resource != "min-max blocks")
+    {
+      bytes += use.bytes;
+      list += ", " + use.resource + " " + std::to_string(use.bytes);
+    }
+  context.report.rows.push_back(FixedFigure("cells.bytes.drawing" + scene.tag,
+    double(bytes) / double(method.Bytes()), "of the kernel's bytes", "the cells in the kernel",
+    { errors.rms, "voxel RMS" }, times, scene.data + list));
+}
+
 std::string Rms(double voxels)
 {
   char text[60];
@@ -67,12 +84,14 @@ void ReportCellFrames(ReportContext& context, const CellScene& scene, int pixels
     const ReportRow row = TimedRatio("cells.frame." + renderer.id + scene.tag, times, rival,
       { errors.rms, "voxel RMS" }, data + ", " + renderer.method->Name());
     context.report.rows.push_back(row);
-    if (first && large)
-      context.report.rows.emplace_back(row).id = "cells.frame.large";
     AddCurve(context, renderer.method->Name(), 1e3 * times.a.wallS, errors.rms);
-    if (first)
-      AddCurve(context, mesh->Name(), 1e3 * times.b.wallS, meshRms);
+    if (!first)
+      continue;
     first = false;
+    if (large)
+      context.report.rows.emplace_back(row).id = "cells.frame.large";
+    AddCurve(context, mesh->Name(), 1e3 * times.b.wallS, meshRms);
+    AddDrawingBytes(context, scene, *renderer.method, errors, times);
     AddUnused(context, *renderer.method);
   }
 }

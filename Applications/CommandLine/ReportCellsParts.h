@@ -26,5 +26,7 @@ void ReportCellFrames(ReportContext& context, const CellScene& scene, int pixels
 void ReportCellRays(ReportContext& context, const CellScene& scene, int pixels);
 /// cells.missed.random, cells.depth.max.random: rays from anywhere to anywhere
 void ReportRandomRays(ReportContext& context, const CellScene& scene, std::int64_t rays);
+/// cells.stream.gib: n^3 samples in a file, in a process of its own
+void ReportCellStream(ReportContext& context, int n);
 
 } // namespace hasp
