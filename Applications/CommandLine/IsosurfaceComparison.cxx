@@ -18,7 +18,8 @@ IsosurfaceComparison::IsosurfaceComparison(ReportContext& context, const std::st
     Truth(std::move(truth)),
     Cells(MakeCellMethod(view))
 {
-  this->Cells->Draw();
+  for (int frame = 0; frame < SettlingFrames; ++frame)
+    this->Cells->Draw();
   this->Ours.error = MeasureErrors(this->View, this->Truth, this->Cells->Points());
 }
 

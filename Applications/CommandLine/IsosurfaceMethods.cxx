@@ -72,20 +72,25 @@ protected:
 class CellMethod : public WindowMethod
 {
 public:
-  CellMethod(const IsosurfaceView& view, bool culling) : WindowMethod(view)
+  CellMethod(const IsosurfaceView& view, CellDrawing drawing) : WindowMethod(view)
   {
     this->Mapper = vtkSmartPointer<vtkHaspClusteredCellMapper>::New();
-    this->Mapper->SetOcclusionCulling(culling);
+    if (drawing == CellDrawing::Trace)
+      this->Mapper->SetRendererToTrace();
+    else if (drawing != CellDrawing::Automatic)
+      this->Mapper->SetRendererToRasterize();
+    this->Mapper->SetOcclusionCulling(drawing != CellDrawing::RasterizeAll);
     this->Mapper->SetInputData(view.image);
     this->Mapper->SetIsoValue(view.isovalue);
     vtkNew<vtkActor> actor;
     actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(actor);
   }
+  /// Says what was drawn last.
   std::string Name() const override
   {
-    return this->Mapper->GetOcclusionCulling() ? "clustered cells"
-                                               : "clustered cells, hidden clusters drawn too";
+    return "clustered cells, " + this->Mapper->GetRendererChoice() +
+           (this->Mapper->GetOcclusionCulling() ? "" : ", hidden clusters too");
   }
   std::size_t Bytes() const override { return this->Mapper->GetCells().Bytes(); }
   ResourceList Resources() const override
@@ -184,9 +189,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view, bool culling)
+std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view, CellDrawing drawing)
 {
-  return std::make_unique<CellMethod>(view, culling);
+  return std::make_unique<CellMethod>(view, drawing);
 }
 
 std::unique_ptr<IsosurfaceMethod> MakeMeshMethod(const IsosurfaceView& view)

@@ -10,6 +10,9 @@
 namespace hasp
 {
 
+/// Frames until shaders are compiled, culling knows what is hidden and Automatic has decided.
+constexpr int SettlingFrames = 6;
+
 /// What a method shows in each pixel, row by row from below: a world point, or nothing.
 using SurfacePoints = std::vector<std::optional<glm::dvec3>>;
 
@@ -25,8 +28,17 @@ public:
   virtual ResourceList Resources() const { return {}; }
 };
 
-/// The view must outlive the method. Without culling, clusters that others hide are drawn too.
-std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view, bool culling = true);
+/// How clustered cells are drawn.
+enum class CellDrawing
+{
+  Automatic, ///< as in a scene that asks for nothing
+  Rasterize,
+  RasterizeAll, ///< also the clusters that others hide
+  Trace         ///< a build with Embree has it
+};
+/// The view must outlive the method.
+std::unique_ptr<IsosurfaceMethod> MakeCellMethod(
+  const IsosurfaceView& view, CellDrawing drawing = CellDrawing::Automatic);
 std::unique_ptr<IsosurfaceMethod> MakeMeshMethod(const IsosurfaceView& view);
 /// sampleDistance in voxels (of the smallest spacing).
 std::unique_ptr<IsosurfaceMethod> MakeVolumeMethod(

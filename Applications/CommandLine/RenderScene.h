@@ -16,6 +16,7 @@ struct RenderOptions
 {
   double isoValue = 0.0;
   std::string mapper;                                   ///< a name of SurfaceMappers()
+  std::string renderer = "automatic";                   ///< a name of CellRendererNames()
   std::array<int, 2> resolution{ 800, 800 };            ///< pixels of one eye
   std::array<double, 3> color{ 0.93, 0.87, 0.76 };      ///< of the isosurface, in [0,1]
   std::array<double, 3> background{ 0.10, 0.11, 0.13 }; ///< in [0,1]

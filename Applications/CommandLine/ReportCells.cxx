@@ -79,7 +79,7 @@ void ReportCells(ReportContext& context)
   ReportCellEdits(context, scene);
   ReportCellDepth(context, scene, pixels);
   ReportCellRays(context, scene, pixels);
-  const std::vector<int> deep = quick ? std::vector{ 64, 128 } : std::vector{ 128, 256, 384 };
+  const std::vector<int> deep = quick ? std::vector{ 40, 80 } : std::vector{ 128, 256, 384 };
   for (const int n : deep)
     ReportCellFrames(context, SpongyBoneScene(n), pixels, n == deep.back());
   MeasureVolume(context, pixels);

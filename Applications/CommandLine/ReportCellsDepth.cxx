@@ -30,6 +30,8 @@ struct Worst
 void AddRenderer(ReportContext& context, const CellScene& scene, const DepthTruth& truth,
   const NamedMethod& renderer, int pixels, Worst& worst)
 {
+  for (int frame = 1; frame < SettlingFrames; ++frame)
+    renderer.method->Draw();
   const Timing time = TimeOf([&] { renderer.method->Draw(); });
   const DepthErrors errors = MeasureDepth(truth, renderer.method->Points());
   const std::string name = renderer.method->Name();

@@ -39,9 +39,10 @@ void AddCurve(ReportContext& context, const std::string& method, double ms, doub
 }
 
 /// What drawing holds beside the kernel's cells, which stay in memory to answer picks.
-void AddDrawingBytes(ReportContext& context, const CellScene& scene, const IsosurfaceMethod& method,
+void AddDrawingBytes(ReportContext& context, const CellScene& scene, const NamedMethod& renderer,
   const DepthErrors& errors, const PairedTimes& times)
 {
+  const IsosurfaceMethod& method = *renderer.method;
   std::size_t bytes = 0;
   std::string list;
   for (const ResourceUse& use : method.Resources())
@@ -50,7 +51,7 @@ void AddDrawingBytes(ReportContext& context, const CellScene& scene, const Isosu
       bytes += use.bytes;
       list += ", " + use.resource + " " + std::to_string(use.bytes);
     }
-  context.report.rows.push_back(FixedFigure("cells.bytes.drawing" + scene.tag,
+  context.report.rows.push_back(FixedFigure("cells.bytes.drawing." + renderer.id + scene.tag,
     double(bytes) / double(method.Bytes()), "of the kernel's bytes", "the cells in the kernel",
     { errors.rms, "voxel RMS" }, times, scene.data + list));
 }
@@ -76,7 +77,8 @@ void ReportCellFrames(ReportContext& context, const CellScene& scene, int pixels
   bool first = true; // the renderer that a scene gets that asks for none
   for (const NamedMethod& renderer : CellRenderers(view))
   {
-    renderer.method->Draw();
+    for (int frame = 0; frame < SettlingFrames; ++frame)
+      renderer.method->Draw();
     const DepthErrors errors = MeasureDepth(truth, renderer.method->Points());
     const PairedTimes times = ComparePairs([&] { return TimeOf([&] { renderer.method->Draw(); }); },
       [&] { return TimeOf([&] { mesh->Draw(); }); }, { 1, 9 });
@@ -84,14 +86,14 @@ void ReportCellFrames(ReportContext& context, const CellScene& scene, int pixels
     const ReportRow row = TimedRatio("cells.frame." + renderer.id + scene.tag, times, rival,
       { errors.rms, "voxel RMS" }, data + ", " + renderer.method->Name());
     context.report.rows.push_back(row);
-    AddCurve(context, renderer.method->Name(), 1e3 * times.a.wallS, errors.rms);
+    AddCurve(context, "clustered cells, " + renderer.id, 1e3 * times.a.wallS, errors.rms);
+    AddDrawingBytes(context, scene, renderer, errors, times);
     if (!first)
       continue;
     first = false;
     if (large)
       context.report.rows.emplace_back(row).id = "cells.frame.large";
     AddCurve(context, mesh->Name(), 1e3 * times.b.wallS, meshRms);
-    AddDrawingBytes(context, scene, *renderer.method, errors, times);
     AddUnused(context, *renderer.method);
   }
 }

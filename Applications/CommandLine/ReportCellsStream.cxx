@@ -96,12 +96,21 @@ void MeasureStream(ReportContext& context, const std::string& volume, int n, con
   row.id = "cells.stream.gib" + tag;
   row.unit = "GiB anonymous and shared memory, resident at most";
   row.data = "phantom head, " + std::to_string(n) + "^3 int16 on disk, 300 HU";
-  context.progress(0.3, "cells: extracting and drawing " + std::to_string(n) + "^3 samples");
-  const double first =
-    Run("extraction", { "cells", volume, "--isovalue", "300", "--quiet", "--output", cellFile },
-      row) +
-    Run("drawing", { "render", cellFile, "--quiet", "--output", (folder / "picture.png").string() },
-      row);
+  const auto draw = [&](const char* renderer)
+  {
+    return std::vector<std::string>{ "render", cellFile, "--quiet", "--renderer", renderer,
+      "--output", (folder / "picture.png").string() };
+  };
+  context.progress(
+    0.3, "cells: extracting, drawing and tracing " + std::to_string(n) + "^3 samples");
+  double first = Run(
+    "extraction", { "cells", volume, "--isovalue", "300", "--quiet", "--output", cellFile }, row);
+#if HASP_WITH_RAYS
+  first += Run("tracing", draw("trace"), row);
+  Run("rasterising", draw("rasterize"), row);
+#else
+  first += Run("rasterising", draw("rasterize"), row);
+#endif
   context.progress(0.7, "cells: checking what was extracted");
   const auto cells = LoadCells(cellFile);
   row.error = double(WrongCells(volume, *cells));

@@ -87,6 +87,8 @@ void CheckPicture(ReportContext& context, const std::string& name, const Isosurf
 {
   const DepthTruth truth(view);
   std::vector<NamedMethod> renderers = CellRenderers(view);
+  std::erase_if(
+    renderers, [](const NamedMethod& r) { return r.id == "automatic"; }); // one of the others
   if (auto tracer = MakeTracerMethod(view))
     renderers.push_back({ "rays", std::move(tracer) });
   for (const NamedMethod& renderer : renderers)

@@ -18,6 +18,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace hasp
@@ -69,9 +70,13 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
 
 #if HASP_WITH_CELLS
 /// `input` is an image, or cells, whose isovalue is their own.
-SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue)
+SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const std::string& renderer)
 {
   vtkNew<vtkHaspClusteredCellMapper> mapper;
+  const auto& names = CellRendererNames(); // in the order of the mapper's Renderers
+  mapper->SetRenderer(
+    static_cast<int>(std::find(names.begin(), names.end(), renderer) - names.begin()));
+  ThrowVtkError(ExitCode::WrongUse, "--renderer " + renderer);
   mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();
@@ -99,14 +104,20 @@ const std::vector<std::string>& SurfaceMappers()
   return names;
 }
 
-SurfaceActor MakeIsosurface(
-  vtkImageData* image, double isoValue, const std::string& mapper, Session& session)
+const std::vector<std::string>& CellRendererNames()
+{
+  static const std::vector<std::string> names{ "automatic", "rasterize", "trace" };
+  return names;
+}
+
+SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::string& mapper,
+  [[maybe_unused]] const std::string& renderer, Session& session)
 {
 #if HASP_WITH_CELLS
   if (mapper == "cells")
   {
     session.progress.Step("extracting active cells");
-    return MakeCellActor(image, isoValue);
+    return MakeCellActor(image, isoValue, renderer);
   }
 #endif
   if (mapper == "mesh")
@@ -114,10 +125,11 @@ SurfaceActor MakeIsosurface(
   throw Failure(ExitCode::WrongUse, "this build has no mapper '" + mapper + "'");
 }
 
-SurfaceActor MakeCells([[maybe_unused]] vtkHaspClusteredCells* cells)
+SurfaceActor MakeCells(
+  [[maybe_unused]] vtkHaspClusteredCells* cells, [[maybe_unused]] const std::string& renderer)
 {
 #if HASP_WITH_CELLS
-  return MakeCellActor(cells, 0.0);
+  return MakeCellActor(cells, 0.0, renderer);
 #else
   throw Failure(ExitCode::WrongUse, "this build cannot draw active cells");
 #endif

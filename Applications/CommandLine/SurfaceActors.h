@@ -27,13 +27,16 @@ struct SurfaceActor
 /// "mesh" (vtkFlyingEdges3D).
 const std::vector<std::string>& SurfaceMappers();
 
+/// The names that --renderer takes, the default first: what draws active cells.
+const std::vector<std::string>& CellRendererNames();
+
 /// The isosurface through the mapper of that name; the other mapper is listed as skipped. Throws
-/// Failure: WrongUse for an unknown name.
-SurfaceActor MakeIsosurface(
-  vtkImageData* image, double isoValue, const std::string& mapper, Session& session);
+/// Failure: WrongUse for an unknown name, or a renderer that this build lacks.
+SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::string& mapper,
+  const std::string& renderer, Session& session);
 
 /// Active cells as they are. Throws Failure: WrongUse in a build that cannot draw them.
-SurfaceActor MakeCells(vtkHaspClusteredCells* cells);
+SurfaceActor MakeCells(vtkHaspClusteredCells* cells, const std::string& renderer);
 
 /// The triangles of a surface file, called "surface 2" by its number. Throws Failure: BadInput.
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session);

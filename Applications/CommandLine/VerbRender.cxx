@@ -137,6 +137,12 @@ void AddRenderVerb(CLI::App& app, Session& session)
     ->check(CLI::IsMember(SurfaceMappers()))
     ->capture_default_str();
   verb
+    ->add_option("--renderer", choices->render.renderer,
+      "Of active cells; rasterize: OpenGL; trace: rays on the CPU; automatic: trace where OpenGL "
+      "is software, and --explain says so")
+    ->check(CLI::IsMember(CellRendererNames()))
+    ->capture_default_str();
+  verb
     ->add_option("--surface", choices->render.surfaces,
       ".stl, .ply, .obj or .vtp file drawn with it; repeatable")
     ->expected(1)

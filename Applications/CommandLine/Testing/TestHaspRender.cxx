@@ -86,6 +86,23 @@ TEST_F(HaspRender, ActiveCellsAreDrawnWithoutTheVolume)
     "--isovalue");
 }
 
+TEST_F(HaspRender, BothRenderersDrawTheSameSurface)
+{
+  this->Phantom();
+  const HaspRun traced = this->Render({ "--renderer", "trace", "--explain" }, "trace.png");
+  if (!HASP_WITH_EMBREE)
+    return ExpectFailure(traced, 1, "HASP_ENABLE_EMBREE");
+  ASSERT_EQ(traced.exitCode, 0) << traced.err;
+  EXPECT_NE(traced.out.find("traced picture"), std::string::npos) << traced.out;
+  const HaspRun drawn = this->Render({ "--renderer", "rasterize", "--explain" }, "raster.png");
+  ASSERT_EQ(drawn.exitCode, 0) << drawn.err;
+  EXPECT_NE(drawn.out.find("active cells, GPU"), std::string::npos) << drawn.out;
+  const double ratio = double(ReadBytes(this->Path("trace.png")).size()) /
+                       double(ReadBytes(this->Path("raster.png")).size());
+  EXPECT_NEAR(ratio, 1.0, 0.02); // alike to a few pixels; the mapper's own tests compare them
+  ExpectFailure(this->Render({ "--renderer", "magic" }), 1, "one of");
+}
+
 TEST_F(HaspRender, AFailureKeepsTheOldPicture)
 {
   this->Phantom();

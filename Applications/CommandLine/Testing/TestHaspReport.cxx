@@ -84,6 +84,14 @@ TEST_F(HaspReport, CellsAreSmallLosslessAndWhereTheSurfaceIs)
   EXPECT_LE(value("cells.depth.max"), 1e-3); // voxel
   EXPECT_LE(value("cells.missed"), 1e-4);
   EXPECT_GT(value("cells.frame.large"), 0.0);
+  EXPECT_EQ(Row(report, "cells.stream.gib@256").at("error"), 0.0);
+  EXPECT_LE(value("cells.stream.gib@256"), 0.5); // windows of OpenGL by software take most of it
+  if (!Row(report, "cells.rays").contains("absent"))
+  {
+    EXPECT_GT(value("cells.rays"), 0.1); // a fifth of its bar
+    EXPECT_LE(value("cells.rays.memory"), 1.0 / 15);
+    EXPECT_EQ(value("cells.missed.random"), 0.0);
+  }
   EXPECT_TRUE(Row(report, "cells.bytes.exact@cranium").contains("absent"));
 }
 
