@@ -27,10 +27,10 @@ layout(location = 0) out vec4 fragOutput0;
 
 // Cells reach this far into their neighbours, so that no ray slips between two of them. In voxels.
 const float Overlap = 1e-4;
-// What is met in that overlap, and so by the neighbour too, is set back by so much: in voxels, well more than
+// What is met in that overlap, and so by the neighbour too, is set back by so much: in voxels, more than
 // the overlap, and in units of 2^-24 of the depth range, for it may be rounded. So the neighbour's own hit
 // wins, whoever is drawn first.
-const float SetBack = 5e-4;
+const float SetBack = 2e-4;
 const float SetBackDepth = 4.0 / 16777216.0;
 
 // The point of the pixel's ray in the plane through the cell's middle, parallel to the screen, in cell
