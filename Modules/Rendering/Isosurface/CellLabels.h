@@ -24,7 +24,11 @@ struct CellLabel
   std::optional<glm::dmat4> pose; ///< rigid, in the actor's data coordinates: mm
 };
 
-using CellLabels = std::map<std::uint16_t, CellLabel>;
+/// By number. A type of its own so that it can be declared without GLM: VTK's wrappers would parse
+/// that for minutes.
+struct CellLabels : std::map<std::uint16_t, CellLabel>
+{
+};
 
 /// The matrix as a pose. Throws std::invalid_argument, with what is wrong, unless it is rigid:
 /// rotation columns orthonormal within 1e-4 and right-handed, last row 0 0 0 1, everything finite.

@@ -3,6 +3,7 @@
 // Private to vtkHaspClusteredCellMapper.
 
 #include "CellColoring.h"
+#include "CellLabels.h"
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "vtkAbstractArray.h"

@@ -45,7 +45,6 @@
 #ifndef vtkHaspClusteredCellMapper_h
 #define vtkHaspClusteredCellMapper_h
 
-#include "CellLabels.h"                       // for CellLabels
 #include "Grid/ResourceUse.h"                 // for ResourceList
 #include "vtkHaspRenderingIsosurfaceModule.h" // for export macro
 #include "vtkMapper.h"
@@ -66,6 +65,8 @@ namespace hasp
 {
 struct CellColoring;
 struct CellHit;
+struct CellLabel;
+struct CellLabels;
 struct ClusteredCells;
 }
 

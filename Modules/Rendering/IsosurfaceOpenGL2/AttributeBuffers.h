@@ -2,6 +2,7 @@
 #define AttributeBuffers_h
 
 #include "CellColoring.h"
+#include "CellLabels.h"
 #include "Isosurface/MovedClusters.h"
 #include "LabelFrames.h"
 #include "StorageBuffer.h"

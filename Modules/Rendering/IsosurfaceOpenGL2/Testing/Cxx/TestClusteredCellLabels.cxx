@@ -1,6 +1,7 @@
 // Labels: colour, visibility and rigid pose of each, drawn in one pass; depth, clipping, selection
 // and bounds go along.
 #include "AttributeTestScene.h"
+#include "CellLabels.h"
 #include "Isosurface/CellAttributes.h"
 
 #include "vtkCommand.h"
