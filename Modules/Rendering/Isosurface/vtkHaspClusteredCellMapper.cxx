@@ -270,7 +270,8 @@ bool vtkHaspClusteredCellMapper::HasOpaqueGeometry()
 
 bool vtkHaspClusteredCellMapper::HasTranslucentPolygonalGeometry()
 {
-  const bool labels = !this->LabelArrayName.empty() && AnyTranslucent(this->Attribute->Labels);
+  const bool labels = AnyTranslucent(this->Attribute->Labels) && this->UpdateCells() &&
+                      !this->GetCells().labels.empty();
   return labels || !this->HasOpaqueGeometry();
 }
 

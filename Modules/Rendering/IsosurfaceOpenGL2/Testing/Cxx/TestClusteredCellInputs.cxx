@@ -1,5 +1,5 @@
 // Cells that somebody else made are drawn as the image's are, and the mapper changes between both.
-#include "CellTestScene.h"
+#include "AttributeTestScene.h"
 #include "Isosurface/CompactCells.h"
 #include "vtkHaspClusteredCells.h"
 
@@ -62,6 +62,22 @@ TEST_F(CellInputs, AreDrawnAsTheImageIs)
     EXPECT_NEAR(this->Scene.Mapper->GetBounds()[n], bounds[n], 1e-9); // mm: sums in another order
   int ijk[3];
   EXPECT_TRUE(this->Scene.Mapper->GetCellIndex(0, ijk));
+}
+
+TEST_F(CellInputs, KeepTheirLabelsTranslucentOnesToo)
+{
+  hasp::testing::AttributeScene scene;
+  scene.Mapper->SetLabelArrayName("label");
+  scene.Draw();
+  this->Cells->SetCells(std::make_shared<hasp::ClusteredCells>(scene.Mapper->GetCells()));
+  scene.Mapper->SetLabelArrayName(nullptr);
+  scene.Mapper->SetInputDataObject(this->Cells);
+  scene.Mapper->SetLabelColor(1, 1, 0, 0);
+  scene.Mapper->SetLabelColor(2, 0, 1, 0, 0.5);
+  EXPECT_EQ(scene.ColorAt({ -7, -13, 0 }), (std::array<int, 3>{ 255, 0, 0 }));
+  EXPECT_NEAR(scene.ColorAt({ 7, -13, 0 })[1], 191, 3); // two layers of half: 1 - 1/4
+  scene.Mapper->SetInputData(this->Image);              // has no labels
+  EXPECT_FALSE(scene.Actor->HasTranslucentPolygonalGeometry());
 }
 
 TEST_F(CellInputs, ComeGoAndChange)
