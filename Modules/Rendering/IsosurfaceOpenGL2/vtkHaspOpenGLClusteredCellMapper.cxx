@@ -160,6 +160,8 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
     return;
   window->MakeCurrent(); // not every window brings the last context back
   CellContext& context = this->GL->Of(window);
+  vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
+  window->GetState()->vtkglDisable(GL_CULL_FACE); // rectangles have no sides
   try
   {
     RendererSwitch& renderers = this->GL->Switch;
@@ -290,9 +292,6 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
   const Pass pass{ context, window, renderer, actor, scene, selector };
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
   const PointSizeScope sizes;
   const CellDraws draws = this->InView(pass, 0.0);
   const bool hides = !selector && HidesWhatIsBehind(actor);

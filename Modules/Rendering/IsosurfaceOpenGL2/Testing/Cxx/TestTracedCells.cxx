@@ -146,6 +146,13 @@ TEST_F(TracedCells, InParallelProjectionToo)
   ExpectAgreement(scene);
 }
 
+TEST_F(TracedCells, WhicheverFacesTheActorCulls)
+{
+  GyroidScene scene;
+  scene.Actor->GetProperty()->FrontfaceCullingOn();
+  ExpectAgreement(scene);
+}
+
 TEST_F(TracedCells, AndFromInside)
 {
   GyroidScene scene;
