@@ -1,6 +1,7 @@
 #include "AttributeBuffers.h"
 
 #include "CellScene.h"
+#include "HaspGL.h"
 
 #include "vtkShaderProgram.h"
 
@@ -104,6 +105,13 @@ void AttributeBuffers::Bind(const hasp::ClusteredCells& cells, std::size_t first
     if (this->Tabled())
       this->ColorTable.Bind(ColorTableSlot);
   }
+}
+
+void AttributeBuffers::Unbind() const
+{
+  if (this->Labelled() || this->Colored())
+    for (GLuint slot = FirstColorSlot; slot <= ColorSlot; ++slot)
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, 0);
 }
 
 void AttributeBuffers::Release()

@@ -32,6 +32,8 @@ public:
   /// Binds what belongs to clusters [first, end) of the cells, and sets their uniforms.
   void Bind(const hasp::ClusteredCells& cells, std::size_t first, std::size_t end,
     vtkShaderProgram* program) const;
+  /// Leaves their storage blocks empty.
+  void Unbind() const;
   void Release();
 
   bool Labelled() const { return this->Labels.Bytes() > 0; }

@@ -134,6 +134,7 @@ void NormalBlending::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene,
   const std::function<void()>& hits, const std::function<void(const Textures&)>& splats)
 {
   vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglActiveTexture unit(state);
   state->PushFramebufferBindings();
   try
   {
@@ -145,6 +146,7 @@ void NormalBlending::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene,
   catch (...)
   {
     state->PopFramebufferBindings();
+    this->Release(); // some of it may not have been made
     throw;
   }
   state->PopFramebufferBindings();

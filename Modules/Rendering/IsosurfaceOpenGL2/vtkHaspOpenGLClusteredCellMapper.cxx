@@ -235,6 +235,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawCells(
         [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
   else
     context.Buffers.Draw(draws, prepare);
+  context.Attributes.Unbind();
 }
 
 /// Is something asked for that only the rasteriser draws?

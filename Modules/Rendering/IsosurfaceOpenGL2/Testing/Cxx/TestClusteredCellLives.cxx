@@ -1,5 +1,5 @@
 // Mappers, windows and images come, go and change in every order; OpenGL is left as it was found.
-#include "CellTestScene.h"
+#include "AttributeTestScene.h"
 #include "HaspGL.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -308,6 +308,25 @@ TEST_F(CellLives, OpenGLIsLeftAsItWasFound)
       EXPECT_EQ(state(), before) << "renderer " << renderer;
     }
   glDisable(GL_PROGRAM_POINT_SIZE);
+
+  hasp::testing::AttributeScene attributes;
+  attributes.Draw();
+  vtkOpenGLRenderWindow::SafeDownCast(attributes.Window)->GetRenderFramebuffer()->Bind();
+  const auto before = state();
+  attributes.Mapper->SetLabelArrayName("label");
+  attributes.Mapper->SetLabelColor(1, 1, 0, 0);
+  attributes.Mapper->SetScalarVisibility(true);
+  attributes.Mapper->SetScalarModeToUsePointFieldData();
+  attributes.Mapper->SelectColorArray("height");
+  attributes.Mapper->SetInterpolateScalarsBeforeMapping(true);
+  for (const bool culled : { true, false })
+    for (const bool blended : { false, true })
+    {
+      attributes.Mapper->SetOcclusionCulling(culled);
+      attributes.Mapper->SetBlendNormals(blended);
+      attributes.Mapper->Render(attributes.Renderer, attributes.Actor);
+      EXPECT_EQ(state(), before) << "culled " << culled << ", blended " << blended;
+    }
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
