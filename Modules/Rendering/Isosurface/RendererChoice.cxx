@@ -20,19 +20,19 @@ bool RendererChoice::Trace(std::size_t cells, std::size_t pixels)
     this->Cells = cells;
     this->Pixels = pixels;
   }
-  return this->Decided() ? this->TraceWins() : this->Step == 0;
+  return this->Decided() ? this->TraceWins() : this->Step < TracedSteps;
 }
 
 void RendererChoice::Note(double milliseconds)
 {
   if (this->Decided())
     return;
-  if (this->Step == 0)
+  if (this->Step < TracedSteps)
     this->TraceMilliseconds = milliseconds;
   else
     this->RasterMilliseconds = milliseconds;
   ++this->Step;
-  if (this->Step > 1 && this->RasterMilliseconds > 4.0 * this->TraceMilliseconds + 1000.0)
+  if (this->Step > TracedSteps && this->RasterMilliseconds > 4.0 * this->TraceMilliseconds + 1000.0)
     this->Step = Steps;
 }
 

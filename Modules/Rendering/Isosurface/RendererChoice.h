@@ -9,8 +9,8 @@
 namespace hasp
 {
 
-/// Which of two renderers is the faster one for a scene, found out by drawing: first a traced
-/// frame, then three rasterised ones, of which the third counts, for the first compiles and culling
+/// Which of two renderers is the faster one for a scene, found out by drawing: first two traced
+/// frames, then three rasterised ones. The last of each counts, for the first compiles and culling
 /// needs two to settle. A rasterised frame that takes a second more than four times the traced one
 /// decides at once. The verdict holds until the cells or the pixels become twice or half as many.
 /// Any thread, one at a time.
@@ -30,7 +30,7 @@ public:
 private:
   bool TraceWins() const { return this->TraceMilliseconds < this->RasterMilliseconds; }
 
-  static constexpr int Steps = 4;
+  static constexpr int TracedSteps = 2, Steps = 5;
   int Step = 0;
   std::size_t Cells = 0, Pixels = 0;
   double TraceMilliseconds = 0.0, RasterMilliseconds = 0.0;

@@ -179,6 +179,55 @@ TEST_F(TracedCells, AndSmallInACornerOfTheirViewport)
   EXPECT_LE(differ, surface / 200);
 }
 
+TEST_F(TracedCells, ForEachEyeAndEachTile)
+{
+  using Colors = std::vector<unsigned char>;
+  const auto draw = [](GyroidScene& scene)
+  {
+    scene.Draw();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    scene.Window->GetPixelData(0, 0, PixelsX - 1, PixelsY - 1, 0, rgb);
+    return Colors(rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues());
+  };
+  const auto differ = [](const Colors& a, const Colors& b)
+  {
+    int pixels = 0;
+    for (std::size_t n = 0; n < a.size(); n += 3)
+      pixels += std::abs(a[n] - b[n]) > 2;
+    return pixels;
+  };
+  constexpr int few = PixelsX * PixelsY / 200; // silhouettes, faces between two cells
+  for (const bool tiled : { false, true })
+  {
+    GyroidScene scene;
+    if (tiled)
+    {
+      scene.Window->SetTileScale(2);
+      scene.Window->SetTileViewport(0.5, 0, 1, 0.5);
+    }
+    else
+    {
+      scene.Window->SetStereoTypeToSplitViewportHorizontal();
+      scene.Window->StereoRenderOn();
+    }
+    scene.Actor->GetProperty()->SetAmbient(0.1); // nothing is as black as the background
+    const Colors drawn = draw(scene);
+    EXPECT_GT(differ(drawn, Colors(drawn.size())), 2000);
+    EXPECT_EQ(draw(scene), drawn); // by what was seen, be it by the other eye
+    scene.Mapper->OcclusionCullingOff();
+    EXPECT_EQ(draw(scene), drawn);
+    scene.Mapper->SetRendererToTrace();
+    EXPECT_LE(differ(draw(scene), drawn), few) << "tiled " << tiled;
+    // VTK's mesh covers the same pixels, up to its silhouettes.
+    scene.ShowMesh();
+    const Colors mesh = draw(scene);
+    int elsewhere = 0;
+    for (std::size_t n = 0; n < mesh.size(); n += 3)
+      elsewhere += (mesh[n] > 0) != (drawn[n] > 0);
+    EXPECT_LE(elsewhere, few) << "tiled " << tiled;
+  }
+}
+
 TEST_F(TracedCells, WithClippingPlanesLightsAndGloss)
 {
   GyroidScene scene;
@@ -335,7 +384,7 @@ TEST_F(TracedCells, AreChosenByMeasurementWhereOpenGLIsSoftware)
     GTEST_SKIP() << "OpenGL by " << driver;
   scene.Draw();
   EXPECT_EQ(scene.Mapper->GetRendererChoice().rfind("being measured: traced in ", 0), 0U);
-  for (int n = 0; n < 5; ++n)
+  for (int n = 0; n < 6; ++n)
     scene.Draw();
   const std::string choice = scene.Mapper->GetRendererChoice();
   EXPECT_NE(choice.find("ed: traced in "), std::string::npos) << choice;
@@ -368,8 +417,11 @@ TEST(RendererChoice, TakesTheFasterOne)
   {
     hasp::RendererChoice choice;
     EXPECT_EQ(choice.Text(), "to be measured");
-    EXPECT_TRUE(choice.Trace(1000, 100));
-    choice.Note(20);
+    for (const double milliseconds : { 95.0, 20.0 })
+    {
+      EXPECT_TRUE(choice.Trace(1000, 100));
+      choice.Note(milliseconds);
+    }
     for (const double milliseconds : { 90.0, 60.0, traceIsFaster ? 21.0 : 19.0 })
     {
       EXPECT_FALSE(choice.Decided());
@@ -388,8 +440,11 @@ TEST(RendererChoice, TakesTheFasterOne)
 TEST(RendererChoice, DoesNotWaitForWhatTakesForEver)
 {
   hasp::RendererChoice choice;
-  EXPECT_TRUE(choice.Trace(1000, 100));
-  choice.Note(20);
+  for (const double milliseconds : { 95.0, 20.0 })
+  {
+    EXPECT_TRUE(choice.Trace(1000, 100));
+    choice.Note(milliseconds);
+  }
   EXPECT_FALSE(choice.Trace(1000, 100));
   choice.Note(1081);
   EXPECT_TRUE(choice.Decided());
@@ -401,7 +456,7 @@ TEST(RendererChoice, HoldsUntilTheSceneIsAnother)
   const auto decided = []
   {
     hasp::RendererChoice choice;
-    for (const double milliseconds : { 20.0, 9.0, 9.0, 9.0 })
+    for (const double milliseconds : { 20.0, 20.0, 9.0, 9.0, 9.0 })
     {
       choice.Trace(1000, 100);
       choice.Note(milliseconds);
