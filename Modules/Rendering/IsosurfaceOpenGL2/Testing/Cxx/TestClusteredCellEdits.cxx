@@ -1,5 +1,5 @@
 // Samples changed in place: only the box that was marked is read again.
-#include "CellTestScene.h"
+#include "AttributeTestScene.h"
 
 #include "Isosurface/ClusteredCells.h"
 
@@ -97,6 +97,42 @@ TEST_F(CellEdits, BeforeTheFirstUpdateAMarkChangesNothing)
   scene.Mapper->MarkModified(box);
   scene.Draw();
   EXPECT_TRUE(scene.Point(30, 30));
+}
+
+TEST_F(CellEdits, LabelsAndColoursFollowInAnyExtent)
+{
+  hasp::testing::AttributeScene scene;
+  vtkHaspClusteredCellMapper* mapper = scene.Mapper;
+  vtkImageData* image = mapper->GetImage();
+  image->SetExtent(5, 45, -3, 37, 100, 140);
+  image->SetOrigin(-25, -17, -120); // where it was
+  mapper->SetLabelArrayName("label");
+  mapper->SetLabelColor(1, 1, 0, 0);
+  mapper->SetScalarVisibility(true);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("height");
+  EXPECT_EQ(scene.ColorAt({ -7, -13, 0 }), (std::array<int, 3>{ 255, 0, 0 }));
+  const int box[6] = { 10, 16, -3, 4, 110, 130 };
+  for (int k = box[4]; k <= box[5]; ++k)
+    for (int j = box[2]; j <= box[3]; ++j)
+      for (int i = box[0]; i <= box[1]; ++i)
+        *static_cast<short*>(image->GetScalarPointer(i, j, k)) = 900;
+  mapper->MarkModified(box);
+  scene.Draw();
+  const hasp::ClusteredCells edited = mapper->GetCells();
+  const double from[3] = { 9, -100, 7.25 }, to[3] = { 9, 100, 7.25 };
+  vtkHaspPickedCell picked{};
+  ASSERT_TRUE(mapper->PickFirstCell(from, to, picked));
+  EXPECT_EQ(picked.label, 2);
+  EXPECT_NEAR(picked.value, 7.25, 1e-5);
+  image->GetPointData()->GetScalars()->Modified();
+  image->Modified(); // from scratch
+  scene.Draw();
+  const hasp::ClusteredCells& whole = mapper->GetCells();
+  EXPECT_EQ(edited.corners, whole.corners);
+  EXPECT_EQ(edited.labels, whole.labels);
+  EXPECT_EQ(edited.colors, whole.colors);
+  EXPECT_EQ(edited.firstColors, whole.firstColors);
 }
 
 } // namespace
