@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -152,6 +153,54 @@ TEST_F(CellLives, ADeletedMapperFreesItsBuffers)
   scene.Actor->SetMapper(nullptr);
   scene.Mapper = nullptr;
   EXPECT_EQ(BuffersOf(scene.Window), before);
+}
+
+TEST_F(CellLives, EverythingIsFreedWhoeverGoesFirst)
+{
+  const auto names = [](vtkRenderWindow* window)
+  {
+    window->MakeCurrent();
+    std::array<int, 4> count{};
+    for (GLuint name = 1; name < 1000; ++name)
+    {
+      count[0] += glIsBuffer(name);
+      count[1] += glIsTexture(name);
+      count[2] += glIsFramebuffer(name);
+      count[3] += glIsVertexArray(name);
+    }
+    return count;
+  };
+  const auto draw = [](hasp::testing::AttributeScene& scene)
+  {
+    scene.Mapper->SetRenderer(
+      HASP_WITH_EMBREE ? vtkHaspClusteredCellMapper::Trace : vtkHaspClusteredCellMapper::Rasterize);
+    const int traced = scene.Covered();
+    scene.Mapper->SetLabelArrayName("label");
+    scene.Mapper->SetLabelColor(1, 1, 0, 0);
+    scene.Mapper->SetScalarVisibility(true);
+    scene.Mapper->SetScalarModeToUsePointFieldData();
+    scene.Mapper->SelectColorArray("height");
+    scene.Mapper->SetBlendNormals(true);
+    EXPECT_NEAR(scene.Covered(), traced, 2);
+  };
+  auto dying = std::make_unique<hasp::testing::AttributeScene>();
+  auto mapper = dying->Mapper;
+  draw(*dying);
+  dying->Actor->SetMapper(nullptr); // now nothing tells the mapper that the window goes
+  hasp::testing::AttributeScene scene;
+  scene.Actor->VisibilityOff();
+  scene.Draw();
+  const auto before = names(scene.Window);
+  dying.reset();
+  scene.Actor->VisibilityOn();
+  scene.Mapper = mapper;
+  scene.Actor->SetMapper(mapper);
+  draw(scene);
+  EXPECT_GT(names(scene.Window), before);
+  scene.Actor->SetMapper(nullptr);
+  scene.Mapper = nullptr;
+  mapper = nullptr;
+  EXPECT_EQ(names(scene.Window), before);
 }
 
 TEST_F(CellLives, DeletingAMapperLeavesTheOtherWindowsContextCurrent)
