@@ -172,7 +172,7 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
       this->DrawTraced(context, renderer, actor);
     else
       this->DrawRasterized(context, renderer, actor);
-    if (!traceable || !renderers.MayTrace(this->Renderer))
+    if (!traceable || !renderers.MayTrace(this->Renderer) || this->GetCells().Count() == 0)
     {
       this->GL->Tracing.Release();
       context.Traced.Release();

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -336,6 +337,8 @@ TEST_F(TracedCells, FollowIsovalueAndInput)
   EXPECT_NEAR(depth(), 11, 0.1);
   scene.Mapper->SetIsoValue(1e6); // no surface
   EXPECT_EQ(depth(), -1.0);
+  EXPECT_EQ(Find(scene.Mapper, "ray tracing tree").bytes, 0U);
+  EXPECT_EQ(Find(scene.Mapper, "traced picture").bytes, 0U);
   scene.Mapper->SetIsoValue(0);
   scene.Mapper->SetInputData(image(12));
   EXPECT_NEAR(depth(), 12, 0.1);
@@ -392,6 +395,24 @@ TEST_F(TracedCells, AreChosenByMeasurementWhereOpenGLIsSoftware)
   const bool traced = choice.rfind("traced", 0) == 0;
   EXPECT_EQ(Find(scene.Mapper, "ray tracing tree").bytes > 0, traced);
   EXPECT_EQ(Find(scene.Mapper, "active cells, GPU").bytes > 0, !traced);
+}
+
+TEST_F(TracedCells, AreMeasuredByOpaqueFramesAlone)
+{
+  GyroidScene scene;
+  scene.Mapper->SetRendererToAutomatic();
+  scene.Actor->GetProperty()->SetOpacity(0.5);
+  scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetRendererChoice(), "rasterised: translucent surfaces always are");
+  scene.Actor->GetProperty()->SetOpacity(1.0);
+  const auto ids = scene.CellIds();
+  EXPECT_GT(*std::max_element(ids.begin(), ids.end()), 0);
+  const std::string driver = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (driver.find("llvmpipe") == std::string::npos)
+    GTEST_SKIP() << "OpenGL by " << driver;
+  EXPECT_EQ(scene.Mapper->GetRendererChoice(), "to be measured");
+  scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetRendererChoice().rfind("being measured: traced in ", 0), 0U);
 }
 
 #else
