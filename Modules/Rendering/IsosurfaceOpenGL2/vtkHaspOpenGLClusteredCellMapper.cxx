@@ -1,10 +1,8 @@
 #include "vtkHaspOpenGLClusteredCellMapper.h"
 
-#include "CellContext.h"
 #include "CellScene.h"
-#include "CellTracing.h"
 #include "HaspGL.h"
-#include "RendererSwitch.h"
+#include "OpenGLClusteredCells.h"
 
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
@@ -98,31 +96,6 @@ int OpaquePass(vtkActor* actor)
 }
 
 } // namespace
-
-struct vtkHaspOpenGLClusteredCellMapper::OpenGL
-{
-  std::vector<std::unique_ptr<CellContext>> Contexts; ///< of windows that drew this mapper
-  CellTracing Tracing;
-  RendererSwitch Switch;
-
-  /// The context of the window, which is current.
-  CellContext& Of(vtkOpenGLRenderWindow* window)
-  {
-    std::erase_if(this->Contexts, [](const auto& context) { return context->IsLost(); });
-    for (const auto& context : this->Contexts)
-      if (context->IsOf(window))
-        return *context;
-    return *this->Contexts.emplace_back(std::make_unique<CellContext>(window));
-  }
-
-  void Free(vtkOpenGLRenderWindow* window)
-  {
-    for (const auto& context : this->Contexts)
-      if (context->IsOf(window))
-        context->Free(window);
-    std::erase_if(this->Contexts, [](const auto& context) { return context->IsLost(); });
-  }
-};
 
 vtkHaspOpenGLClusteredCellMapper::vtkHaspOpenGLClusteredCellMapper() : GL(new OpenGL) {}
 vtkHaspOpenGLClusteredCellMapper::~vtkHaspOpenGLClusteredCellMapper() = default;
@@ -311,64 +284,4 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
     this->DrawCells(pass, this->ReadyProgram(pass, selector ? CellPass::Select : CellPass::Shade),
       draws, occlusion);
   this->GL->Switch.Finish();
-}
-
-void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) const
-{
-  this->Superclass::ListResources(list);
-  hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing drawn" };
-  hasp::ResourceUse culling{ "occlusion culling", 0, 0.0,
-    this->OcclusionCulling ? "nothing opaque drawn" : "switched off" };
-  hasp::ResourceUse labels{ "cell labels, GPU", 0, 0.0, "nothing was said of a label" };
-  hasp::ResourceUse colors{ "cell colours, GPU", 0, 0.0, "no scalars colour the surface" };
-  hasp::ResourceUse blending{ "normal blending", 0, 0.0,
-    this->BlendNormals ? "nothing opaque drawn" : "switched off" };
-  const CellTracing& tracing = this->GL->Tracing;
-  hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(), 0.0,
-    tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
-  double shade = 0.0, select = 0.0, traced = 0.0;
-  for (const auto& context : this->GL->Contexts)
-  {
-    cells.bytes += context->Buffers.Bytes();
-    cells.milliseconds += context->UploadMilliseconds;
-    if (context->Buffers.Uploaded())
-      cells.reason = "drawn in " + std::to_string(this->GL->Contexts.size()) +
-                     (this->GL->Contexts.size() == 1 ? " window" : " windows");
-    if (context->Culling.Ready())
-    {
-      culling.bytes += context->Culling.Bytes();
-      culling.milliseconds += context->CullingMilliseconds;
-      culling.reason = "state and draw command of each cluster";
-    }
-    labels.bytes += context->Attributes.LabelBytes();
-    colors.bytes += context->Attributes.ColorBytes();
-    blending.bytes += context->Blending.Bytes();
-    blending.milliseconds += context->Program.CompileMilliseconds(CellPass::Hits) +
-                             context->Program.CompileMilliseconds(CellPass::Splats);
-    picture.bytes += context->Traced.Bytes();
-    traced += context->Program.CompileMilliseconds(CellPass::Traced);
-    shade += context->Program.CompileMilliseconds(CellPass::Shade);
-    select += context->Program.CompileMilliseconds(CellPass::Select);
-  }
-  list.push_back(cells);
-  list.push_back(culling);
-  if (labels.bytes > 0)
-    labels.reason = "labels of cells, their colours and poses";
-  if (colors.bytes > 0)
-    colors.reason = "of the stored corners";
-  if (blending.bytes > 0)
-    blending.reason = "textures as large as the window, shaders";
-  list.push_back(blending);
-  list.push_back(labels);
-  list.push_back(colors);
-  list.push_back({ "ray tracing tree", tracing.TreeBytes(), tracing.TreeMilliseconds(),
-    this->GetRendererChoice() });
-  list.push_back(picture);
-  list.push_back({ "shader: shaded cells", 0, shade,
-    shade > 0 ? "compiled at the first frame" : "nothing drawn" });
-  list.push_back({ "shader: traced cells", 0, traced,
-    traced > 0 ? "compiled at the first traced frame" : "nothing traced" });
-  list.push_back({ "shader: cell selection", 0, select,
-    select > 0 ? "a pick was asked for" : "no pick was asked for" });
-  list.push_back({ "picking buffers", 0, 0.0, "none of its own: cell ids come from the cells" });
 }
