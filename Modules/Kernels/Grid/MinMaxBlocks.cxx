@@ -76,7 +76,7 @@ void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const 
 std::pair<glm::ivec3, glm::ivec3> MinMaxBlocks::Touched(
   const glm::ivec3& low, const glm::ivec3& high) const
 {
-  const glm::ivec3 from = glm::max(low - 1, 0) / Side; // sample 8 is the last of block 0, too
+  const glm::ivec3 from = (glm::max(low, 1) - 1) / Side; // sample 8 is the last of block 0, too
   const glm::ivec3 to = glm::min(glm::max(high, -Side) / Side + 1, this->BlockCount);
   const bool none = glm::any(glm::greaterThanEqual(from, to));
   return none ? std::pair(from, from) : std::pair(from, to);

@@ -23,7 +23,7 @@ ClusteredCells ExtractActiveCells(const AnyGridView& grid, const MinMaxBlocks& b
 /// the blocks that touch the box are read. The result is, byte for byte, what ExtractActiveCells
 /// gives for the whole volume. Attributes (labels, colours) are dropped: add them again.
 ///
-/// cells     of this grid's geometry and sample type
+/// cells     of this grid's size and sample type; its place in the world becomes theirs
 /// blocks    of the grid before the change; updated
 /// low, high first and last sample that changed, clamped to the grid
 /// Compact cells are made anew in whole if the change moves the power of two above the largest
