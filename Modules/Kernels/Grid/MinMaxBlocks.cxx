@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace hasp
@@ -68,6 +69,8 @@ MinMaxBlocks::MinMaxBlocks(const AnyGridView& grid)
 
 void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high)
 {
+  if (this->BlockCount != (GeometryOf(grid).Cells() + Side - 1) / Side)
+    throw std::invalid_argument("MinMaxBlocks: they are of a grid of another size");
   const auto touched = this->Touched(low, high);
   if (touched.first != touched.second)
     this->Read(grid, touched.first, touched.second);
