@@ -65,7 +65,7 @@ class vtkPointData;
 namespace hasp
 {
 struct CellColoring;
-struct CellHit;
+struct LineHit;
 struct ClusteredCells;
 }
 
@@ -255,7 +255,7 @@ private:
     std::span<std::uint32_t> colors);
   hasp::CellLabel* LabelOf(int n);
   const hasp::CellLabel* LabelOfCell(std::size_t cell) const;
-  vtkHaspPickedCell Tell(const hasp::CellHit& hit) const;
+  vtkHaspPickedCell Tell(const hasp::LineHit& hit) const;
 
   double IsoValue = 0.0;
   bool IsoValueIsSet = false;
