@@ -83,7 +83,8 @@ class CellTracer
 {
 public:
   /// O(clusters log clusters), all threads. Throws std::invalid_argument if cells is null, or not
-  /// consistent (a cluster without cells, outside the volume or with corners beyond the stream);
+  /// consistent (a cluster without cells, outside the volume or with corners beyond the stream; not
+  /// 128 levels where they are compact). Cells of unknown origin are for ValidateCells to check.
   /// std::runtime_error if Embree fails, with its reason.
   explicit CellTracer(std::shared_ptr<const ClusteredCells> cells);
   ~CellTracer();

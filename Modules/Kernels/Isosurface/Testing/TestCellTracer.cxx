@@ -170,6 +170,10 @@ TEST(CellTracer, RefusesCellsThatLie)
   bad([](hasp::ClusteredCells& c) { c.clusters.back().active = {}; });
   bad([](hasp::ClusteredCells& c) { c.clusters.back().firstWord = 0xFFFFFFFFU; });
   bad([](hasp::ClusteredCells& c) { c.geometry.dims.x = 9; });
+  auto few = std::make_shared<hasp::ClusteredCells>(
+    *Noise<std::int16_t>({ 12, 12, 12 }, 7, hasp::CellPrecision::Compact).cells);
+  few->levels.resize(100);
+  EXPECT_THROW(hasp::CellTracer{ few }, std::invalid_argument);
 }
 
 TEST(CellTracer, CountsItsBytes)
