@@ -28,7 +28,9 @@ ClusteredCells ExtractActiveCells(const AnyGridView& grid, const MinMaxBlocks& b
 /// low, high first and last sample that changed, clamped to the grid
 /// Compact cells are made anew in whole if the change moves the power of two above the largest
 /// distance of a corner from the isovalue, for then all levels change.
-/// Throws std::invalid_argument if cells, blocks and grid do not match. O(samples in the box) and
+/// Throws std::invalid_argument if cells, blocks and grid do not match, before anything is changed,
+/// or if 32 bits cannot number the cells; then, and where memory ends, blocks and cells are between
+/// two states and must be made anew. Nobody may read the cells meanwhile. O(samples in the box) and
 /// moving the bytes behind it, all threads.
 void UpdateActiveCells(ClusteredCells& cells, const AnyGridView& grid, MinMaxBlocks& blocks,
   const glm::ivec3& low, const glm::ivec3& high);
