@@ -75,8 +75,8 @@ struct ShadowSettings
 ///
 /// No ray slips between cells or clusters: both sides of a face see the same point and the same
 /// value there. A ray is moved in double precision to where it enters the volume, so an eye a
-/// million voxels away is as good as a near one. Results do not depend on the CPU's instruction
-/// set.
+/// million voxels away is as good as a near one. Hits do not depend on the CPU's instruction
+/// set; the directions of soft light do in the last bit, as the C library's sine does.
 ///
 /// Threads: all const functions from any thread. The cells are shared, never copied.
 class CellTracer
