@@ -91,11 +91,15 @@ struct vtkHaspClusteredCellFilter::Internals
   {
     const int* extent = image->GetExtent();
     const glm::ivec3 first(extent[0], extent[2], extent[4]);
+    const glm::ivec3 last(extent[1], extent[3], extent[5]);
+    // Clamped before they are moved: a mark may reach as far as integers do.
+    const glm::ivec3 low = glm::clamp(box.low, first, last + 1) - first;
+    const glm::ivec3 high = glm::clamp(box.high, first - 1, last) - first;
     if (!sameSurface)
-      return this->blocks.Update(grid, box.low - first, box.high - first);
+      return this->blocks.Update(grid, low, high);
     if (this->cells.use_count() > 1) // somebody else draws them
       this->cells = std::make_shared<hasp::ClusteredCells>(*this->cells);
-    hasp::UpdateActiveCells(*this->cells, grid, this->blocks, box.low - first, box.high - first);
+    hasp::UpdateActiveCells(*this->cells, grid, this->blocks, low, high);
   }
 };
 

@@ -62,6 +62,7 @@ struct VolumeSlabReader::Internals
   std::unique_ptr<SampleStream> stream; ///< the slices from `next` on
   std::vector<char> buffer;             ///< and here those before
   int firstHeld = 0, next = 0;
+  bool broken = false; ///< reading has failed: the stream stands nobody knows where
   std::size_t sliceBytes = 0, limitBytes = 0;
 
   /// Slices up to `end` into the buffer, behind those that it has from `first` on.
@@ -77,6 +78,7 @@ struct VolumeSlabReader::Internals
     if (this->buffer.size() < whole)
       this->Resize(whole, kept);
     const SampleFile& file = *this->opened.samples;
+    this->broken = true; // unless what follows ends well
     this->stream->Read(this->buffer.data() + kept, whole - kept);
     if (file.bigEndian)
       SwapBytes(this->buffer.data() + kept, whole - kept, hasp::BytesOf(file.type));
@@ -85,6 +87,7 @@ struct VolumeSlabReader::Internals
     this->next = end;
     if (end == this->opened.passport.geometry.dims.z)
       this->stream->ExpectEnd();
+    this->broken = false;
   }
 
   /// To just so many bytes: the slab is what a cap was set for.
@@ -197,6 +200,9 @@ AnyGridView VolumeSlabReader::Read(int first, int count)
     throw std::invalid_argument("slices are read forward: slice " + std::to_string(first) +
                                 " is asked for, must be from " + std::to_string(in.firstHeld) +
                                 " to " + std::to_string(in.next));
+  if (in.broken)
+    ThrowFileError(
+      std::filesystem::u8path(in.opened.file), "could not be read before; open it again");
   in.Fill(first, first + count);
   return in.View(first, count);
 }

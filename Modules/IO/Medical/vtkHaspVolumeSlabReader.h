@@ -46,7 +46,8 @@ public:
 
   /// Slices [first, first + count), good until the next call. `first` is one of the slices of the
   /// call before or the next one. Throws std::invalid_argument if it is not, or where there are no
-  /// such slices; std::runtime_error for the file and above the memory limit.
+  /// such slices; std::runtime_error for the file, also ever after it has failed once, and above
+  /// the memory limit.
   AnyGridView Read(int first, int count);
 
 private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace hasp
@@ -68,6 +69,8 @@ MinMaxBlocks::MinMaxBlocks(const AnyGridView& grid)
 
 void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high)
 {
+  if (this->BlockCount != (GeometryOf(grid).Cells() + Side - 1) / Side)
+    throw std::invalid_argument("MinMaxBlocks: they are of a grid of another size");
   const auto touched = this->Touched(low, high);
   if (touched.first != touched.second)
     this->Read(grid, touched.first, touched.second);
@@ -76,7 +79,7 @@ void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const 
 std::pair<glm::ivec3, glm::ivec3> MinMaxBlocks::Touched(
   const glm::ivec3& low, const glm::ivec3& high) const
 {
-  const glm::ivec3 from = glm::max(low - 1, 0) / Side; // sample 8 is the last of block 0, too
+  const glm::ivec3 from = (glm::max(low, 1) - 1) / Side; // sample 8 is the last of block 0, too
   const glm::ivec3 to = glm::min(glm::max(high, -Side) / Side + 1, this->BlockCount);
   const bool none = glm::any(glm::greaterThanEqual(from, to));
   return none ? std::pair(from, from) : std::pair(from, to);

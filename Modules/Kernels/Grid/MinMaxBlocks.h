@@ -23,7 +23,8 @@ public:
   explicit MinMaxBlocks(const AnyGridView& grid);
 
   /// Reads the blocks anew that hold or share one of the samples [low, high], which have changed;
-  /// the grid must be the one these blocks were made of. O(samples in them), all threads.
+  /// the grid must be the one these blocks were made of; throws std::invalid_argument if it has not
+  /// their number of blocks. O(samples in them), all threads.
   void Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high);
   /// Those blocks: from the first to one past the last along each axis; both equal if there are
   /// none. Samples outside the grid are left out.

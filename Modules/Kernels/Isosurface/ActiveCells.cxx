@@ -4,6 +4,7 @@
 #include "Isosurface/CompactCells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 
@@ -166,6 +167,7 @@ void UpdateActiveCells(ClusteredCells& cells, const AnyGridView& grid, MinMaxBlo
   if (cells.geometry.dims != fresh.geometry.dims || cells.cornerType != fresh.cornerType)
     throw std::invalid_argument("UpdateActiveCells: the cells are of another grid");
   blocks.Update(grid, low, high);
+  cells.geometry = fresh.geometry;
   const auto [from, to] = blocks.Touched(low, high);
   if (from == to)
     return;
@@ -178,14 +180,11 @@ void UpdateActiveCells(ClusteredCells& cells, const AnyGridView& grid, MinMaxBlo
 
   if (cells.precision == CellPrecision::Compact)
   {
-    int exponent = CompactExponent(fresh), before = LeastCompactExponent;
+    int exponent = CompactExponent(fresh);
     for (const CellCluster& cluster : cells.clusters)
-    {
-      before = std::max(before, CompactExponent(cluster));
       if (!Inside(box, cluster))
         exponent = std::max(exponent, CompactExponent(cluster));
-    }
-    if (exponent != before)
+    if (cells.levels != CompactLevels(std::ldexp(1.0, exponent)))
     {
       cells = ExtractActiveCells(grid, blocks, cells.isovalue, CellPrecision::Compact);
       return;

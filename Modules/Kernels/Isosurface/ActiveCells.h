@@ -23,12 +23,14 @@ ClusteredCells ExtractActiveCells(const AnyGridView& grid, const MinMaxBlocks& b
 /// the blocks that touch the box are read. The result is, byte for byte, what ExtractActiveCells
 /// gives for the whole volume. Attributes (labels, colours) are dropped: add them again.
 ///
-/// cells     of this grid's geometry and sample type
+/// cells     of this grid's size and sample type; its place in the world becomes theirs
 /// blocks    of the grid before the change; updated
 /// low, high first and last sample that changed, clamped to the grid
 /// Compact cells are made anew in whole if the change moves the power of two above the largest
 /// distance of a corner from the isovalue, for then all levels change.
-/// Throws std::invalid_argument if cells, blocks and grid do not match. O(samples in the box) and
+/// Throws std::invalid_argument if cells, blocks and grid do not match, before anything is changed,
+/// or if 32 bits cannot number the cells; then, and where memory ends, blocks and cells are between
+/// two states and must be made anew. Nobody may read the cells meanwhile. O(samples in the box) and
 /// moving the bytes behind it, all threads.
 void UpdateActiveCells(ClusteredCells& cells, const AnyGridView& grid, MinMaxBlocks& blocks,
   const glm::ivec3& low, const glm::ivec3& high);

@@ -46,7 +46,7 @@ std::optional<std::pair<double, double>> ClipToBox(
   return std::pair(t0, t1);
 }
 
-std::optional<CellHit> Hit(const ClusteredCells& cells, const CellCluster& cluster,
+std::optional<LineHit> Hit(const ClusteredCells& cells, const CellCluster& cluster,
   const glm::ivec3& inCluster, std::size_t n, const Line& line)
 {
   const glm::dvec3 cell(cluster.Origin() + inCluster);
@@ -62,7 +62,7 @@ std::optional<CellHit> Hit(const ClusteredCells& cells, const CellCluster& clust
         glsl::HaspRayBernstein(low, high, glm::vec3(enter), glm::vec3(leave)), s))
     return std::nullopt;
   const glm::dvec3 local = glm::mix(enter, leave, static_cast<double>(s));
-  return CellHit{ n, part->first + s * (part->second - part->first), cell + local,
+  return LineHit{ n, part->first + s * (part->second - part->first), cell + local,
     glm::dvec3(glsl::HaspTrilinearGradient(low, high, glm::vec3(local))) };
 }
 
@@ -74,7 +74,7 @@ bool Finite(const Line& line)
 
 } // namespace
 
-std::optional<CellHit> HitCell(
+std::optional<LineHit> HitCell(
   const ClusteredCells& cells, std::size_t n, const glm::dvec3& from, const glm::dvec3& to)
 {
   const Line line{ from, to - from };
@@ -84,11 +84,11 @@ std::optional<CellHit> HitCell(
   return Hit(cells, cluster, cells.Cell(n) - cluster.Origin(), n, line);
 }
 
-std::optional<CellHit> FirstHit(const ClusteredCells& cells, const glm::dvec3& from,
+std::optional<LineHit> FirstHit(const ClusteredCells& cells, const glm::dvec3& from,
   const glm::dvec3& to, const std::function<bool(std::size_t)>& counts)
 {
   const Line line{ from, to - from };
-  std::optional<CellHit> first;
+  std::optional<LineHit> first;
   if (!Finite(line))
     return first;
   for (const CellCluster& cluster : cells.clusters)

@@ -75,15 +75,16 @@ struct ShadowSettings
 ///
 /// No ray slips between cells or clusters: both sides of a face see the same point and the same
 /// value there. A ray is moved in double precision to where it enters the volume, so an eye a
-/// million voxels away is as good as a near one. Results do not depend on the CPU's instruction
-/// set.
+/// million voxels away is as good as a near one. Hits do not depend on the CPU's instruction
+/// set; the directions of soft light do in the last bit, as the C library's sine does.
 ///
 /// Threads: all const functions from any thread. The cells are shared, never copied.
 class CellTracer
 {
 public:
   /// O(clusters log clusters), all threads. Throws std::invalid_argument if cells is null, or not
-  /// consistent (a cluster without cells, outside the volume or with corners beyond the stream);
+  /// consistent (a cluster without cells, outside the volume or with corners beyond the stream; not
+  /// 128 levels where they are compact). Cells of unknown origin are for ValidateCells to check.
   /// std::runtime_error if Embree fails, with its reason.
   explicit CellTracer(std::shared_ptr<const ClusteredCells> cells);
   ~CellTracer();

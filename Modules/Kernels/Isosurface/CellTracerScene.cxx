@@ -71,6 +71,9 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
   const ClusteredCells& c = *this->Shared;
   c.geometry.Validate();
   const glm::ivec3 last = this->CellCounts = c.geometry.Cells();
+  Require(c.levels.size() == (c.precision == CellPrecision::Compact ? 128 : 0),
+    "the cells have " + std::to_string(c.levels.size()) +
+      " levels; compact ones have 128 and exact ones none");
   this->Boxes.reserve(c.clusters.size());
   for (std::size_t n = 0; n < c.clusters.size(); ++n)
   {

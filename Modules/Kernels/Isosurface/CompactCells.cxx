@@ -145,6 +145,7 @@ ClusteredCells MakeCompact(
     cluster.firstWord = static_cast<std::uint32_t>(words);
     words += (cluster.CornerCount() + 3) / 4;
   }
+  compact.corners.reserve(words + PaddingWords);
   compact.corners.resize(words);
   const Quantiser quantise(range);
   const std::vector<std::uint8_t> table = TableOf(quantise, exact);

@@ -5,8 +5,8 @@ namespace hasp
 {
 
 /// The same active cells with 8 bits a corner: the sign of sample - isovalue, exact, and one of 128
-/// magnitudes (CompactLevels). Their range is the least power of two that no corner is further from
-/// the isovalue than, so that most edits of the volume leave the levels alone.
+/// magnitudes (CompactLevels). Their range is the least power of two above the largest distance of
+/// a corner from the isovalue, so that most edits of the volume leave the levels alone.
 ///
 /// exact  cells with CellPrecision::Exact; attributes are kept
 /// Throws std::invalid_argument if they are compact already. O(corners), all threads, the same

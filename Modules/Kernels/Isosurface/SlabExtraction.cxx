@@ -195,7 +195,7 @@ ClusteredCells ExtractActiveCellsFromSlabs(const GridGeometry& geometry, const S
     std::size_t words = PaddingWords; // compact cells are made beside the exact ones
     for (const CellCluster& cluster : cells.clusters)
       words += (cluster.CornerCount() + 3) / 4;
-    cap.Require(BytesHeld(cells) + cells.clusters.size() * sizeof(CellCluster) +
+    cap.Require(BytesHeld(cells) + cells.clusters.size() * (sizeof(CellCluster) + sizeof(int)) +
                   words * sizeof(std::uint32_t),
       1.0);
     cells = CompactCells(cells);

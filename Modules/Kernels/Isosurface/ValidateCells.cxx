@@ -159,7 +159,9 @@ void CheckClusters(const ClusteredCells& cells)
 /// Which corners of a cluster are inside, a bit each, in rows along x; 0 where none is stored.
 using InsideRows = std::array<std::array<std::uint32_t, Side + 1>, Side + 1>;
 
-InsideRows ReadInside(const ClusteredCells& cells, const CellCluster& cluster)
+/// largest: of what is stored, before the base is added.
+InsideRows ReadInside(
+  const ClusteredCells& cells, const CellCluster& cluster, std::uint32_t& largest)
 {
   const bool compact = cells.precision == CellPrecision::Compact;
   const int width = cluster.Width();
@@ -178,6 +180,7 @@ InsideRows ReadInside(const ClusteredCells& cells, const CellCluster& cluster)
         const std::uint64_t two =
           cells.corners[bit / 32] | std::uint64_t{ cells.corners[bit / 32 + 1] } << 32;
         const std::uint32_t stored = static_cast<std::uint32_t>(two >> bit % 32) & mask;
+        largest = std::max(largest, stored);
         const bool isInside =
           compact ? (stored & 0x80) == 0 : cells.SampleOf(cluster, stored) - cells.isovalue >= 0.0F;
         inside[z][y] |= std::uint32_t{ isInside } << std::countr_zero(left);
@@ -185,6 +188,18 @@ InsideRows ReadInside(const ClusteredCells& cells, const CellCluster& cluster)
     }
   }
   return inside;
+}
+
+/// Whether a corner is beyond 16 bits: it would wrap where it is decoded in 16 and not in 32.
+bool Wraps(const ClusteredCells& cells, const CellCluster& cluster, std::uint32_t largest)
+{
+  if (cells.precision == CellPrecision::Compact || cells.cornerType == CornerType::Float32)
+    return false;
+  const std::uint16_t base = cluster.Base();
+  if (cells.cornerType == CornerType::UInt16)
+    return base + largest > std::numeric_limits<std::uint16_t>::max();
+  const auto least = std::int64_t{ static_cast<std::int16_t>(base) };
+  return least + largest > std::numeric_limits<std::int16_t>::max();
 }
 
 /// What is wrong with a cluster's corners, or nothing. CheckClusters has let it pass.
@@ -198,7 +213,10 @@ const char* CornerFault(const ClusteredCells& cells, const CellCluster& cluster)
     for (std::size_t n = 0; n < bits / 32; ++n)
       if (!std::isfinite(std::bit_cast<float>(words[n])))
         return "a corner is NaN or infinite";
-  const InsideRows inside = ReadInside(cells, cluster);
+  std::uint32_t largest = 0;
+  const InsideRows inside = ReadInside(cells, cluster, largest);
+  if (Wraps(cells, cluster, largest))
+    return "a corner is beyond what its sample type holds";
   for (int z = 0; z < Side; ++z)
     for (int y = 0; y < Side; ++y)
     {

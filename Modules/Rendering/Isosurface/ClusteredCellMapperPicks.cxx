@@ -67,7 +67,7 @@ double Interpolate(vtkDataArray* array, vtkScalarsToColors* table, int component
 
 } // namespace
 
-vtkHaspPickedCell vtkHaspClusteredCellMapper::Tell(const hasp::CellHit& hit) const
+vtkHaspPickedCell vtkHaspClusteredCellMapper::Tell(const hasp::LineHit& hit) const
 {
   const hasp::ClusteredCells& cells = this->GetCells();
   const hasp::CellLabel* label = this->LabelOfCell(hit.cell);
@@ -133,7 +133,7 @@ bool vtkHaspClusteredCellMapper::PickFirstCell(
   const double from[3], const double to[3], vtkHaspPickedCell& result) const
 {
   const hasp::ClusteredCells& cells = this->GetCells();
-  std::optional<hasp::CellHit> first;
+  std::optional<hasp::LineHit> first;
   // The cells that stay where they are, then those of each label with a pose.
   const auto meet = [&](const std::optional<glm::dmat4>& pose, const hasp::CellLabel* only)
   {

@@ -64,10 +64,10 @@ class vtkPointData;
 namespace hasp
 {
 struct CellColoring;
-struct CellHit;
 struct CellLabel;
 struct CellLabels;
 struct ClusteredCells;
+struct LineHit;
 }
 
 /// What a pick gives: see vtkHaspClusteredCellMapper::PickCell.
@@ -256,7 +256,7 @@ private:
     std::span<std::uint32_t> colors);
   hasp::CellLabel* LabelOf(int n);
   const hasp::CellLabel* LabelOfCell(std::size_t cell) const;
-  vtkHaspPickedCell Tell(const hasp::CellHit& hit) const;
+  vtkHaspPickedCell Tell(const hasp::LineHit& hit) const;
 
   double IsoValue = 0.0;
   bool IsoValueIsSet = false;

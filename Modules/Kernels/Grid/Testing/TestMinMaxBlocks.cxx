@@ -60,4 +60,18 @@ TEST(MinMaxBlocks, ASingleSliceHasNoBlocks)
   EXPECT_EQ(hasp::MinMaxBlocks(hasp::AnyGridView(grid)).Count(), 0U);
 }
 
+TEST(MinMaxBlocks, AreNotUpdatedFromAnotherGrid)
+{
+  const std::vector<std::int16_t> samples(20 * 20 * 20, 1);
+  const auto gridOf = [&](const glm::ivec3& dims) -> hasp::AnyGridView
+  {
+    return hasp::GridView<const std::int16_t>{ samples.data(),
+      { dims, {}, { 1, 1, 1 }, glm::dmat3(1) } };
+  };
+  hasp::MinMaxBlocks blocks(gridOf({ 20, 20, 20 }));
+  EXPECT_THROW(blocks.Update(gridOf({ 4, 20, 20 }), {}, { 19, 19, 19 }), std::invalid_argument);
+  EXPECT_THROW(blocks.Update(gridOf({ 20, 20, 8 }), {}, { 19, 19, 19 }), std::invalid_argument);
+  EXPECT_NO_THROW(blocks.Update(gridOf({ 20, 20, 20 }), {}, { 19, 19, 19 }));
+}
+
 } // namespace

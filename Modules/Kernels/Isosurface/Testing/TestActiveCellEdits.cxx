@@ -1,7 +1,9 @@
 #include "Isosurface/ActiveCells.h"
+#include "Isosurface/CompactCells.h"
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace
@@ -107,6 +109,57 @@ TEST(ActiveCellEdit, OutsideTheGridChangesNothingAndAnotherGridIsRefused)
   EXPECT_THROW(UpdateActiveCells(cells, small, blocks, {}, {}), std::invalid_argument);
   hasp::MinMaxBlocks otherBlocks(small);
   EXPECT_THROW(UpdateActiveCells(cells, small, otherBlocks, {}, {}), std::invalid_argument);
+}
+
+TEST(ActiveCellEdit, OfEverythingMayBeSaidWithTheLimitsOfInt)
+{
+  const hasp::GridGeometry g{ { 20, 20, 20 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  std::vector<std::int16_t> samples(g.Size(), 0);
+  const hasp::AnyGridView grid = hasp::GridView<const std::int16_t>{ samples.data(), g };
+  hasp::MinMaxBlocks blocks(grid);
+  auto cells = ExtractActiveCells(grid, blocks, 5);
+  samples[3333] = 9;
+  UpdateActiveCells(cells, grid, blocks, glm::ivec3(std::numeric_limits<int>::min()),
+    glm::ivec3(std::numeric_limits<int>::max()));
+  ExpectSameBytes(cells, ExtractActiveCells(grid, hasp::MinMaxBlocks(grid), 5));
+  EXPECT_GT(cells.Count(), 0U);
+}
+
+TEST(ActiveCellEdit, TakesThePlaceOfTheGridInTheWorldWithIt)
+{
+  hasp::GridGeometry g{ { 20, 20, 20 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  std::vector<std::int16_t> samples(g.Size(), 0);
+  samples[3333] = 9;
+  const hasp::AnyGridView before = hasp::GridView<const std::int16_t>{ samples.data(), g };
+  hasp::MinMaxBlocks blocks(before);
+  for (const int sample : { 5, 30 }) // inside the grid, and outside: nothing is read anew
+  {
+    auto cells = ExtractActiveCells(before, blocks, 5);
+    g.spacing = { 0.5, 2, 3 };
+    g.origin = { 1, 2, 3 };
+    g.direction = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+    const hasp::AnyGridView after = hasp::GridView<const std::int16_t>{ samples.data(), g };
+    UpdateActiveCells(cells, after, blocks, glm::ivec3(sample), glm::ivec3(sample));
+    EXPECT_EQ(cells.geometry.spacing, g.spacing) << sample;
+    EXPECT_EQ(cells.geometry.origin, g.origin) << sample;
+    EXPECT_EQ(cells.geometry.direction, g.direction) << sample;
+  }
+}
+
+TEST(ActiveCellEdit, MakesCompactCellsOfOtherLevelsAnew)
+{
+  const hasp::GridGeometry g{ { 42, 27, 35 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  std::mt19937 random(8);
+  auto samples = Samples<std::int16_t>(g, random);
+  const hasp::AnyGridView grid = hasp::GridView<const std::int16_t>{ samples.data(), g };
+  hasp::MinMaxBlocks blocks(grid);
+  const auto exact = ExtractActiveCells(grid, blocks, 60.5);
+  auto cells = CompactCells(exact, CompactExponent(exact) + 2);
+  samples[12345] = 61;
+  const glm::ivec3 at(12345 % 42, 12345 / 42 % 27, 12345 / 42 / 27);
+  UpdateActiveCells(cells, grid, blocks, at, at);
+  ExpectSameBytes(
+    cells, ExtractActiveCells(grid, hasp::MinMaxBlocks(grid), 60.5, hasp::CellPrecision::Compact));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Against truth in long double, and against RayCaster, which walks the volume itself.
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/Phantom.h"
+#include "Isosurface/CellHits.h"
 #include "Isosurface/RayCaster.h"
 #include "Isosurface/Testing/TracedVolume.h"
 
@@ -19,6 +20,25 @@ TEST(CellTracer, MeetsEverySampleTypeWhereTruthDoes)
   ExpectTruth(Noise<std::uint8_t>({ 14, 9, 17 }, 2), 30000, 32);
   ExpectTruth(Noise<std::uint16_t>({ 14, 9, 17 }, 3), 30000, 33);
   ExpectTruth(Noise<float>({ 14, 9, 17 }, 4), 30000, 34);
+}
+
+TEST(CellTracer, MeetsWhatSingleLinesMeet)
+{
+  const auto scene = Noise<std::int16_t>({ 21, 18, 19 }, 6);
+  RandomRays next(scene.view.geometry.dims, 37);
+  int hits = 0, apart = 0;
+  for (int n = 0; n < 1000; ++n)
+  {
+    const hasp::CellRay ray = next.Next();
+    const auto line = FirstHit(*scene.cells, ray.origin, ray.origin + 100.0 * ray.direction);
+    const auto hit = scene.tracer.Trace(ray);
+    if (line && hit && std::abs(100.0 * line->t - hit->t) < HitTolerance)
+      ++hits;
+    else
+      apart += line || hit;
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_LE(apart, 1); // rays that touch the surface: either answer is right
 }
 
 TEST(CellTracer, MeetsAGyroidWhereTruthDoes)
@@ -150,6 +170,10 @@ TEST(CellTracer, RefusesCellsThatLie)
   bad([](hasp::ClusteredCells& c) { c.clusters.back().active = {}; });
   bad([](hasp::ClusteredCells& c) { c.clusters.back().firstWord = 0xFFFFFFFFU; });
   bad([](hasp::ClusteredCells& c) { c.geometry.dims.x = 9; });
+  auto few = std::make_shared<hasp::ClusteredCells>(
+    *Noise<std::int16_t>({ 12, 12, 12 }, 7, hasp::CellPrecision::Compact).cells);
+  few->levels.resize(100);
+  EXPECT_THROW(hasp::CellTracer{ few }, std::invalid_argument);
 }
 
 TEST(CellTracer, CountsItsBytes)

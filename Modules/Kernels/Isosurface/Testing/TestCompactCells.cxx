@@ -112,6 +112,14 @@ TEST(CompactCells, SignsHoldForTheSmallestAndLargestFloats)
   }
 }
 
+TEST(CompactCells, TakeNoMoreMemoryThanTheyFill)
+{
+  const auto samples = hasp::SampleAnalytic<float>(hasp::AnalyticGyroid(20), Grid, 700, 100);
+  const auto compact = Extract(samples, Grid, 130, hasp::CellPrecision::Compact);
+  EXPECT_EQ(compact.clusters.capacity(), compact.clusters.size());
+  EXPECT_EQ(compact.corners.capacity(), compact.corners.size());
+}
+
 TEST(CompactCells, AreNotMadeOfCompactCells)
 {
   const auto samples = hasp::SampleAnalytic<float>(hasp::AnalyticGyroid(20), Grid, 700, 100);

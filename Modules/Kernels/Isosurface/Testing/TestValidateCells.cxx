@@ -176,6 +176,28 @@ TEST(ValidateCells, NamesFaultsOfFloatsCompactCellsAndAttributes)
   EXPECT_NE(FaultOf(cells).find("colours of corners"), std::string::npos);
 }
 
+/// A cell whose corners are `least` and ten more; then the same with another base.
+template <typename T>
+std::string FaultOfBase(std::uint32_t base)
+{
+  const GridGeometry g{ { 2, 2, 2 }, {}, { 1, 1, 1 }, glm::dmat3(1) };
+  const std::vector<T> samples{ 0, 10, 0, 0, 10, 10, 0, 10 };
+  ClusteredCells cells = CellsOf(GridView<const T>{ samples.data(), g }, 5);
+  cells.clusters.at(0).place.y |= base << 16;
+  cells.isovalue += static_cast<float>(static_cast<T>(base));
+  return FaultOf(cells);
+}
+
+TEST(ValidateCells, RefusesCornersBeyondTheirSampleType)
+{
+  // What wraps in 16 bits does not where corners are decoded in 32: two surfaces of the same cells.
+  EXPECT_EQ(FaultOfBase<std::uint16_t>(65525), "");
+  EXPECT_EQ(FaultOfBase<std::int16_t>(32757), "");
+  EXPECT_EQ(FaultOfBase<std::int16_t>(65530), "") << "from -6 to 4";
+  EXPECT_NE(FaultOfBase<std::uint16_t>(65526).find("beyond"), std::string::npos);
+  EXPECT_NE(FaultOfBase<std::int16_t>(32758).find("beyond"), std::string::npos);
+}
+
 TEST(ValidateCells, NoTurnedBitOfAClusterOrCornerMakesThemUnsafe)
 {
   // What still passes must be readable in whole: run under AddressSanitizer, too.

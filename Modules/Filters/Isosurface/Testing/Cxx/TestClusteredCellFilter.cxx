@@ -130,6 +130,19 @@ TEST_F(ClusteredCellFilter, OfAMarkedBoxOnlyItsBlocksAreRead)
   }
 }
 
+TEST_F(ClusteredCellFilter, AMarkMayReachAsFarAsIntegersDo)
+{
+  int whole[6] = { 100, 139, -10, 22, 7, 35 };
+  this->Image->SetExtent(whole);
+  this->Update();
+  this->Sample(101, -9, 8) = 30000;
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  const int everything[6] = { least, most, least, most, least, most };
+  this->Filter->MarkModified(everything);
+  this->Image->Modified();
+  EXPECT_TRUE(SameCells(this->Update(), this->Truth()));
+}
+
 TEST_F(ClusteredCellFilter, MarksAddUpAndHoldForAnotherIsovalueToo)
 {
   int extent[6] = { 100, 139, -10, 22, 7, 35 };

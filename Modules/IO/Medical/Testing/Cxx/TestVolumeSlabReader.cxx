@@ -174,6 +174,8 @@ TEST_F(VolumeSlabReaders, SamplesThatAreNoNumbersAreRefusedWithTheirPlace)
               .find("the .nrrd file: holds samples that are NaN or infinite, the first at index "
                     "(3, 4, 5)"),
     std::string::npos);
+  // The stream has gone on: the same slices would be others.
+  EXPECT_NE(this->Refusal([&] { reader.Read(3, 4); }).find("open it again"), std::string::npos);
 }
 
 TEST_F(VolumeSlabReaders, FeedTheExtraction)
