@@ -7,10 +7,12 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
@@ -45,6 +47,8 @@ struct vtkHaspClusteredCellMapper::Internals
   hasp::MinMaxBlocks Blocks;
   vtkWeakPointer<vtkImageData> Image; ///< they were made from, and
   vtkMTimeType ImageTime = 0;         ///< when: images that share their samples share MTimes, too
+  glm::ivec3 ImageSize{ 0 };          ///< its samples along each axis, then
+  int ImageType = VTK_VOID;           ///< and what they were
   double BlocksMilliseconds = 0.0;
 
   /// Samples changed in place since the last update, if low <= high.
@@ -93,7 +97,18 @@ struct vtkHaspClusteredCellMapper::Internals
     this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
     this->Image = image;
     this->ImageTime = image->GetMTime();
+    image->GetDimensions(&this->ImageSize.x);
+    this->ImageType = image->GetPointData()->GetScalars()->GetDataType();
     this->BlocksMilliseconds = watch.Milliseconds();
+  }
+
+  /// As many of the same type as the blocks were made from.
+  bool SameSamples(vtkImageData* image) const
+  {
+    glm::ivec3 size;
+    image->GetDimensions(&size.x);
+    vtkDataArray* scalars = image->GetPointData()->GetScalars();
+    return size == this->ImageSize && scalars && scalars->GetDataType() == this->ImageType;
   }
 
   /// An isovalue that is not a number is never up to date, and refused each time.
@@ -222,11 +237,17 @@ void vtkHaspClusteredCellMapper::MarkModified(const int extent[6])
   vtkImageData* image = this->GetImage();
   if (!image || image != in.Image)
     return; // nothing is kept of it that could be stale
+  if (!in.SameSamples(image))
+    return; // it is read in whole
   const int* whole = image->GetExtent();
   for (int a = 0; a < 3; ++a)
   {
-    in.ChangedLow[a] = std::min(in.ChangedLow[a], extent[2 * a] - whole[2 * a]);
-    in.ChangedHigh[a] = std::max(in.ChangedHigh[a], extent[2 * a + 1] - whole[2 * a]);
+    // Clamped before they are moved: a mark may reach as far as integers do.
+    const int first = whole[2 * a], last = whole[2 * a + 1];
+    const int low = std::clamp(extent[2 * a], first, last + 1) - first;
+    const int high = std::clamp(extent[2 * a + 1], first - 1, last) - first;
+    in.ChangedLow[a] = std::min(in.ChangedLow[a], low);
+    in.ChangedHigh[a] = std::max(in.ChangedHigh[a], high);
   }
   in.ImageTime = image->GetMTime();
   this->Modified();

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace
 {
 
@@ -133,6 +135,43 @@ TEST_F(CellEdits, LabelsAndColoursFollowInAnyExtent)
   EXPECT_EQ(edited.labels, whole.labels);
   EXPECT_EQ(edited.colors, whole.colors);
   EXPECT_EQ(edited.firstColors, whole.firstColors);
+}
+
+TEST_F(CellEdits, AMarkMayReachAsFarAsIntegersDo)
+{
+  EditScene scene;
+  int extent[6] = { 5, Size + 4, -5, Size - 6, 0, Size - 1 }; // the same samples, counted otherwise
+  scene.Image->SetExtent(extent);
+  ASSERT_TRUE(scene.Mapper->UpdateCells());
+  const int box[6] = { 12, 20, 4, 9, 12, 20 };
+  scene.Fill(box, 500);
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  const int everything[6] = { least, most, least, most, least, most };
+  scene.Mapper->MarkModified(everything);
+  ASSERT_TRUE(scene.Mapper->UpdateCells());
+  const auto edited = scene.Corners();
+  scene.Image->Modified();
+  ASSERT_TRUE(scene.Mapper->UpdateCells());
+  EXPECT_EQ(scene.Corners(), edited);
+}
+
+TEST_F(CellEdits, AMarkDoesNotHideThatTheImageIsAnother)
+{
+  const int box[6] = { 0, 3, 0, 3, 0, 3 };
+  for (const int type : { VTK_SHORT, VTK_FLOAT })
+  {
+    EditScene scene;
+    ASSERT_TRUE(scene.Mapper->UpdateCells());
+    scene.Image->SetDimensions(Size - 1, 20, Size); // as many blocks along x and z as before
+    scene.Image->AllocateScalars(type, 1);
+    scene.Image->GetPointData()->GetScalars()->Fill(-900);
+    scene.Image->SetScalarComponentFromDouble(9, 9, 9, 0, 900);
+    scene.Image->Modified();
+    scene.Mapper->MarkModified(box);
+    ASSERT_TRUE(scene.Mapper->UpdateCells());
+    EXPECT_EQ(scene.Mapper->GetCells().geometry.dims, glm::ivec3(Size - 1, 20, Size));
+    EXPECT_EQ(scene.Mapper->GetCells().Count(), 8U);
+  }
 }
 
 } // namespace
