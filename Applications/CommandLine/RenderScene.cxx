@@ -80,10 +80,10 @@ RenderScene::RenderScene(vtkDataObject* volume, const RenderOptions& options, Se
   self.OpenWindow(options);
   self.renderer->SetBackground(options.background.data());
   if (auto* cells = vtkHaspClusteredCells::SafeDownCast(volume))
-    self.Add(MakeCells(cells, options.renderer), options.color);
+    self.Add(MakeCells(cells, options.cells), options.color);
   else
     self.Add(MakeIsosurface(vtkImageData::SafeDownCast(volume), options.isoValue, options.mapper,
-               options.renderer, session),
+               options.cells, session),
       options.color);
   for (std::size_t k = 0; k < options.surfaces.size(); ++k)
     self.Add(

@@ -1,6 +1,7 @@
 #pragma once
 #include "CameraOptions.h"
 #include "StereoLayout.h"
+#include "SurfaceActors.h"
 
 #include <memory>
 #include <string>
@@ -15,8 +16,8 @@ struct Session;
 struct RenderOptions
 {
   double isoValue = 0.0;
-  std::string mapper;                                   ///< a name of SurfaceMappers()
-  std::string renderer = "automatic";                   ///< a name of CellRendererNames()
+  std::string mapper; ///< a name of SurfaceMappers()
+  CellDrawing cells;
   std::array<int, 2> resolution{ 800, 800 };            ///< pixels of one eye
   std::array<double, 3> color{ 0.93, 0.87, 0.76 };      ///< of the isosurface, in [0,1]
   std::array<double, 3> background{ 0.10, 0.11, 0.13 }; ///< in [0,1]

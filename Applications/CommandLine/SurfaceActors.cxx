@@ -70,13 +70,15 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
 
 #if HASP_WITH_CELLS
 /// `input` is an image, or cells, whose isovalue is their own.
-SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const std::string& renderer)
+SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const CellDrawing& drawing)
 {
   vtkNew<vtkHaspClusteredCellMapper> mapper;
   const auto& names = CellRendererNames(); // in the order of the mapper's Renderers
   mapper->SetRenderer(
-    static_cast<int>(std::find(names.begin(), names.end(), renderer) - names.begin()));
-  ThrowVtkError(ExitCode::WrongUse, "--renderer " + renderer);
+    static_cast<int>(std::find(names.begin(), names.end(), drawing.renderer) - names.begin()));
+  ThrowVtkError(ExitCode::WrongUse, "--renderer " + drawing.renderer);
+  if (drawing.compact)
+    mapper->SetPrecisionToCompact();
   mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();
@@ -111,13 +113,13 @@ const std::vector<std::string>& CellRendererNames()
 }
 
 SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::string& mapper,
-  [[maybe_unused]] const std::string& renderer, Session& session)
+  [[maybe_unused]] const CellDrawing& drawing, Session& session)
 {
 #if HASP_WITH_CELLS
   if (mapper == "cells")
   {
     session.progress.Step("extracting active cells");
-    return MakeCellActor(image, isoValue, renderer);
+    return MakeCellActor(image, isoValue, drawing);
   }
 #endif
   if (mapper == "mesh")
@@ -126,10 +128,10 @@ SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::str
 }
 
 SurfaceActor MakeCells(
-  [[maybe_unused]] vtkHaspClusteredCells* cells, [[maybe_unused]] const std::string& renderer)
+  [[maybe_unused]] vtkHaspClusteredCells* cells, [[maybe_unused]] const CellDrawing& drawing)
 {
 #if HASP_WITH_CELLS
-  return MakeCellActor(cells, 0.0, renderer);
+  return MakeCellActor(cells, 0.0, drawing);
 #else
   throw Failure(ExitCode::WrongUse, "this build cannot draw active cells");
 #endif

@@ -27,16 +27,23 @@ struct SurfaceActor
 /// "mesh" (vtkFlyingEdges3D).
 const std::vector<std::string>& SurfaceMappers();
 
+/// How active cells are made and drawn.
+struct CellDrawing
+{
+  std::string renderer = "automatic"; ///< a name of CellRendererNames()
+  bool compact = false;               ///< 8 bits a corner; of a volume's cells only
+};
+
 /// The names that --renderer takes, the default first: what draws active cells.
 const std::vector<std::string>& CellRendererNames();
 
 /// The isosurface through the mapper of that name; the other mapper is listed as skipped. Throws
 /// Failure: WrongUse for an unknown name, or a renderer that this build lacks.
 SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::string& mapper,
-  const std::string& renderer, Session& session);
+  const CellDrawing& drawing, Session& session);
 
 /// Active cells as they are. Throws Failure: WrongUse in a build that cannot draw them.
-SurfaceActor MakeCells(vtkHaspClusteredCells* cells, const std::string& renderer);
+SurfaceActor MakeCells(vtkHaspClusteredCells* cells, const CellDrawing& drawing);
 
 /// The triangles of a surface file, called "surface 2" by its number. Throws Failure: BadInput.
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session);

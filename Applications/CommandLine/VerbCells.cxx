@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -130,6 +131,8 @@ ClusteredCells Extract(VolumeSlabReader& reader, const CellsOptions& options, Se
 void Run(const CellsOptions& options, Session& session)
 {
   RequireWritable(options.output, { ".hcells" });
+  if (!std::isfinite(static_cast<float>(options.isoValue)))
+    throw Failure(ExitCode::WrongUse, "--isovalue must be a finite number");
   const auto reader = OpenSlabs(options, session);
   const ClusteredCells cells = Extract(*reader, options, session);
   if (cells.Count() == 0)

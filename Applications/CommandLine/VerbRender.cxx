@@ -44,10 +44,10 @@ void RunOnCells(const Choices& choices, Session& session)
 {
   const VolumeChoices& volume = choices.volume;
   if (choices.isoValue || choices.ignoreBelowMm3 > 0.0 || volume.series != 0 || volume.resample ||
-      choices.render.mapper == "mesh")
+      choices.render.mapper == "mesh" || choices.render.cells.compact)
     throw Failure(ExitCode::WrongUse,
-      "--isovalue, --ignore-below, --series, --resample and --mapper mesh are for volumes; leave "
-      "them out for active cells");
+      "--isovalue, --ignore-below, --series, --resample, --compact and --mapper mesh are for "
+      "volumes; leave them out for active cells");
   vtkNew<vtkHaspClusteredCells> cells;
   cells->SetCells(ReadCells(volume.input, session));
   if (cells->GetNumberOfCells() == 0)
@@ -62,6 +62,10 @@ void Run(Choices choices, Session& session)
     return RunOnCells(choices, session);
   if (!choices.isoValue)
     throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
+  if (choices.render.mapper == "mesh" &&
+      (choices.render.cells.renderer != "automatic" || choices.render.cells.compact))
+    throw Failure(
+      ExitCode::WrongUse, "--renderer and --compact are for --mapper cells; leave them out");
   choices.render.isoValue = *choices.isoValue;
   const LoadedVolume volume = ReadVolume(choices.volume, session);
   SayWarnings(volume.passport, session);
@@ -137,11 +141,13 @@ void AddRenderVerb(CLI::App& app, Session& session)
     ->check(CLI::IsMember(SurfaceMappers()))
     ->capture_default_str();
   verb
-    ->add_option("--renderer", choices->render.renderer,
-      "Of active cells; rasterize: OpenGL; trace: rays on the CPU; automatic: trace where OpenGL "
-      "is software, and --explain says so")
+    ->add_option("--renderer", choices->render.cells.renderer,
+      "Of active cells; rasterize: OpenGL; trace: rays on the CPU; automatic: where OpenGL is "
+      "software, begin with trace and keep the faster one; --explain says which")
     ->check(CLI::IsMember(CellRendererNames()))
     ->capture_default_str();
+  verb->add_flag("--compact", choices->render.cells.compact,
+    "Active cells of 8 bits a corner: the surface moves by 0.004 voxel RMS");
   verb
     ->add_option("--surface", choices->render.surfaces,
       ".stl, .ply, .obj or .vtp file drawn with it; repeatable")

@@ -103,6 +103,24 @@ TEST_F(HaspRender, BothRenderersDrawTheSameSurface)
   ExpectFailure(this->Render({ "--renderer", "magic" }), 1, "one of");
 }
 
+TEST_F(HaspRender, CompactCellsAreSmallerAndOnlyForCells)
+{
+  this->Phantom();
+  const auto bytesOfCells = [&](const HaspRun& run)
+  {
+    const std::size_t at = run.out.find("active cells, host");
+    return at == std::string::npos ? 0 : std::stol(run.out.substr(at + 18));
+  };
+  const HaspRun exact = this->Render({ "--explain" }, "exact.png");
+  const HaspRun compact = this->Render({ "--compact", "--explain" }, "compact.png");
+  ASSERT_EQ(compact.exitCode, 0) << compact.err;
+  EXPECT_GT(bytesOfCells(compact), 0);
+  EXPECT_LT(bytesOfCells(compact), bytesOfCells(exact));
+  ExpectFailure(this->Render({ "--compact", "--mapper", "mesh" }), 1, "--mapper cells");
+  ExpectFailure(
+    this->Render({ "--renderer", "rasterize", "--mapper", "mesh" }), 1, "--mapper cells");
+}
+
 TEST_F(HaspRender, AFailureKeepsTheOldPicture)
 {
   this->Phantom();

@@ -16,7 +16,9 @@
  * locator.
  *
  * Threads: RENDER. Nothing is built or kept; a line costs O(clusters).
- * Limit: lines only; closest points and cells in a box are not answered.
+ * Limit: lines only; closest points and cells in a box are not answered. The mapper's input must be
+ * a volume: vtkCellPicker asks no locator where it is vtkHaspClusteredCells, for those are no
+ * vtkDataSet. PickFirstCell answers then, too.
  */
 #ifndef vtkHaspClusteredCellLocator_h
 #define vtkHaspClusteredCellLocator_h

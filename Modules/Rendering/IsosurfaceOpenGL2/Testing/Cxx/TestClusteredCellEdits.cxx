@@ -92,6 +92,24 @@ TEST_F(CellEdits, BoxesAddUpAndTheIsovalueMayMoveInBetween)
   EXPECT_EQ(scene.Corners(), edited);
 }
 
+TEST_F(CellEdits, AMarkSwallowsNoOtherPlaceOfTheImage)
+{
+  EditScene scene;
+  scene.Draw();
+  const int all[6] = { -2147483647 - 1, 2147483647, -2147483647 - 1, 2147483647, -2147483647 - 1,
+    2147483647 };
+  scene.Mapper->MarkModified(all); // more than there is
+  scene.Draw();
+  ASSERT_TRUE(scene.Point(30, 30));
+  EXPECT_NEAR(scene.Point(30, 30)->y, -8.0, 0.1);
+  scene.Image->SetSpacing(0.5, 0.5, 0.5);
+  scene.Image->SetOrigin(-8, -8, -8);
+  scene.Mapper->MarkModified(all);
+  scene.Draw();
+  ASSERT_TRUE(scene.Point(30, 30));
+  EXPECT_NEAR(scene.Point(30, 30)->y, -4.0, 0.1);
+}
+
 TEST_F(CellEdits, BeforeTheFirstUpdateAMarkChangesNothing)
 {
   EditScene scene;
