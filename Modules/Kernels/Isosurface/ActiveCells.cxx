@@ -66,7 +66,8 @@ void AppendCluster(const ClusteredCells& from, std::size_t n, ClusterLayer& laye
   cluster.firstCell = static_cast<std::uint32_t>(layer.cells);
   layer.corners.insert(layer.corners.end(), first, end);
   layer.clusters.push_back(cluster);
-  layer.cells += cluster.CellCount();
+  layer.cells += (n + 1 < from.clusters.size() ? from.clusters[n + 1].firstCell : from.count) -
+                 from.clusters[n].firstCell;
 }
 
 /// Puts `middle` in the place of [from, to).
@@ -103,6 +104,8 @@ void Replace(ClusteredCells& cells, const ClusteredCells& fresh, const BlockBox&
   end += end < count && Inside(box, cells.clusters[end]);
 
   ClusterLayer middle;
+  middle.clusters.reserve(end - begin + fresh.clusters.size());
+  middle.corners.reserve(firstWord(end) - firstWord(begin) + fresh.corners.size());
   for (std::size_t old = begin, next = 0; old < end || next < fresh.clusters.size();)
     if (old < end && Inside(box, cells.clusters[old]))
       ++old;
