@@ -85,11 +85,13 @@ private:
   std::array<float, Levels - 1> Ends{};
 };
 
-/// The quantiser's answer for each 16-bit sample: a look-up in place of a search.
+/// The quantiser's answer for each 16-bit sample: a look-up in place of a search. Empty for floats,
+/// and for fewer clusters than the table is worth (after an edit).
 std::vector<std::uint8_t> TableOf(const Quantiser& quantise, const ClusteredCells& exact)
 {
+  constexpr std::size_t worthwhile = 400; // times some 160 corners: as many as the table has
   std::vector<std::uint8_t> table;
-  if (exact.cornerType == CornerType::Float32)
+  if (exact.cornerType == CornerType::Float32 || exact.clusters.size() < worthwhile)
     return table;
   table.resize(1 << 16);
   for (std::uint32_t bits = 0; bits < table.size(); ++bits)
