@@ -1,9 +1,8 @@
 // The traced renderer: the same surface, colours and cells as the rasteriser, and nothing of it
-// there while it is not used. And the choice between the two.
+// there while it is not used.
 #include "CellTestScene.h"
 #include "HaspGL.h"
 #include "Isosurface/ClusteredCells.h"
-#include "RendererChoice.h"
 
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
@@ -431,66 +430,5 @@ TEST_F(TracedCells, AreRefusedByName)
 }
 
 #endif
-
-TEST(RendererChoice, TakesTheFasterOne)
-{
-  for (const bool traceIsFaster : { true, false })
-  {
-    hasp::RendererChoice choice;
-    EXPECT_EQ(choice.Text(), "to be measured");
-    for (const double milliseconds : { 95.0, 20.0 })
-    {
-      EXPECT_TRUE(choice.Trace(1000, 100));
-      choice.Note(milliseconds);
-    }
-    for (const double milliseconds : { 90.0, 60.0, traceIsFaster ? 21.0 : 19.0 })
-    {
-      EXPECT_FALSE(choice.Decided());
-      EXPECT_FALSE(choice.Trace(1000, 100));
-      choice.Note(milliseconds);
-    }
-    EXPECT_TRUE(choice.Decided());
-    EXPECT_EQ(choice.Trace(1000, 100), traceIsFaster);
-    EXPECT_EQ(choice.MayTrace(), traceIsFaster);
-    EXPECT_EQ(choice.Text(), traceIsFaster
-                               ? "traced: traced in 20.0 ms, rasterised in 21.0 ms"
-                               : "rasterised: traced in 20.0 ms, rasterised in 19.0 ms");
-  }
-}
-
-TEST(RendererChoice, DoesNotWaitForWhatTakesForEver)
-{
-  hasp::RendererChoice choice;
-  for (const double milliseconds : { 95.0, 20.0 })
-  {
-    EXPECT_TRUE(choice.Trace(1000, 100));
-    choice.Note(milliseconds);
-  }
-  EXPECT_FALSE(choice.Trace(1000, 100));
-  choice.Note(1081);
-  EXPECT_TRUE(choice.Decided());
-  EXPECT_TRUE(choice.Trace(1000, 100));
-}
-
-TEST(RendererChoice, HoldsUntilTheSceneIsAnother)
-{
-  const auto decided = []
-  {
-    hasp::RendererChoice choice;
-    for (const double milliseconds : { 20.0, 20.0, 9.0, 9.0, 9.0 })
-    {
-      choice.Trace(1000, 100);
-      choice.Note(milliseconds);
-    }
-    return choice;
-  };
-  for (const auto& [cells, pixels, holds] : { std::tuple(2000, 200, true), { 500, 50, true },
-         { 2001, 100, false }, { 499, 100, false }, { 1000, 201, false }, { 1000, 49, false } })
-  {
-    hasp::RendererChoice choice = decided();
-    EXPECT_EQ(choice.Trace(cells, pixels), !holds) << cells << " " << pixels;
-    EXPECT_EQ(choice.Decided(), holds) << cells << " " << pixels;
-  }
-}
 
 } // namespace
