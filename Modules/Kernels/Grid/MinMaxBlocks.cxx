@@ -64,7 +64,15 @@ MinMaxBlocks::MinMaxBlocks(const AnyGridView& grid)
   this->BlockCount = (geometry.Cells() + Side - 1) / Side;
   const glm::ivec3 n = this->BlockCount;
   this->Ranges.resize(static_cast<std::size_t>(n.x) * n.y * n.z);
-  this->Read(grid, glm::ivec3(0), n);
+  this->ReadAll(grid, glm::ivec3(0), n);
+}
+
+void MinMaxBlocks::ReadAll(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to)
+{
+  ParallelFor(from.z, to.z, 1,
+    [&](std::int64_t z, std::int64_t) {
+      this->Read(grid, { from.x, from.y, int(z) }, { to.x, to.y, int(z) + 1 });
+    });
 }
 
 void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high)
@@ -73,7 +81,7 @@ void MinMaxBlocks::Update(const AnyGridView& grid, const glm::ivec3& low, const 
     throw std::invalid_argument("MinMaxBlocks: they are of a grid of another size");
   const auto touched = this->Touched(low, high);
   if (touched.first != touched.second)
-    this->Read(grid, touched.first, touched.second);
+    this->ReadAll(grid, touched.first, touched.second);
 }
 
 std::pair<glm::ivec3, glm::ivec3> MinMaxBlocks::Touched(
@@ -87,17 +95,16 @@ std::pair<glm::ivec3, glm::ivec3> MinMaxBlocks::Touched(
 
 void MinMaxBlocks::Read(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to)
 {
-  const auto readLayers = [&]<typename T>(const GridView<const T>& view)
+  const auto read = [&]<typename T>(const GridView<const T>& view)
   {
     const glm::ivec3 dims = view.geometry.dims;
     const int firstColumn = from.x * Side, lastColumn = std::min(to.x * Side, dims.x - 1);
-    const auto layer = [&](std::int64_t z, std::int64_t)
-    {
-      ColumnRanges<T> columns(lastColumn - firstColumn + 1);
+    ColumnRanges<T> columns(lastColumn - firstColumn + 1);
+    for (int z = from.z; z < to.z; ++z)
       for (int y = from.y; y < to.y; ++y)
       {
         columns.Clear();
-        for (int k = int(z) * Side; k <= std::min(int(z) * Side + Side, dims.z - 1); ++k)
+        for (int k = z * Side; k <= std::min(z * Side + Side, dims.z - 1); ++k)
           for (int j = y * Side; j <= std::min(y * Side + Side, dims.y - 1); ++j)
             columns.Add(&view(firstColumn, j, k));
         for (int x = from.x; x < to.x; ++x)
@@ -105,13 +112,11 @@ void MinMaxBlocks::Read(const AnyGridView& grid, const glm::ivec3& from, const g
           const int first = (x - from.x) * Side;
           const auto [min, max] =
             columns.Over(first, std::min(first + Side, lastColumn - firstColumn));
-          this->Ranges[this->Index({ x, y, int(z) })] = { min, max };
+          this->Ranges[this->Index({ x, y, z })] = { min, max };
         }
       }
-    };
-    ParallelFor(from.z, to.z, 1, layer);
   };
-  std::visit(readLayers, grid);
+  std::visit(read, grid);
 }
 
 float MinMaxBlocks::Min() const

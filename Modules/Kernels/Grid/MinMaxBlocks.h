@@ -26,8 +26,11 @@ public:
   /// the grid must be the one these blocks were made of; throws std::invalid_argument if it has not
   /// their number of blocks. O(samples in them), all threads.
   void Update(const AnyGridView& grid, const glm::ivec3& low, const glm::ivec3& high);
-  /// Those blocks: from the first to one past the last along each axis; both equal if there are
-  /// none. Samples outside the grid are left out.
+  /// Reads the blocks [from, to) anew of the same grid, in the calling thread. Several threads may
+  /// read, each its own blocks.
+  void Read(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to);
+  /// The blocks that Update reads: from the first to one past the last along each axis; both equal
+  /// if there are none. Samples outside the grid are left out.
   std::pair<glm::ivec3, glm::ivec3> Touched(const glm::ivec3& low, const glm::ivec3& high) const;
 
   /// Blocks per axis; 0 on an axis with a single sample.
@@ -51,7 +54,7 @@ private:
   {
     float min, max;
   };
-  void Read(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to);
+  void ReadAll(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to);
   std::size_t Index(const glm::ivec3& b) const
   {
     return (static_cast<std::size_t>(b.z) * this->BlockCount.y + b.y) * this->BlockCount.x + b.x;

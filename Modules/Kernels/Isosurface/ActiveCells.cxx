@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 #include <tuple>
 
@@ -20,17 +21,6 @@ void RefuseOtherBlocks(const AnyGridView& grid, const MinMaxBlocks& blocks, cons
     throw std::invalid_argument(std::string(who) + ": the min-max blocks are of another grid");
 }
 
-/// Layers [from, to), each restricted to the rectangle of blocks.
-std::vector<ClusterLayer> ExtractLayers(const AnyGridView& grid, const MinMaxBlocks& blocks,
-  float isovalue, int from, int to, const BlockRectangle& rectangle)
-{
-  std::vector<ClusterLayer> layers(to - from);
-  ParallelFor(from, to, 1,
-    [&](std::int64_t z, std::int64_t)
-    { layers[z - from] = ExtractLayer(grid, blocks, isovalue, int(z), rectangle); });
-  return layers;
-}
-
 /// Blocks [from, to) along each axis.
 struct BlockBox
 {
@@ -43,99 +33,145 @@ bool Inside(const BlockBox& box, const CellCluster& cluster)
   return glm::all(glm::greaterThanEqual(block, box.from)) && glm::all(glm::lessThan(block, box.to));
 }
 
-bool RasterBefore(const CellCluster& a, const CellCluster& b)
+/// The first cluster not before a block in raster order; the number of clusters if there is none.
+std::size_t ClusterAt(const ClusteredCells& cells, const glm::ivec3& block)
 {
-  const glm::ivec3 p = a.Origin(), q = b.Origin();
-  return std::tie(p.z, p.y, p.x) < std::tie(q.z, q.y, q.x);
+  const auto before = [](const CellCluster& cluster, const glm::ivec3& other)
+  {
+    const glm::ivec3 own = cluster.Origin() / MinMaxBlocks::Side;
+    return std::tie(own.z, own.y, own.x) < std::tie(other.z, other.y, other.x);
+  };
+  const auto begin = cells.clusters.begin(), end = cells.clusters.end();
+  return static_cast<std::size_t>(std::lower_bound(begin, end, block, before) - begin);
 }
 
-/// Where a cluster's corners end, in words.
-std::size_t EndWord(const ClusteredCells& cells, std::size_t cluster)
+/// Numbers of clusters, words of corners and cells: a size, or a place among them.
+struct Extent
 {
-  return cluster + 1 < cells.clusters.size() ? cells.clusters[cluster + 1].firstWord
-                                             : cells.corners.size() - PaddingWords;
+  std::size_t clusters = 0, words = 0, cells = 0;
+};
+
+Extent ExtentBefore(const ClusteredCells& cells, std::size_t cluster)
+{
+  if (cluster == cells.clusters.size())
+    return { cluster, cells.corners.size() - PaddingWords, cells.count };
+  return { cluster, cells.clusters[cluster].firstWord, cells.clusters[cluster].firstCell };
 }
 
-/// One cluster of `from` after what `layer` has.
-void AppendCluster(const ClusteredCells& from, std::size_t n, ClusterLayer& layer)
+/// Clusters in a row, kept or fresh, and the place they go to.
+struct Run
 {
-  CellCluster cluster = from.clusters[n];
-  const auto words = from.corners.begin();
-  const auto first = words + cluster.firstWord, end = words + std::ptrdiff_t(EndWord(from, n));
-  cluster.firstWord = static_cast<std::uint32_t>(layer.corners.size());
-  cluster.firstCell = static_cast<std::uint32_t>(layer.cells);
-  layer.corners.insert(layer.corners.end(), first, end);
-  layer.clusters.push_back(cluster);
-  layer.cells += (n + 1 < from.clusters.size() ? from.clusters[n + 1].firstCell : from.count) -
-                 from.clusters[n].firstCell;
+  bool fresh;
+  Extent from, to, place;
+};
+
+/// What cells are made of when the fresh ones take the place of all in the box, in raster order;
+/// `size` becomes the size of it all.
+std::vector<Run> RunsOf(
+  const ClusteredCells& cells, const ClusteredCells& fresh, const BlockBox& box, Extent& size)
+{
+  std::vector<Run> runs;
+  const auto add = [&](bool isFresh, std::size_t first, std::size_t last)
+  {
+    const ClusteredCells& source = isFresh ? fresh : cells;
+    const Extent from = ExtentBefore(source, first), to = ExtentBefore(source, last);
+    runs.push_back({ isFresh, from, to, size });
+    size.clusters += to.clusters - from.clusters;
+    size.words += to.words - from.words;
+    size.cells += to.cells - from.cells;
+  };
+  std::size_t kept = 0, next = 0;
+  for (int z = box.from.z; z < box.to.z; ++z)
+    for (int y = box.from.y; y < box.to.y; ++y)
+    {
+      const std::size_t freshEnd = ClusterAt(fresh, { box.to.x, y, z });
+      const std::size_t begin = ClusterAt(cells, { box.from.x, y, z });
+      const std::size_t end = ClusterAt(cells, { box.to.x, y, z });
+      if (begin == end && next == freshEnd)
+        continue;
+      add(false, kept, begin);
+      add(true, next, freshEnd);
+      kept = end;
+      next = freshEnd;
+    }
+  add(false, kept, cells.clusters.size());
+  return runs;
 }
 
-/// Puts `middle` in the place of [from, to).
+/// Moves each run of values to its place. What moves to the front goes first, from the front, then
+/// what moves to the back, from the back: so nothing is overwritten that is still needed.
 template <typename T>
-void Splice(std::vector<T>& values, std::size_t from, std::size_t to, const std::vector<T>& middle)
+void MoveRuns(std::vector<T>& values, const std::vector<T>& fresh, const std::vector<Run>& runs,
+  std::size_t Extent::*unit, std::size_t size)
 {
-  const std::size_t common = std::min(to - from, middle.size());
-  const auto at = std::copy_n(middle.begin(), common, values.begin() + std::ptrdiff_t(from));
-  if (common < middle.size())
-    values.insert(at, middle.begin() + std::ptrdiff_t(common), middle.end());
-  else
-    values.erase(at, values.begin() + std::ptrdiff_t(to));
+  const auto at = [](auto& vector, std::size_t n) { return vector.begin() + std::ptrdiff_t(n); };
+  values.resize(std::max(values.size(), size));
+  for (const Run& run : runs)
+    if (!run.fresh && run.place.*unit < run.from.*unit)
+      std::copy(at(values, run.from.*unit), at(values, run.to.*unit), at(values, run.place.*unit));
+  for (const Run& run : runs | std::views::reverse)
+    if (!run.fresh && run.place.*unit > run.from.*unit)
+      std::copy_backward(at(values, run.from.*unit), at(values, run.to.*unit),
+        at(values, run.place.*unit + run.to.*unit - run.from.*unit));
+  for (const Run& run : runs)
+    if (run.fresh)
+      std::copy(at(fresh, run.from.*unit), at(fresh, run.to.*unit), at(values, run.place.*unit));
+  values.resize(size);
 }
 
-/// Puts the clusters of `fresh`, all in the box, in the place of those of `cells` there. What lies
-/// before the box stays where it is, what lies behind is moved as a whole.
+/// Where the words and cells of each cluster begin, once all are in place.
+void NumberClusters(std::vector<CellCluster>& clusters, const std::vector<Run>& runs)
+{
+  for (const Run& run : runs)
+  {
+    // Differences of unsigned numbers, right also where they wrap.
+    const auto words = static_cast<std::uint32_t>(run.place.words - run.from.words);
+    const auto count = static_cast<std::uint32_t>(run.place.cells - run.from.cells);
+    if (words == 0 && count == 0)
+      continue;
+    const std::size_t end = run.place.clusters + run.to.clusters - run.from.clusters;
+    for (std::size_t n = run.place.clusters; n < end; ++n)
+    {
+      clusters[n].firstWord += words;
+      clusters[n].firstCell += count;
+    }
+  }
+}
+
+/// Puts the clusters of `fresh`, all in the box, in the place of those of `cells` there.
 void Replace(ClusteredCells& cells, const ClusteredCells& fresh, const BlockBox& box)
 {
-  const std::size_t count = cells.clusters.size();
-  const auto before = [&](const glm::ivec3& block)
+  Extent size;
+  const std::vector<Run> runs = RunsOf(cells, fresh, box, size);
+  RefuseTooMany(size.cells, size.words);
+  cells.count = size.cells;
+  const auto moveCorners = [&]
   {
-    CellCluster place;
-    place.place = { block.x | block.y << 13, block.z };
-    const auto at =
-      std::lower_bound(cells.clusters.begin(), cells.clusters.end(), place, RasterBefore);
-    return static_cast<std::size_t>(at - cells.clusters.begin());
+    MoveRuns(cells.corners, fresh.corners, runs, &Extent::words, size.words);
+    FinishCells(cells);
   };
-  const auto firstWord = [&](std::size_t n)
-  { return n < count ? cells.clusters[n].firstWord : cells.corners.size() - PaddingWords; };
-  const auto firstCell = [&](std::size_t n)
-  { return n < count ? cells.clusters[n].firstCell : cells.count; };
-  const std::size_t begin = before(box.from);
-  std::size_t end = before(box.to - 1);
-  end += end < count && Inside(box, cells.clusters[end]);
-
-  ClusterLayer middle;
-  middle.clusters.reserve(end - begin + fresh.clusters.size());
-  middle.corners.reserve(firstWord(end) - firstWord(begin) + fresh.corners.size());
-  for (std::size_t old = begin, next = 0; old < end || next < fresh.clusters.size();)
-    if (old < end && Inside(box, cells.clusters[old]))
-      ++old;
-    else if (next == fresh.clusters.size() ||
-             (old < end && RasterBefore(cells.clusters[old], fresh.clusters[next])))
-      AppendCluster(cells, old++, middle);
-    else
-      AppendCluster(fresh, next++, middle);
-
-  const std::size_t wordsFrom = firstWord(begin), wordsTo = firstWord(end);
-  const std::size_t cellsFrom = firstCell(begin), cellsTo = firstCell(end);
-  RefuseTooMany(cells.count + middle.cells - (cellsTo - cellsFrom),
-    cells.corners.size() + middle.corners.size() - (wordsTo - wordsFrom));
-  const auto shiftOf = [](std::size_t from, std::size_t to, std::size_t now)
-  { return static_cast<std::uint32_t>(from + now - to); }; // wraps where it is less than 0
-  const std::uint32_t moreWords = shiftOf(wordsFrom, wordsTo, middle.corners.size());
-  const std::uint32_t moreCells = shiftOf(cellsFrom, cellsTo, middle.cells);
-  for (CellCluster& cluster : middle.clusters)
+  const auto moveClusters = [&]
   {
-    cluster.firstWord += static_cast<std::uint32_t>(wordsFrom);
-    cluster.firstCell += static_cast<std::uint32_t>(cellsFrom);
-  }
-  for (std::size_t n = end; n < count; ++n)
-  {
-    cells.clusters[n].firstWord += moreWords;
-    cells.clusters[n].firstCell += moreCells;
-  }
-  cells.count += middle.cells - (cellsTo - cellsFrom);
-  Splice(cells.corners, wordsFrom, wordsTo, middle.corners);
-  Splice(cells.clusters, begin, end, middle.clusters);
+    MoveRuns(cells.clusters, fresh.clusters, runs, &Extent::clusters, size.clusters);
+    NumberClusters(cells.clusters, runs);
+  };
+  ParallelFor(
+    0, 2, 1, [&](std::int64_t n, std::int64_t) { n == 0 ? moveCorners() : moveClusters(); });
+}
+
+/// The clusters in the box, its blocks read anew first.
+std::vector<ClusterLayer> UpdateLayers(
+  const AnyGridView& grid, MinMaxBlocks& blocks, float isovalue, const BlockBox& box)
+{
+  const glm::ivec3 from = box.from, to = box.to;
+  std::vector<ClusterLayer> layers(to.z - from.z);
+  ParallelFor(from.z, to.z, 1,
+    [&](std::int64_t z, std::int64_t)
+    {
+      blocks.Read(grid, { from.x, from.y, int(z) }, { to.x, to.y, int(z) + 1 });
+      layers[z - from.z] = ExtractLayer(grid, blocks, isovalue, int(z), { from, to });
+    });
+  return layers;
 }
 
 } // namespace
@@ -151,8 +187,14 @@ ClusteredCells ExtractActiveCells(const AnyGridView& grid, const MinMaxBlocks& b
   {
     ReportProgress(progress, double(z) / n.z);
     const int end = std::min(n.z, z + layersAtATime);
-    for (const ClusterLayer& layer :
-      ExtractLayers(grid, blocks, cells.isovalue, z, end, { { 0, 0 }, { n.x, n.y } }))
+    std::vector<ClusterLayer> layers(end - z);
+    ParallelFor(z, end, 1,
+      [&](std::int64_t layer, std::int64_t)
+      {
+        layers[layer - z] =
+          ExtractLayer(grid, blocks, cells.isovalue, int(layer), { { 0, 0 }, { n.x, n.y } });
+      });
+    for (const ClusterLayer& layer : layers)
       AppendLayer(layer, cells);
   }
   FinishCells(cells);
@@ -169,15 +211,12 @@ void UpdateActiveCells(ClusteredCells& cells, const AnyGridView& grid, MinMaxBlo
   RefuseOtherBlocks(grid, blocks, "UpdateActiveCells");
   if (cells.geometry.dims != fresh.geometry.dims || cells.cornerType != fresh.cornerType)
     throw std::invalid_argument("UpdateActiveCells: the cells are of another grid");
-  blocks.Update(grid, low, high);
   cells.geometry = fresh.geometry;
   const auto [from, to] = blocks.Touched(low, high);
   if (from == to)
     return;
   const BlockBox box{ from, to };
-  const BlockRectangle rectangle{ glm::ivec2(from), glm::ivec2(to) };
-  for (const ClusterLayer& layer :
-    ExtractLayers(grid, blocks, cells.isovalue, from.z, to.z, rectangle))
+  for (const ClusterLayer& layer : UpdateLayers(grid, blocks, cells.isovalue, box))
     AppendLayer(layer, fresh);
   FinishCells(fresh);
 

@@ -18,7 +18,7 @@ namespace
 constexpr double Curvature = 1000.0; // of the logarithm: range / c
 constexpr int Levels = 128;
 constexpr int ExponentBias = 1 << 15; // a cluster's base holds it unsigned
-constexpr std::int64_t ClustersAtATime = 256;
+constexpr std::int64_t ClustersAtATime = 32;
 
 /// f(stored) for each stored corner, in order.
 template <typename F>
