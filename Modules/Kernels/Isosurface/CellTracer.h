@@ -1,7 +1,7 @@
 #pragma once
 #include "Isosurface/ClusteredCells.h"
+#include "Isosurface/PixelRays.h"
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 #include <limits>
@@ -12,15 +12,6 @@
 
 namespace hasp
 {
-
-/// A ray in index coordinates of the volume: origin + t * direction, tMin <= t <= tMax. direction
-/// need not be unit but must not be 0; t counts in its length.
-struct CellRay
-{
-  glm::dvec3 origin{ 0.0 }, direction{ 0.0, 0.0, 1.0 };
-  double tMin = 0.0;
-  double tMax = std::numeric_limits<double>::infinity();
-};
 
 /// Where a ray meets the surface.
 struct CellHit
@@ -33,16 +24,6 @@ struct CellHit
   bool fromInside;      ///< the ray came from where samples are >= isovalue
 
   glm::dvec3 Position() const { return glm::dvec3(this->cell) + glm::dvec3(this->local); }
-};
-
-/// What a camera sees, without any scene graph.
-struct PictureView
-{
-  glm::dmat4 indexToClip{ 1.0 }; ///< index coordinates to OpenGL clip coordinates
-  glm::ivec2 size{ 0 };          ///< pixels, each >= 0; rays go through their centres
-  /// In index coordinates; plane . (p, 1) >= 0 is kept. Near and far plane of indexToClip always
-  /// cut and need not be here.
-  std::vector<glm::dvec4> planes;
 };
 
 /// One entry a pixel, row by row from the lowest (as OpenGL has it), ready to be textures.

@@ -2,11 +2,7 @@
 #include "Isosurface/CellTracer.h"
 #include "Isosurface/CellTracerScene.h"
 
-#include <glm/gtc/matrix_access.hpp>
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -18,56 +14,6 @@ namespace
 
 constexpr int TileSide = 16;  // pixels: one piece of work
 constexpr int PacketSide = 4; // rays of a packet lie close together
-
-/// A pixel's ray, cut by planes, as it comes from the camera's matrix alone.
-class PixelRays
-{
-public:
-  explicit PixelRays(const PictureView& view)
-    : ToIndex(glm::inverse(view.indexToClip)),
-      PixelSize(2.0 / glm::dvec2(view.size)),
-      Planes(view.planes)
-  {
-    const glm::dvec4 depth = glm::row(view.indexToClip, 2), w = glm::row(view.indexToClip, 3);
-    this->Planes.push_back(w + depth);
-    this->Planes.push_back(w - depth);
-    for (int c = 0; c < 4; ++c)
-      for (int r = 0; r < 4; ++r)
-        if (!std::isfinite(this->ToIndex[c][r]))
-          throw std::invalid_argument("CellTracer: indexToClip cannot be inverted");
-  }
-
-  /// False where the planes leave nothing.
-  bool Of(int x, int y, CellRay& ray) const
-  {
-    const glm::dvec2 device = (glm::dvec2(x, y) + 0.5) * this->PixelSize - 1.0;
-    // Points (a + z b) / (a.w + z b.w) for depths z; their derivative points along the ray.
-    const glm::dvec4 a =
-      this->ToIndex[0] * device.x + this->ToIndex[1] * device.y + this->ToIndex[3];
-    const glm::dvec4& b = this->ToIndex[2];
-    ray.origin = glm::dvec3(a) / a.w;
-    ray.direction = glm::dvec3(b) * a.w - glm::dvec3(a) * b.w;
-    ray.tMin = -std::numeric_limits<double>::infinity();
-    ray.tMax = std::numeric_limits<double>::infinity();
-    for (const glm::dvec4& plane : this->Planes)
-    {
-      const double at = glm::dot(glm::dvec3(plane), ray.origin) + plane.w;
-      const double slope = glm::dot(glm::dvec3(plane), ray.direction);
-      if (slope > 0.0)
-        ray.tMin = std::max(ray.tMin, -at / slope);
-      else if (slope < 0.0)
-        ray.tMax = std::min(ray.tMax, -at / slope);
-      else if (at < 0.0)
-        return false;
-    }
-    return ray.tMin <= ray.tMax;
-  }
-
-private:
-  glm::dmat4 ToIndex;
-  glm::dvec2 PixelSize; ///< of a picture from -1 to 1
-  std::vector<glm::dvec4> Planes;
-};
 
 /// Depth of a place in a window, [0,1].
 float WindowDepth(const glm::dmat4& indexToClip, const glm::dvec3& place)
@@ -99,7 +45,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
     {
       const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
       CellRay ray;
-      const bool meets = at.x < view.size.x && at.y < view.size.y && rays.Of(at.x, at.y, ray) &&
+      const bool meets = at.x < view.size.x && at.y < view.size.y && rays.Of(glm::dvec2(at) + 0.5, ray) &&
                          this->Embree->Enter(ray, walks[n], entries[n]);
       if (!meets)
         walks[n].inverse[3] = -1.0; // begins after its end

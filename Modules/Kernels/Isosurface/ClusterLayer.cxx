@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr int Side = MinMaxBlocks::Side;
+constexpr int MostCorners = (Side + 1) * (Side + 1) * (Side + 1);
 constexpr int MostBlocks = 1 << 13; // along an axis: what a cluster's origin can say
 
 template <typename T>
@@ -23,11 +24,12 @@ constexpr CornerType CornersOf = std::is_same_v<T, float>          ? CornerType:
                                  : std::is_same_v<T, std::int16_t> ? CornerType::Int16
                                                                    : CornerType::UInt16;
 
-/// The samples of a cluster's corners, in the order of the stream; fills cornersBefore.
+/// The samples of a cluster's corners, in the order of the stream; fills cornersBefore. origin: the
+/// cluster's first sample in the grid.
 template <typename T>
-int GatherCorners(const GridView<const T>& grid, CellCluster& cluster, T* out)
+int GatherCorners(
+  const GridView<const T>& grid, const glm::ivec3& origin, CellCluster& cluster, T* out)
 {
-  const glm::ivec3 origin = cluster.Origin();
   int count = 0;
   for (int z = 0; z <= Side; ++z)
   {
@@ -83,13 +85,13 @@ private:
   int Width, Count = 0;
 };
 
+/// Its active cells are known. block: its place in units of 8 cells of the volume.
 template <typename T>
-void AppendCluster(const GridView<const T>& grid, const glm::ivec3& block, int layersBelow,
+void AppendCluster(const GridView<const T>& grid, const glm::ivec3& origin, const glm::ivec3& block,
   CellCluster& cluster, ClusterLayer& out)
 {
-  cluster.place = { block.x | block.y << 13, block.z };
-  T values[(Side + 1) * (Side + 1) * (Side + 1)];
-  const int count = GatherCorners(grid, cluster, values);
+  T values[MostCorners];
+  const int count = GatherCorners(grid, origin, cluster, values);
   T least = values[0], most = values[0];
   for (int n = 1; n < count; ++n)
   {
@@ -103,8 +105,8 @@ void AppendCluster(const GridView<const T>& grid, const glm::ivec3& block, int l
     width = std::bit_width(static_cast<std::uint32_t>(int(most) - int(least)));
     base = static_cast<std::uint16_t>(least);
   }
-  cluster.place.x |= static_cast<std::uint32_t>(width) << 26;
-  cluster.place.y = (block.z + layersBelow) | std::uint32_t{ base } << 16;
+  cluster.place = { block.x | block.y << 13 | std::uint32_t(width) << 26,
+    block.z | std::uint32_t{ base } << 16 };
   cluster.firstWord = static_cast<std::uint32_t>(out.corners.size());
   cluster.firstCell = static_cast<std::uint32_t>(out.cells);
   BitStream stream(out.corners, count, width);
@@ -134,8 +136,43 @@ void ExtractRow(const GridView<const T>& grid, const MinMaxBlocks& blocks, Block
   CellCluster cluster;
   for (int x = first; x < end; ++x)
     if (blocks.Active({ x, y, layer }, isovalue) && row.ActiveCells(x, cluster.active))
-      AppendCluster(grid, { x, y, layer }, layersBelow, cluster, out);
+      AppendCluster(
+        grid, glm::ivec3(x, y, layer) * Side, { x, y, layer + layersBelow }, cluster, out);
 }
+
+/// The samples of a block's corners, each stride-th along the axes of the grid.
+template <typename T>
+class BlockSamples
+{
+public:
+  BlockSamples(const GridView<const T>& grid, const glm::ivec3& first, int stride)
+  {
+    const glm::ivec3 n = glm::min((grid.geometry.dims - 1 - first) / stride, Side) + 1;
+    this->View.geometry.dims = n;
+    this->View.data = this->Values;
+    T* out = this->Values;
+    for (int z = 0; z < n.z; ++z)
+      for (int y = 0; y < n.y; ++y)
+        for (int x = 0; x < n.x; ++x)
+          *out++ = grid(first.x + x * stride, first.y + y * stride, first.z + z * stride);
+  }
+  BlockSamples(const BlockSamples&) = delete;
+  BlockSamples& operator=(const BlockSamples&) = delete;
+
+  const GridView<const T>& Grid() const { return this->View; }
+  /// Can the isosurface pass? NaN is neither below nor above.
+  bool Meets(float isovalue) const
+  {
+    const T* end = this->Values + this->View.geometry.Size();
+    const auto inside = [isovalue](T sample) { return float(sample) >= isovalue; };
+    const auto below = [isovalue](T sample) { return float(sample) < isovalue; };
+    return std::any_of(this->Values, end, inside) && std::any_of(this->Values, end, below);
+  }
+
+private:
+  T Values[MostCorners];
+  GridView<const T> View;
+};
 
 } // namespace
 
@@ -153,6 +190,27 @@ ClusterLayer ExtractLayer(const AnyGridView& grid, const MinMaxBlocks& blocks, f
     },
     grid);
   return out;
+}
+
+bool ExtractCluster(
+  const AnyGridView& grid, float isovalue, const glm::ivec3& block, int stride, ClusterLayer& out)
+{
+  return std::visit(
+    [&]<typename T>(const GridView<const T>& view)
+    {
+      const BlockSamples<T> samples(view, block * (Side * stride), stride);
+      const bool hasCells = glm::all(glm::greaterThan(samples.Grid().geometry.dims, glm::ivec3(1)));
+      if (!hasCells || !samples.Meets(isovalue))
+        return false;
+      BlockRow<T> row(samples.Grid(), isovalue);
+      row.Read(0, 1, 0, 0);
+      CellCluster cluster;
+      if (!row.ActiveCells(0, cluster.active))
+        return false;
+      AppendCluster(samples.Grid(), glm::ivec3(0), block, cluster, out);
+      return true;
+    },
+    grid);
 }
 
 ClusteredCells BeginCells(const AnyGridView& grid, double isovalue)

@@ -29,6 +29,15 @@ struct BlockRectangle
 ClusterLayer ExtractLayer(const AnyGridView& grid, const MinMaxBlocks& blocks, float isovalue,
   int layer, const BlockRectangle& rectangle, int layersBelow = 0);
 
+/// Appends the cluster of one block of a coarser grid that has each stride-th sample of this one;
+/// its cells are as long as `stride` samples are apart. False, and nothing appended, if no cell of
+/// it is active or lies whole in the grid.
+///
+/// block   its place, in units of 8 cells of the coarser grid; not negative, and it begins in the
+/// grid stride  >= 1; 1 is the grid itself Any thread. About 2 us.
+bool ExtractCluster(
+  const AnyGridView& grid, float isovalue, const glm::ivec3& block, int stride, ClusterLayer& out);
+
 /// Throws std::invalid_argument if 32 bits cannot number so many.
 void RefuseTooMany(std::size_t cells, std::size_t cornerWords);
 

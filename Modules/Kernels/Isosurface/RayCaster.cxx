@@ -82,18 +82,11 @@ void ClipToBox(const glm::dvec3& origin, const glm::dvec3& direction, const glm:
   }
 }
 
-struct CellHit
-{
-  glm::ivec3 cell;
-  glm::dvec3 local;
-  double t;
-};
-
 /// Cells of one block, from t0 to t1. Entry points are carried from cell to cell with the crossed
 /// axis snapped to the wall, so that both sides of a face see the same value there: no ray slips
 /// through.
 template <typename T>
-std::optional<CellHit> WalkCells(const GridView<const T>& grid, float isovalue,
+std::optional<RayCellHit> WalkCells(const GridView<const T>& grid, float isovalue,
   const glm::dvec3& origin, const glm::dvec3& direction, double t0, double t1,
   const glm::ivec3& firstCell, const glm::ivec3& lastCell)
 {
@@ -119,8 +112,8 @@ std::optional<CellHit> WalkCells(const GridView<const T>& grid, float isovalue,
     float s;
     const glm::vec4 b = glsl::HaspRayBernstein(low, high, glm::vec3(entry), glm::vec3(exit));
     if (glsl::HaspFirstRoot(b, s)) // never if a corner is not finite
-      return CellHit{ cell, glm::mix(entry, exit, double(s)),
-        walk.EnterT() + s * (exitT - walk.EnterT()) };
+      return RayCellHit{ walk.EnterT() + s * (exitT - walk.EnterT()), cell,
+        glm::mix(entry, exit, double(s)) };
 
     if (exitT >= t1 || !walk.Advance())
       return std::nullopt;
@@ -140,19 +133,18 @@ RayCaster::RayCaster(const AnyGridView& grid, const MinMaxBlocks& blocks, double
     throw std::invalid_argument("RayCaster: the min-max blocks are of another grid");
 }
 
-std::optional<RayHit> RayCaster::Cast(
+std::optional<RayCellHit> RayCaster::CastInIndex(
   const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const
 {
   const GridGeometry& g = GeometryOf(this->Grid);
-  const glm::dvec3 o = g.WorldToIndex(origin), d = g.WorldToIndex(origin + direction) - o;
   double t0 = tMin, t1 = tMax;
-  ClipToBox(o, d, glm::dvec3(g.dims - 1), t0, t1);
+  ClipToBox(origin, direction, glm::dvec3(g.dims - 1), t0, t1);
   // Written so that NaN stops here too; t1 is infinite only if the direction is 0.
   if (!(t0 <= t1) || !std::isfinite(t0) || !std::isfinite(t1) || this->Blocks->Count() == 0)
     return std::nullopt;
 
   constexpr int side = MinMaxBlocks::Side;
-  BoxWalk walk(o, d, t0, side, glm::ivec3(0), this->Blocks->Blocks() - 1);
+  BoxWalk walk(origin, direction, t0, side, glm::ivec3(0), this->Blocks->Blocks() - 1);
   do
   {
     const glm::ivec3 block = walk.Current();
@@ -160,21 +152,33 @@ std::optional<RayHit> RayCaster::Cast(
     if (this->Blocks->Active(block, this->Isovalue))
     {
       const glm::ivec3 first = block * side, last = glm::min(first + side, g.dims - 1) - 1;
-      const auto hit = std::visit([&](const auto& view)
-        { return WalkCells(view, this->Isovalue, o, d, walk.EnterT(), exitT, first, last); },
+      const auto hit = std::visit(
+        [&](const auto& view) {
+          return WalkCells(
+            view, this->Isovalue, origin, direction, walk.EnterT(), exitT, first, last);
+        },
         this->Grid);
       if (hit)
-      {
-        const auto corners =
-          std::visit([&](const auto& view) { return CellCorners(view, hit->cell); }, this->Grid);
-        return RayHit{ hit->t, g.IndexToWorld(glm::dvec3(hit->cell) + hit->local),
-          g.GradientToWorld(TrilinearGradient(corners, hit->local)), hit->cell };
-      }
+        return hit;
     }
     if (exitT >= t1)
       return std::nullopt;
   } while (walk.Advance());
   return std::nullopt;
+}
+
+std::optional<RayHit> RayCaster::Cast(
+  const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const
+{
+  const GridGeometry& g = GeometryOf(this->Grid);
+  const glm::dvec3 from = g.WorldToIndex(origin);
+  const auto hit = this->CastInIndex(from, g.WorldToIndex(origin + direction) - from, tMin, tMax);
+  if (!hit)
+    return std::nullopt;
+  const auto corners =
+    std::visit([&](const auto& view) { return CellCorners(view, hit->cell); }, this->Grid);
+  return RayHit{ hit->t, g.IndexToWorld(glm::dvec3(hit->cell) + hit->local),
+    g.GradientToWorld(TrilinearGradient(corners, hit->local)), hit->cell };
 }
 
 } // namespace hasp

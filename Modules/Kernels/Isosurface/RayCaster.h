@@ -17,6 +17,14 @@ struct RayHit
   glm::ivec3 cell;     ///< the cell it lies in
 };
 
+/// The same in index coordinates.
+struct RayCellHit
+{
+  double t;
+  glm::ivec3 cell;
+  glm::dvec3 local; ///< in the cell, [0,1]^3
+};
+
 /// The first point of the trilinear isosurface along a ray: the exact root in the first cell that
 /// has one, found by walking the min-max blocks and, in active ones, their cells (Amanatides and
 /// Woo 1987).
@@ -32,6 +40,10 @@ public:
   /// Nothing if the ray misses, or if a component is not finite.
   /// O(blocks + active cells passed): about 0.3 us on a head CT.
   std::optional<RayHit> Cast(const glm::dvec3& origin, const glm::dvec3& direction,
+    double tMin = 0.0, double tMax = std::numeric_limits<double>::infinity()) const;
+
+  /// The same with origin and direction in index coordinates.
+  std::optional<RayCellHit> CastInIndex(const glm::dvec3& origin, const glm::dvec3& direction,
     double tMin = 0.0, double tMax = std::numeric_limits<double>::infinity()) const;
 
 private:

@@ -1,0 +1,76 @@
+#pragma once
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace hasp
+{
+
+/// A block of the volume: its place in units of 8 cells, each of `2^level` samples an axis.
+struct BlockKey
+{
+  glm::ivec3 block{ 0 };
+  int level = 0;
+  bool operator==(const BlockKey&) const = default;
+};
+
+/// Which blocks are in a cache, at each level of detail in a window that follows the viewer (thesis
+/// 3.2.1: "occupancy clipmap"). Every level has a window of at most WindowSide^3 blocks; block b is
+/// kept at b modulo the window's size, so nothing moves when the window does.
+///
+/// The paper's map holds a bit; this one a number, of the block's record in the cache, so that the
+/// record is found from the place.
+///
+/// Fixed memory: at most 1 MiB a level. Reading: any thread; changes: one thread, nobody reading.
+class OccupancyClipmap
+{
+public:
+  static constexpr int WindowSide = 64; ///< blocks, 512 cells: a power of two
+  static constexpr std::uint32_t Empty = 0xFFFFFFFFU;
+
+  OccupancyClipmap() = default;
+  /// For a volume of so many cells an axis. The last level's window holds all of it.
+  explicit OccupancyClipmap(const glm::ivec3& cells);
+
+  int Levels() const { return static_cast<int>(this->Windows.size()); }
+  std::size_t Bytes() const;
+
+  /// Moves all windows so that the viewer (a place in index coordinates, clamped to the volume) is
+  /// near their middle. What is in no window any more stays in the map: the caller must remove it.
+  /// True if a window has moved; a window moves by eighths of its size.
+  bool Follow(const glm::dvec3& viewer);
+
+  bool InWindow(const BlockKey& key) const
+  {
+    const Window& w = this->Windows[key.level];
+    const glm::ivec3 in = key.block - w.first;
+    return glm::all(glm::greaterThanEqual(in, glm::ivec3(0))) &&
+           glm::all(glm::lessThan(in, w.size));
+  }
+  /// The number at the block's address, or Empty. Of blocks with one address one is in the window.
+  std::uint32_t Get(const BlockKey& key) const { return this->Numbers[this->Address(key)]; }
+  void Set(const BlockKey& key, std::uint32_t number)
+  {
+    this->Numbers[this->Address(key)] = number;
+  }
+
+private:
+  struct Window
+  {
+    glm::ivec3 first{ 0 }, size{ 1 }, blocks{ 1 }; ///< blocks: of the whole volume
+    std::size_t offset = 0;                        ///< of its numbers
+  };
+  std::size_t Address(const BlockKey& key) const
+  {
+    const Window& w = this->Windows[key.level];
+    const glm::ivec3 at = key.block & (w.size - 1);
+    return w.offset + (static_cast<std::size_t>(at.z) * w.size.y + at.y) * w.size.x + at.x;
+  }
+
+  std::vector<Window> Windows;
+  std::vector<std::uint32_t> Numbers;
+};
+
+} // namespace hasp

@@ -1,0 +1,95 @@
+#pragma once
+#include "Isosurface/ClusterRing.h"
+#include "Isosurface/RaySampler.h"
+
+#include <memory>
+#include <span>
+
+namespace hasp
+{
+
+struct RayCacheSettings
+{
+  std::size_t clusters = 32'768; ///< records of the ring, >= 1
+  std::size_t words = 4U << 20;  ///< of their corners; CT takes some 80 a cluster
+  double pixelsACell = 0.5;      ///< the finest level whose cells are no smaller is taken; > 0
+  int upkeepShare = 16;          ///< a frame checks one record in so many; >= 1
+};
+
+/// The part of an isosurface that viewers see, found by a few rays a frame and kept in clusters of
+/// active cells (RayCaching: thesis 3.2.1, Paper V).
+///
+/// Where a ray meets the surface, the block of 8^3 cells around the hit is put into a circular
+/// buffer with its samples, unless the occupancy clipmap says it is there. What is in the buffer
+/// is drawn as any clustered cells are, with the exact root in each cell. Nothing is built for an
+/// isovalue: a new one makes the clusters that are there anew, and rays find the rest.
+///
+/// Levels of detail: cells of level l are 2^l samples long. Where levels meet their surfaces
+/// differ; a ray through the gap finds the coarse block there and adds the next finer one.
+///
+/// Deviations from the paper: rays are cast on the CPU and skip blocks without surface; a brick is
+/// a cluster of 8^3 cells of which the active ones have samples; the clipmap holds numbers of
+/// records, not bits. Sizes of bricks, tiles and buffer are not published.
+///
+/// Grid and blocks must outlive the cache. Fixed memory: Bytes(), and what Cells() gives.
+/// Threads: one; the work uses all cores inside the calls.
+class RayCache
+{
+public:
+  struct Frame
+  {
+    std::int64_t rays = 0;    ///< cast
+    std::int64_t hits = 0;    ///< that met the surface
+    std::int64_t added = 0;   ///< clusters
+    std::int64_t checked = 0; ///< clusters, by upkeep
+  };
+
+  /// Throws std::invalid_argument if the blocks are of another grid, the isovalue is not finite or
+  /// a setting is out of range.
+  RayCache(const AnyGridView& grid, const MinMaxBlocks& blocks, double isovalue,
+    const RayCacheSettings& settings = {});
+
+  /// All clusters anew; those without surface at the new isovalue go. About 1 us a cluster. Throws
+  /// std::invalid_argument if it is not finite.
+  void SetIsovalue(double isovalue);
+  /// After samples [low, high] have changed and the blocks have been updated: the clusters that
+  /// hold one of them anew.
+  void MarkModified(const glm::ivec3& low, const glm::ivec3& high);
+
+  /// A frame's rays: see RaySampler::Sample, which throws. Adds what they find and checks a share
+  /// of the clusters against the volume.
+  Frame Sample(std::span<const SampledEye> eyes, std::span<const PictureView> predicted, int count);
+
+  int Levels() const { return this->Map.Levels(); }
+  /// The clusters of a level, as cells of a volume that has each 2^l-th sample. The same pointer as
+  /// long as nothing has changed.
+  std::shared_ptr<const ClusteredCells> Cells(int level);
+
+  std::size_t Live() const { return this->Ring.Live(); }
+  /// Of buffer and clipmap; fixed.
+  std::size_t Bytes() const { return this->Ring.Bytes() + this->Map.Bytes(); }
+
+private:
+  struct Missing;
+  void Note(const SampledHit& hit, std::vector<Missing>& missing);
+  std::int64_t Add(std::vector<Missing> missing);
+  void Follow(std::span<const SampledEye> eyes);
+  std::int64_t CheckShare();
+  void Renew(const std::vector<std::uint32_t>& numbers);
+  void Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen);
+  void Remove(std::uint32_t number);
+  ClusteredCells Gather(int level) const;
+
+  AnyGridView Grid;
+  const MinMaxBlocks* Blocks;
+  RayCacheSettings Settings;
+  double Isovalue;
+  OccupancyClipmap Map;
+  ClusterRing Ring;
+  RaySampler Sampler;
+  std::uint32_t Now = 0;                                       ///< counts calls of Sample
+  std::uint32_t Cursor = 0;                                    ///< the record that is checked next
+  std::vector<std::shared_ptr<const ClusteredCells>> Gathered; ///< a level; null after a change
+};
+
+} // namespace hasp

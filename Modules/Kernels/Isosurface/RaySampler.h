@@ -1,0 +1,61 @@
+#pragma once
+#include "Isosurface/PixelRays.h"
+#include "Isosurface/RayCaster.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hasp
+{
+
+/// One eye's picture, to be sampled.
+struct SampledEye
+{
+  PictureView view;
+  /// Window depth of its last picture, row by row from the lowest, 1 where nothing was drawn. It
+  /// only guides the rays and need not be exact. Empty: not known.
+  std::span<const float> depth;
+};
+
+/// Where a ray met the surface.
+struct SampledHit
+{
+  glm::ivec3 cell;     ///< of the volume
+  float pixelsAVoxel;  ///< about how many of the view's pixels a voxel spans there
+  bool inHole = false; ///< nothing was drawn at this pixel in the last picture
+};
+
+/// Spreads a fixed number of rays over each tile of the pictures (thesis 3.2.1): half of them by
+/// a low-discrepancy sequence (R2, Roberts 2018) that goes on from frame to frame, half at pixels
+/// where nothing was drawn, as long as rays there still find something.
+///
+/// Threads: one; Sample uses all cores inside. The same hits with any number of them.
+class RaySampler
+{
+public:
+  static constexpr int TileSide = 16; ///< pixels
+
+  struct Frame
+  {
+    std::vector<SampledHit> hits; ///< of the eyes, tile by tile; then of what is predicted
+    std::int64_t rays = 0;
+  };
+  /// count: rays a tile and eye, >= 0; a predicted view gets a quarter. Throws
+  /// std::invalid_argument if a view cannot be inverted or a depth is not of its size.
+  Frame Sample(const RayCaster& caster, std::span<const SampledEye> eyes,
+    std::span<const PictureView> predicted, int count);
+
+private:
+  struct Tile;
+  Tile SampleTile(const RayCaster& caster, const PixelRays& rays, const SampledEye& eye,
+    const glm::ivec2& place, int count, float misses) const;
+  void SampleEye(const RayCaster& caster, const SampledEye& eye, int count,
+    std::vector<float>& misses, Frame& frame) const;
+
+  std::uint32_t Now = 0; ///< counts frames
+  std::vector<std::vector<float>>
+    EyeMisses; ///< a tile: share of the rays into holes that met nothing
+};
+
+} // namespace hasp
