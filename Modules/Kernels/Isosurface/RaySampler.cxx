@@ -134,13 +134,12 @@ RaySampler::Frame RaySampler::Sample(const RayCaster& caster, std::span<const Sa
   std::span<const PictureView> predicted, int count)
 {
   Frame frame;
-  this->EyeMisses.resize(eyes.size());
-  for (std::size_t n = 0; n < eyes.size(); ++n)
-    this->SampleEye(caster, eyes[n], count, this->EyeMisses[n], frame);
+  for (const SampledEye& eye : eyes)
+    this->SampleEye(caster, eye, count, this->EyeMisses[eye.number], frame);
   std::vector<float> none;
   for (const PictureView& view : predicted)
     this->SampleEye(
-      caster, { view, {} }, (count + PredictedShare - 1) / PredictedShare, none, frame);
+      caster, { view, {}, 0 }, (count + PredictedShare - 1) / PredictedShare, none, frame);
   ++this->Now;
   return frame;
 }

@@ -3,6 +3,7 @@
 #include "Isosurface/RayCaster.h"
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct SampledEye
   /// Window depth of its last picture, row by row from the lowest, 1 where nothing was drawn. It
   /// only guides the rays and need not be exact. Empty: not known.
   std::span<const float> depth;
+  int number = 0; ///< which eye it is, >= 0: what its tiles found is remembered
 };
 
 /// Where a ray met the surface.
@@ -54,8 +56,8 @@ private:
     std::vector<float>& misses, Frame& frame) const;
 
   std::uint32_t Now = 0; ///< counts frames
-  std::vector<std::vector<float>>
-    EyeMisses; ///< a tile: share of the rays into holes that met nothing
+  /// By eye: of each tile, the share of the rays into its holes that met nothing.
+  std::map<int, std::vector<float>> EyeMisses;
 };
 
 } // namespace hasp

@@ -4,30 +4,17 @@
 
 #include "CellColoring.h"
 #include "CellLabels.h"
+#include "Grid/Stopwatch.h"
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
-#include <chrono>
 #include <string>
 
 namespace hasp
 {
-
-class Stopwatch
-{
-public:
-  double Milliseconds() const
-  {
-    return std::chrono::duration<double, std::milli>(Clock::now() - this->Start).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point Start = Clock::now();
-};
 
 /// "a, b, c", for a message.
 std::string PointArrayNames(vtkPointData* data);

@@ -1,12 +1,12 @@
 #include "CellScene.h"
 
+#include "Grid/GridGeometry.h"
 #include "HaspGL.h"
-#include "Isosurface/ClusteredCells.h"
-#include "vtkHaspClusteredCellMapper.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
@@ -80,8 +80,8 @@ glm::vec4 EyeInIndex(const glm::dmat4& clipToIndex, bool parallel)
 
 } // namespace
 
-CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
-  const std::optional<glm::vec4>& surfaceColor)
+CellScene::CellScene(vtkMapper* mapper, const hasp::GridGeometry& geometry, double isoValue,
+  vtkRenderer* renderer, vtkActor* actor, const std::optional<glm::vec4>& surfaceColor)
 {
   vtkMatrix4x4 *view, *projection,
     *clip; // VTK hands these out with column-major memory, for OpenGL
@@ -89,11 +89,11 @@ CellScene::CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, 
   vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
     ->GetKeyMatrices(renderer, view, normal, projection, clip);
   const glm::dmat4 worldToView = glm::make_mat4(view->GetData());
-  const glm::dmat4 indexToWorld = IndexToWorld(actor, mapper->GetCells().geometry);
+  const glm::dmat4 indexToWorld = IndexToWorld(actor, geometry);
   this->indexToView = worldToView * indexToWorld;
   this->indexToClip = glm::dmat4(glm::make_mat4(clip->GetData())) * indexToWorld;
   this->parallelProjection = renderer->GetActiveCamera()->GetParallelProjection();
-  this->isovalue = mapper->GetCells().isovalue;
+  this->isovalue = static_cast<float>(isoValue);
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
   this->viewportOrigin = { viewport[0], viewport[1] };

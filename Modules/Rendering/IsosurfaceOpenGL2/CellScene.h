@@ -11,8 +11,13 @@
 #include <string>
 #include <vector>
 
+namespace hasp
+{
+struct GridGeometry;
+}
+
 class vtkActor;
-class vtkHaspClusteredCellMapper;
+class vtkMapper;
 class vtkRenderer;
 class vtkShaderProgram;
 
@@ -33,10 +38,10 @@ struct CellScene
   glm::vec2 colorShares; ///< ambient and diffuse, of colours that take the place of the property's
   float specularPower, opacity, isovalue;
 
-  /// surfaceColor takes the place of the property's colour and multiplies its opacity. RENDER
-  /// thread, inside vtkMapper::Render.
-  CellScene(vtkHaspClusteredCellMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
-    const std::optional<glm::vec4>& surfaceColor = {});
+  /// mapper: for its clipping planes. surfaceColor takes the place of the property's colour and
+  /// multiplies its opacity. RENDER thread, inside vtkMapper::Render.
+  CellScene(vtkMapper* mapper, const hasp::GridGeometry& geometry, double isovalue,
+    vtkRenderer* renderer, vtkActor* actor, const std::optional<glm::vec4>& surfaceColor = {});
 
   /// The #define lines of the shader variant this scene needs: what it does not have is not in it.
   std::string Defines() const;

@@ -232,7 +232,8 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   CellTracing& tracing = this->GL->Tracing;
   tracing.Update(this->GetCells(), this->GetCellsTime());
   this->GL->Switch.Start();
-  const CellScene scene(this, renderer, actor, this->GetColoring().uniform);
+  const CellScene scene(this, this->GetCells().geometry, this->GetCells().isovalue, renderer, actor,
+    this->GetColoring().uniform);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
   tracing.Trace(scene);
@@ -260,7 +261,8 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
   if (!context.Buffers.Uploaded())
     return; // no surface at this isovalue
   this->GL->Switch.Start();
-  const CellScene scene(this, renderer, actor, this->GetColoring().uniform);
+  const CellScene scene(this, this->GetCells().geometry, this->GetCells().isovalue, renderer, actor,
+    this->GetColoring().uniform);
   if (attributes.Labelled())
     attributes.UpdateFrames(scene);
   vtkHardwareSelector* selector = renderer->GetSelector();

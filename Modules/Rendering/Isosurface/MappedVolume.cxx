@@ -1,0 +1,64 @@
+#include "MappedVolume.h"
+
+#include "Grid/Stopwatch.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+bool MappedVolume::Update(vtkImageData* image)
+{
+  if (image && image == this->Image && image->GetMTime() == this->ImageTime)
+    return false;
+  this->Forget();
+  const hasp::Stopwatch watch;
+  this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
+  this->Image = image;
+  this->ImageTime = image->GetMTime();
+  image->GetDimensions(&this->ImageSize.x);
+  this->ImageType = image->GetPointData()->GetScalars()->GetDataType();
+  this->BlocksMilliseconds = watch.Milliseconds();
+  return true;
+}
+
+bool MappedVolume::Mark(vtkImageData* image, const int extent[6])
+{
+  if (!image || image != this->Image || !this->SameSamples(image))
+    return false; // it is read in whole
+  const int* whole = image->GetExtent();
+  for (int a = 0; a < 3; ++a)
+  {
+    // Clamped before they are moved: a mark may reach as far as integers do.
+    const int first = whole[2 * a], last = whole[2 * a + 1];
+    const int low = std::clamp(extent[2 * a], first, last + 1) - first;
+    const int high = std::clamp(extent[2 * a + 1], first - 1, last) - first;
+    this->Low[a] = std::min(this->Low[a], low);
+    this->High[a] = std::max(this->High[a], high);
+  }
+  this->ImageTime = image->GetMTime();
+  return true;
+}
+
+void MappedVolume::ForgetChanges()
+{
+  this->Low = glm::ivec3(std::numeric_limits<int>::max());
+  this->High = glm::ivec3(std::numeric_limits<int>::min());
+}
+
+bool MappedVolume::SameSamples(vtkImageData* image) const
+{
+  glm::ivec3 size;
+  image->GetDimensions(&size.x);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  return size == this->ImageSize && scalars && scalars->GetDataType() == this->ImageType;
+}
+
+double MappedVolume::MiddleOfRange() const
+{
+  const double middle = 0.5 * (double{ this->Blocks.Min() } + double{ this->Blocks.Max() });
+  return this->Blocks.Min() <= this->Blocks.Max() && std::isfinite(middle) ? middle : 0.0;
+}

@@ -1,0 +1,49 @@
+#ifndef MappedVolume_h
+#define MappedVolume_h
+
+#include "Grid/MinMaxBlocks.h"
+#include "vtkHaspRenderingIsosurfaceModule.h" // for export macro
+
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <limits>
+
+class vtkImageData;
+
+/// The volume a mapper draws: what of it is kept from frame to frame, and which of its samples have
+/// changed in place. Private to the mappers. Threads: RENDER.
+class VTKHASPRENDERINGISOSURFACE_EXPORT MappedVolume
+{
+public:
+  /// Makes the min-max blocks if this is another image than the last, or has been modified; true
+  /// then, and no change is remembered. Throws std::invalid_argument if it cannot be drawn.
+  bool Update(vtkImageData* image);
+  void Forget() { *this = {}; }
+
+  /// MarkModified of the mappers. False if nothing is kept that could be stale.
+  bool Mark(vtkImageData* image, const int extent[6]);
+  bool Changed() const { return this->Low.x <= this->High.x; }
+  void ForgetChanges();
+  /// First and last sample that has changed, if any has.
+  const glm::ivec3& ChangedLow() const { return this->Low; }
+  const glm::ivec3& ChangedHigh() const { return this->High; }
+
+  /// Between the least and the largest sample; 0 if none is a number.
+  double MiddleOfRange() const;
+
+  hasp::MinMaxBlocks Blocks;
+  double BlocksMilliseconds = 0.0;
+
+private:
+  bool SameSamples(vtkImageData* image) const;
+
+  vtkWeakPointer<vtkImageData> Image; ///< the blocks were made from, and
+  vtkMTimeType ImageTime = 0;         ///< when: images that share their samples share MTimes, too
+  glm::ivec3 ImageSize{ 0 };          ///< its samples along each axis, then
+  int ImageType = 0;                  ///< and what they were (VTK_VOID)
+  glm::ivec3 Low{ std::numeric_limits<int>::max() };
+  glm::ivec3 High{ std::numeric_limits<int>::min() };
+};
+
+#endif

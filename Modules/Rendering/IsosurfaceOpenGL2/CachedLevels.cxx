@@ -1,0 +1,74 @@
+#include "CachedLevels.h"
+
+#include "Grid/Stopwatch.h"
+#include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspClusteredCells.h"
+
+#include "vtkNew.h"
+
+struct CachedLevels::Level
+{
+  vtkNew<vtkHaspClusteredCells> cells;
+  vtkNew<vtkHaspClusteredCellMapper> mapper;
+};
+
+CachedLevels::CachedLevels() = default;
+CachedLevels::~CachedLevels() = default;
+
+void CachedLevels::Clear()
+{
+  this->Levels.clear();
+}
+
+void CachedLevels::Set(std::size_t n, std::shared_ptr<const hasp::ClusteredCells> cells)
+{
+  if (this->Levels.size() <= n)
+    this->Levels.resize(n + 1);
+  std::unique_ptr<Level>& level = this->Levels[n];
+  if (cells->Count() == 0)
+    return level.reset();
+  if (!level)
+  {
+    level = std::make_unique<Level>();
+    level->mapper->SetInputDataObject(level->cells);
+    level->mapper->SetRendererToRasterize();
+    level->mapper->OcclusionCullingOff(); // rays met what is there: little of it is hidden
+  }
+  if (level->cells->GetCells() != cells)
+    level->cells->SetCells(std::move(cells));
+}
+
+void CachedLevels::Draw(vtkMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+{
+  const hasp::Stopwatch watch;
+  for (const auto& level : this->Levels)
+    if (level)
+    {
+      level->mapper->SetClippingPlanes(mapper->GetClippingPlanes());
+      level->mapper->Render(renderer, actor);
+    }
+  this->DrawMilliseconds = watch.Milliseconds();
+}
+
+void CachedLevels::Release(vtkWindow* window)
+{
+  for (const auto& level : this->Levels)
+    if (level)
+      level->mapper->ReleaseGraphicsResources(window);
+}
+
+std::size_t CachedLevels::Clusters() const
+{
+  std::size_t count = 0;
+  for (const auto& level : this->Levels)
+    count += level ? level->cells->GetNumberOfClusters() : 0;
+  return count;
+}
+
+std::size_t CachedLevels::Bytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& level : this->Levels)
+    bytes += level ? level->cells->GetCells()->Bytes() : 0;
+  return bytes;
+}

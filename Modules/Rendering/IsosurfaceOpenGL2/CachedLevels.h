@@ -1,0 +1,38 @@
+#ifndef CachedLevels_h
+#define CachedLevels_h
+
+#include "Isosurface/ClusteredCells.h"
+
+#include <memory>
+#include <vector>
+
+class vtkActor;
+class vtkMapper;
+class vtkRenderer;
+class vtkWindow;
+
+/// Draws the levels of a cache, each with a clustered-cell mapper of its own: a level is a volume
+/// with longer cells. Threads: RENDER.
+class CachedLevels
+{
+public:
+  CachedLevels();
+  ~CachedLevels();
+
+  /// What level n draws from now on; null: nothing, and its mapper goes at the next Draw.
+  void Set(std::size_t n, std::shared_ptr<const hasp::ClusteredCells> cells);
+  /// As `mapper` would be drawn: with its clipping planes. The bytes go to the GPU if they are new.
+  void Draw(vtkMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
+  void Release(vtkWindow* window);
+  void Clear();
+
+  std::size_t Clusters() const;
+  std::size_t Bytes() const;     ///< of the copies; as many again on the GPU
+  double DrawMilliseconds = 0.0; ///< of the last Draw, until OpenGL had taken the commands
+
+private:
+  struct Level;
+  std::vector<std::unique_ptr<Level>> Levels;
+};
+
+#endif

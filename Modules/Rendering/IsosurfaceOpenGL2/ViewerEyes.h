@@ -1,0 +1,65 @@
+#ifndef ViewerEyes_h
+#define ViewerEyes_h
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class vtkRenderer;
+
+/// An eye that looks at a mapper: a vtkRenderer, or one of its two in stereo; and what is kept of
+/// it from one frame to the next. Threads: RENDER.
+class ViewerEye
+{
+public:
+  ViewerEye(vtkRenderer* renderer, bool left, int number);
+  ~ViewerEye();
+  ViewerEye(const ViewerEye&) = delete;
+  ViewerEye& operator=(const ViewerEye&) = delete;
+
+  bool Is(vtkRenderer* renderer, bool left) const;
+  bool Lost() const;
+  /// Is this the first call since the renderer has begun a frame? A translucent actor is drawn
+  /// several times in one.
+  bool BeginsFrame();
+
+  /// The matrix that would come next if the camera moved on as it did between the last two frames,
+  /// seen a little wider; none where it has not moved or nothing is known.
+  std::optional<glm::dmat4> Predict(const glm::dmat4& indexToClip) const;
+  void Moved(const glm::dmat4& indexToClip) { this->Last = indexToClip; }
+
+  /// Reads the depth of a part of the framebuffer that is drawn to; leaves none where it has
+  /// several samples a pixel.
+  void ReadDepth(const glm::ivec2& origin, const glm::ivec2& size);
+  /// Of the last frame; empty if its picture had another size.
+  const std::vector<float>& Depth(const glm::ivec2& size);
+
+  std::size_t DepthBytes() const { return this->DepthPixels.size() * sizeof(float); }
+
+  const int Number; ///< of the eye, from 0
+
+private:
+  class FrameObserver;
+  std::unique_ptr<FrameObserver, void (*)(FrameObserver*)> Observer;
+  bool Left;
+  std::optional<glm::dmat4> Last;
+  glm::ivec2 DepthSize{ 0 };
+  std::vector<float> DepthPixels;
+};
+
+/// All eyes that look at a mapper.
+class ViewerEyes
+{
+public:
+  ViewerEye& Of(vtkRenderer* renderer);
+  std::size_t Bytes() const;
+  void Clear() { this->Eyes.clear(); }
+
+private:
+  std::vector<std::unique_ptr<ViewerEye>> Eyes;
+};
+
+#endif

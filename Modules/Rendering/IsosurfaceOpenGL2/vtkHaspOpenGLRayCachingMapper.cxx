@@ -1,0 +1,237 @@
+#include "vtkHaspOpenGLRayCachingMapper.h"
+
+#include "CachedLevels.h"
+#include "CellScene.h"
+#include "DrawingChoice.h"
+#include "Grid/Stopwatch.h"
+#include "HaspGL.h"
+#include "Isosurface/RayCache.h"
+#include "MappedVolume.h"
+#include "ViewerEyes.h"
+#include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
+
+namespace
+{
+
+constexpr int MostRays = 256; // a tile
+
+} // namespace
+
+std::string DrawingChoice::Text() const
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  const auto say = [&](const Cost& cost)
+  {
+    if (cost.times == 0)
+      text << "not measured";
+    else
+      text << cost.least << " ms";
+  };
+  text << "cache ";
+  say(this->Measured[0].cache);
+  text << ", all active cells ";
+  say(this->Measured[0].whole);
+  text << "; after a change ";
+  say(this->Measured[1].cache);
+  text << " and ";
+  say(this->Measured[1].whole);
+  return text.str();
+}
+
+struct vtkHaspOpenGLRayCachingMapper::OpenGL
+{
+  vtkMTimeType VolumeTime = 0; ///< of the image that all of this was made from
+  double IsoValue = std::numeric_limits<double>::quiet_NaN();
+  bool Changed = false; ///< volume or isovalue, since the last frame
+
+  std::unique_ptr<hasp::RayCache> Cache;
+  double CacheMilliseconds = 0.0;
+  hasp::RayCache::Frame Last;
+  double SampleMilliseconds = 0.0;
+  int Rays = 0; ///< a tile, in the last frame
+  CachedLevels Levels;
+  ViewerEyes Eyes;
+
+  vtkSmartPointer<vtkHaspClusteredCellMapper> Whole; ///< all active cells
+  DrawingChoice Choice;
+  std::string Drew = "nothing drawn";
+
+  /// Rays a tile that fit into the budget beside the drawing, by what the last frame took.
+  int RaysFor(double budget, int fixed) const
+  {
+    if (budget == 0.0 || this->Rays == 0 || this->SampleMilliseconds == 0.0)
+      return fixed;
+    const double left = budget - this->Levels.DrawMilliseconds;
+    return static_cast<int>(
+      std::clamp(left / this->SampleMilliseconds * this->Rays, 1.0, double(MostRays)));
+  }
+};
+
+vtkHaspOpenGLRayCachingMapper::vtkHaspOpenGLRayCachingMapper() : GL(new OpenGL) {}
+vtkHaspOpenGLRayCachingMapper::~vtkHaspOpenGLRayCachingMapper() = default;
+
+void vtkHaspOpenGLRayCachingMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->GL->Levels.Release(window);
+  if (this->GL->Whole)
+    this->GL->Whole->ReleaseGraphicsResources(window);
+}
+
+std::string vtkHaspOpenGLRayCachingMapper::GetModeChoice() const
+{
+  return this->GL->Drew;
+}
+
+bool vtkHaspOpenGLRayCachingMapper::IsRefining() const
+{
+  return this->GL->Cache && this->GL->Last.added > 0;
+}
+
+/// Brings what was made of the volume up to date with it and with the isovalue.
+void vtkHaspOpenGLRayCachingMapper::UpdateCache()
+{
+  OpenGL& gl = *this->GL;
+  MappedVolume& volume = this->GetVolume();
+  gl.Changed = gl.VolumeTime != this->GetVolumeTime() || gl.IsoValue != this->GetIsoValue() ||
+               volume.Changed();
+  if (gl.VolumeTime != this->GetVolumeTime())
+  {
+    gl.Cache.reset();
+    gl.Levels.Clear();
+    gl.Choice = {};
+    gl.VolumeTime = this->GetVolumeTime();
+  }
+  gl.IsoValue = this->GetIsoValue();
+  const hasp::AnyGridView grid = hasp::ViewImage(this->GetImage());
+  if (volume.Changed())
+  {
+    volume.Blocks.Update(grid, volume.ChangedLow(), volume.ChangedHigh());
+    if (gl.Cache)
+      gl.Cache->MarkModified(volume.ChangedLow(), volume.ChangedHigh());
+    volume.ForgetChanges();
+  }
+  if (gl.Cache)
+    gl.Cache->SetIsovalue(this->GetIsoValue());
+}
+
+void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || !this->UpdateVolume())
+    return;
+  window->MakeCurrent(); // not every window brings the last context back
+  OpenGL& gl = *this->GL;
+  try
+  {
+    this->UpdateCache();
+    const bool changed = gl.Changed;
+    const DrawingChoice::Frame frame =
+      this->Mode == Cache ? DrawingChoice::Frame{ true, false } : gl.Choice.Next(changed);
+    if (frame.cache)
+    {
+      const hasp::Stopwatch watch;
+      this->DrawCache(renderer, actor);
+      if (this->Mode == Automatic)
+      {
+        glFinish();
+        gl.Choice.CacheTook(changed, watch.Milliseconds());
+      }
+    }
+    if (frame.whole)
+    {
+      const hasp::Stopwatch watch;
+      this->DrawWhole(renderer, actor);
+      glFinish();
+      gl.Choice.WholeTook(changed, watch.Milliseconds());
+    }
+    else if (this->Mode == Cache)
+      gl.Whole = nullptr;
+    gl.Drew = this->Mode == Cache
+                ? "cache: asked for"
+                : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
+  }
+  catch (const std::exception& e)
+  {
+    vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+  }
+}
+
+void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* actor)
+{
+  OpenGL& gl = *this->GL;
+  if (!gl.Whole)
+    gl.Whole = vtkSmartPointer<vtkHaspClusteredCellMapper>::New();
+  if (gl.Whole->GetImage() != this->GetImage())
+    gl.Whole->SetInputData(this->GetImage());
+  gl.Whole->SetIsoValue(this->GetIsoValue());
+  gl.Whole->SetClippingPlanes(this->GetClippingPlanes());
+  gl.Whole->Render(renderer, actor);
+}
+
+void vtkHaspOpenGLRayCachingMapper::DrawCache(vtkRenderer* renderer, vtkActor* actor)
+{
+  OpenGL& gl = *this->GL;
+  const hasp::AnyGridView grid = hasp::ViewImage(this->GetImage());
+  if (!gl.Cache)
+  {
+    const hasp::Stopwatch watch;
+    gl.Cache =
+      std::make_unique<hasp::RayCache>(grid, this->GetVolume().Blocks, this->GetIsoValue());
+    gl.CacheMilliseconds = watch.Milliseconds();
+  }
+  const CellScene scene(this, hasp::GeometryOf(grid), this->GetIsoValue(), renderer, actor);
+  ViewerEye& eye = gl.Eyes.Of(renderer);
+  const bool sampled = !renderer->GetSelector() && eye.BeginsFrame();
+  if (sampled)
+  {
+    const hasp::Stopwatch watch;
+    const hasp::SampledEye seen{ { scene.indexToClip, scene.viewportSize, scene.planes },
+      eye.Depth(scene.viewportSize), eye.Number };
+    std::vector<hasp::PictureView> predicted;
+    if (const auto next = this->Prediction ? eye.Predict(scene.indexToClip) : std::nullopt)
+      predicted.push_back({ *next, scene.viewportSize, scene.planes });
+    gl.Rays = gl.RaysFor(this->FrameBudget, this->RaysPerTile);
+    gl.Last = gl.Cache->Sample({ &seen, 1 }, predicted, gl.Rays);
+    for (int level = 0; level < gl.Cache->Levels(); ++level)
+      gl.Levels.Set(level, gl.Cache->Cells(level));
+    eye.Moved(scene.indexToClip);
+    gl.SampleMilliseconds = watch.Milliseconds();
+  }
+  gl.Levels.Draw(this, renderer, actor);
+  if (sampled && !actor->IsRenderingTranslucentPolygonalGeometry())
+    eye.ReadDepth(scene.viewportOrigin, scene.viewportSize);
+}
+
+void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) const
+{
+  this->Superclass::ListResources(list);
+  const OpenGL& gl = *this->GL;
+  list.push_back({ "ray cache", gl.Cache ? gl.Cache->Bytes() : 0, gl.CacheMilliseconds,
+    gl.Cache ? std::to_string(gl.Cache->Live()) + " clusters; of fixed size"
+             : "no frame was drawn from it" });
+  list.push_back({ "cached cells, host and GPU", 2 * gl.Levels.Bytes(), gl.SampleMilliseconds,
+    std::to_string(gl.Last.rays) + " rays in the last frame" });
+  list.push_back(
+    { "depth of the last pictures", gl.Eyes.Bytes(), 0.0, "rays look for holes in it" });
+  if (gl.Whole)
+    gl.Whole->ListResources(list);
+  else
+    list.push_back({ "active cells, host", 0, 0.0, "the cache was asked for" });
+}

@@ -1,0 +1,46 @@
+/**
+ * @class   vtkHaspOpenGLRayCachingMapper
+ * @brief   OpenGL 4.3 implementation of vtkHaspRayCachingMapper.
+ *
+ * Rays are cast on the CPU; what the cache holds of each level of detail goes to the GPU when it
+ * has changed and is drawn as clustered cells are. Where a pass hides what is behind it, the depth
+ * of the picture is read back to find holes; not where a pixel has several samples.
+ *
+ * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn.
+ */
+#ifndef vtkHaspOpenGLRayCachingMapper_h
+#define vtkHaspOpenGLRayCachingMapper_h
+
+#include "vtkHaspRayCachingMapper.h"
+#include "vtkHaspRenderingIsosurfaceOpenGL2Module.h" // for export macro
+
+class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLRayCachingMapper :
+  public vtkHaspRayCachingMapper
+{
+public:
+  static vtkHaspOpenGLRayCachingMapper* New();
+  vtkTypeMacro(vtkHaspOpenGLRayCachingMapper, vtkHaspRayCachingMapper);
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  std::string GetModeChoice() const override;
+  bool IsRefining() const override;
+  void ListResources(hasp::ResourceList& list) const override;
+
+protected:
+  vtkHaspOpenGLRayCachingMapper();
+  ~vtkHaspOpenGLRayCachingMapper() override;
+
+private:
+  vtkHaspOpenGLRayCachingMapper(const vtkHaspOpenGLRayCachingMapper&) = delete;
+  void operator=(const vtkHaspOpenGLRayCachingMapper&) = delete;
+
+  void UpdateCache();
+  void DrawCache(vtkRenderer* renderer, vtkActor* actor);
+  void DrawWhole(vtkRenderer* renderer, vtkActor* actor);
+
+  struct OpenGL;
+  std::unique_ptr<OpenGL> GL;
+};
+
+#endif
