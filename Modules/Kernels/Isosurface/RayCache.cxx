@@ -175,18 +175,21 @@ std::int64_t RayCache::Add(std::vector<Missing> missing)
   return added;
 }
 
-/// Upkeep: the next records in turn.
+/// Upkeep: the next records in turn, round the ring.
 std::int64_t RayCache::CheckShare()
 {
-  const std::vector<std::uint32_t> live = this->Ring.Numbers();
+  const std::size_t capacity = this->Ring.Capacity();
   const std::size_t share =
-    (live.size() + this->Settings.upkeepShare - 1) / this->Settings.upkeepShare;
+    (this->Ring.Live() + this->Settings.upkeepShare - 1) / this->Settings.upkeepShare;
   std::vector<std::uint32_t> numbers;
-  for (std::size_t n = 0; n < share; ++n)
-    numbers.push_back(live[(this->Cursor + n) % live.size()]);
-  this->Cursor = live.empty() ? 0 : (this->Cursor + share) % live.size();
+  for (std::size_t n = 0; n < capacity && numbers.size() < share; ++n)
+  {
+    if (this->Ring[this->Cursor].live)
+      numbers.push_back(this->Cursor);
+    this->Cursor = static_cast<std::uint32_t>((this->Cursor + 1) % capacity);
+  }
   this->Renew(numbers);
-  return static_cast<std::int64_t>(share);
+  return static_cast<std::int64_t>(numbers.size());
 }
 
 /// Makes clusters anew from the volume. What has not changed stays, unless it was seen lately and

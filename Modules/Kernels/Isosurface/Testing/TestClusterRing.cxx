@@ -1,0 +1,107 @@
+#include "Isosurface/ClusterRing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+
+namespace
+{
+
+/// A cluster of so many words, which count on from `first`.
+hasp::ClusterLayer Layer(std::size_t words, std::uint32_t first)
+{
+  hasp::ClusterLayer layer;
+  layer.clusters.resize(1);
+  layer.corners.resize(words);
+  std::iota(layer.corners.begin(), layer.corners.end(), first);
+  return layer;
+}
+
+struct Expected
+{
+  std::uint32_t number, first;
+  std::size_t words;
+  bool live;
+};
+
+/// Against a plain queue, over many turns: what is not dropped is there, bit for bit.
+TEST(ClusterRing, HoldsTheYoungestThatFit)
+{
+  for (const std::size_t words : { 729U, 2000U, 100'000U })
+  {
+    hasp::ClusterRing ring(50, words);
+    const std::size_t bytes = ring.Bytes();
+    std::mt19937 random(5);
+    std::deque<Expected> queue;
+    std::uint32_t next = 0;
+    for (int n = 0; n < 5000; ++n)
+    {
+      const std::size_t length = 1 + random() % (n % 7 ? 100 : 729);
+      const auto dropped = [&](std::uint32_t number)
+      {
+        while (!queue.front().live)
+          queue.pop_front();
+        EXPECT_EQ(queue.front().number, number);
+        queue.pop_front();
+      };
+      const std::uint32_t number =
+        ring.Add({ { n, 0, 0 }, 0 }, Layer(length, next), std::uint32_t(n), dropped);
+      queue.push_back({ number, next, length, true });
+      next += 1000;
+      if (Expected& removed = queue[random() % queue.size()]; removed.live && random() % 4 == 0)
+      {
+        ring.Remove(removed.number);
+        removed.live = false;
+      }
+      std::vector<std::uint32_t> numbers;
+      for (const Expected& e : queue)
+      {
+        if (!e.live)
+          continue;
+        numbers.push_back(e.number);
+        const auto& record = ring[e.number];
+        ASSERT_EQ(record.words, e.words);
+        for (std::size_t w = 0; w < e.words; ++w)
+          ASSERT_EQ(ring.Words(record)[w], e.first + w) << "after " << n << " clusters";
+      }
+      ASSERT_EQ(ring.Numbers(), numbers);
+      ASSERT_EQ(ring.Live(), numbers.size());
+    }
+    EXPECT_GE(queue.size(), words == 729 ? 1U : 10U); // not everything is thrown out for each
+    EXPECT_EQ(ring.Bytes(), bytes);
+  }
+}
+
+TEST(ClusterRing, CountsAgeInRecords)
+{
+  hasp::ClusterRing ring(4, 1000);
+  std::vector<std::uint32_t> numbers;
+  for (int n = 0; n < 6; ++n)
+    numbers.push_back(ring.Add({}, Layer(3, 0), 0, [](std::uint32_t) {}));
+  for (int n = 2; n < 6; ++n)
+    EXPECT_EQ(ring.Age(numbers[n]), std::size_t(5 - n));
+}
+
+TEST(ClusterRing, KnowsWhatItHolds)
+{
+  hasp::ClusterRing ring(4, 1000);
+  const std::uint32_t number = ring.Add({}, Layer(5, 10), 0, [](std::uint32_t) {});
+  EXPECT_TRUE(ring.Holds(number, Layer(5, 10)));
+  EXPECT_FALSE(ring.Holds(number, Layer(5, 11)));
+  EXPECT_FALSE(ring.Holds(number, Layer(6, 10)));
+  hasp::ClusterLayer other = Layer(5, 10);
+  other.clusters[0].active[3] = 1;
+  EXPECT_FALSE(ring.Holds(number, other));
+}
+
+TEST(ClusterRing, RefusesWhatHoldsNothing)
+{
+  EXPECT_THROW(hasp::ClusterRing(0, 1000), std::invalid_argument);
+  EXPECT_THROW(hasp::ClusterRing(10, 728), std::invalid_argument);
+}
+
+} // namespace

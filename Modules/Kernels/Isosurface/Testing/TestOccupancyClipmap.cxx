@@ -1,0 +1,87 @@
+#include "Isosurface/OccupancyClipmap.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <random>
+
+namespace
+{
+
+TEST(OccupancyClipmap, HasAsManyLevelsAsTheVolumeNeeds)
+{
+  EXPECT_EQ(hasp::OccupancyClipmap({ 1, 1, 1 }).Levels(), 1);
+  EXPECT_EQ(hasp::OccupancyClipmap({ 512, 512, 512 }).Levels(), 1);
+  EXPECT_EQ(hasp::OccupancyClipmap({ 513, 8, 8 }).Levels(), 2);
+  EXPECT_EQ(hasp::OccupancyClipmap({ 2047, 2047, 2047 }).Levels(), 3);
+  EXPECT_LE(hasp::OccupancyClipmap({ 65536, 65536, 65536 }).Bytes(), 8U << 20);
+}
+
+TEST(OccupancyClipmap, ShowsTheWholeVolumeAtTheLastLevel)
+{
+  const glm::ivec3 cells(1500, 100, 3000);
+  hasp::OccupancyClipmap map(cells);
+  const int last = map.Levels() - 1;
+  for (const double at : { 0.0, 750.0, 1e9, -1e9, std::numeric_limits<double>::quiet_NaN() })
+  {
+    map.Follow(glm::dvec3(at));
+    EXPECT_TRUE(map.InWindow({ { 0, 0, 0 }, last })) << at;
+    EXPECT_TRUE(map.InWindow({ (cells - 1) / (8 << last), last })) << at;
+  }
+}
+
+TEST(OccupancyClipmap, KeepsTheViewerInAllWindows)
+{
+  const glm::ivec3 cells(3000, 700, 5000);
+  hasp::OccupancyClipmap map(cells);
+  std::mt19937 random(3);
+  for (int n = 0; n < 1000; ++n)
+  {
+    glm::dvec3 viewer;
+    for (int a = 0; a < 3; ++a)
+      viewer[a] = std::uniform_real_distribution<>(0, cells[a] - 1e-6)(random);
+    map.Follow(viewer);
+    for (int level = 0; level < map.Levels(); ++level)
+      EXPECT_TRUE(map.InWindow({ glm::ivec3(viewer) / (8 << level), level })) << level;
+  }
+}
+
+/// Two blocks of one window never share an address, wherever the window is.
+TEST(OccupancyClipmap, RemembersEveryBlockOfItsWindows)
+{
+  const glm::ivec3 cells(1000, 60, 900);
+  hasp::OccupancyClipmap map(cells);
+  for (const glm::dvec3& viewer : { glm::dvec3(0), glm::dvec3(777, 30, 444), glm::dvec3(1000) })
+  {
+    map.Follow(viewer);
+    std::uint32_t number = 0;
+    const auto each = [&](const auto& f)
+    {
+      for (int level = 0; level < map.Levels(); ++level)
+        for (int z = 0; z <= cells.z / (8 << level); ++z)
+          for (int y = 0; y <= cells.y / (8 << level); ++y)
+            for (int x = 0; x <= cells.x / (8 << level); ++x)
+              if (map.InWindow({ { x, y, z }, level }))
+                f(hasp::BlockKey{ { x, y, z }, level });
+    };
+    each([&](const hasp::BlockKey& key) { map.Set(key, number++); });
+    const std::uint32_t blocks = number;
+    EXPECT_GT(blocks, 10000U);
+    number = 0;
+    each([&](const hasp::BlockKey& key) { EXPECT_EQ(map.Get(key), number++); });
+  }
+}
+
+TEST(OccupancyClipmap, MovesOnlyWhenTheViewerHasGoneFar)
+{
+  hasp::OccupancyClipmap map({ 4000, 4000, 4000 });
+  map.Follow({ 2000, 2000, 2000 });
+  int moves = 0;
+  for (int n = 0; n < 256; ++n) // a quarter of the finest window's half
+    moves += map.Follow({ 2000.0 + n, 2000, 2000 });
+  EXPECT_GE(moves, 1);
+  EXPECT_LE(moves, 256 / 64 + 2); // every eighth of 512 cells, and once a coarser level
+}
+
+} // namespace

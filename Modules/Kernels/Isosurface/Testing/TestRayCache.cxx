@@ -1,0 +1,295 @@
+#include "Isosurface/RayCache.h"
+
+#include "Grid/AnalyticVolumes.h"
+#include "Isosurface/ActiveCells.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace
+{
+
+constexpr int Side = hasp::MinMaxBlocks::Side;
+
+/// Bone in a box, and a camera that goes round it.
+class RayCache : public ::testing::Test
+{
+protected:
+  explicit RayCache(const glm::ivec3& dims = { 70, 61, 55 })
+    : Geometry{ dims, { 3, 4, 5 }, { 0.7, 0.9, 1.1 }, glm::dmat3(1) },
+      Samples(hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticGyroid(20), this->Geometry, 100, 0)),
+      Grid(hasp::GridView<const std::int16_t>{ this->Samples.data(), this->Geometry }),
+      Blocks(this->Grid)
+  {
+  }
+
+  hasp::PictureView View(double angle, double distance = 160) const
+  {
+    const glm::dvec3 middle = 0.5 * glm::dvec3(this->Geometry.dims);
+    const glm::dvec3 eye = middle + distance * glm::dvec3(std::sin(angle), -std::cos(angle), 0.2);
+    return { glm::perspective(0.5, 1.0, 1.0, 1000.0) *
+               glm::lookAt(eye, middle, glm::dvec3(0, 0, 1)),
+      { 160, 160 }, {} };
+  }
+  hasp::RayCache::Frame Sample(hasp::RayCache& cache, const hasp::PictureView& view, int rays = 16)
+  {
+    const hasp::SampledEye eye{ view, {}, 0 };
+    return cache.Sample({ &eye, 1 }, {}, rays);
+  }
+
+  /// Every cluster of level 0 is the one that a whole extraction has there, bit for bit.
+  void ExpectClustersOfTheWhole(hasp::RayCache& cache, double isovalue)
+  {
+    const auto some = cache.Cells(0);
+    const hasp::ClusteredCells all =
+      ExtractActiveCells(this->Grid, hasp::MinMaxBlocks(this->Grid), isovalue);
+    EXPECT_EQ(some->isovalue, all.isovalue);
+    EXPECT_GT(some->clusters.size(), 20U);
+    std::size_t next = 0, cells = 0;
+    for (const hasp::CellCluster& cluster : some->clusters)
+    {
+      while (next < all.clusters.size() && all.clusters[next].place != cluster.place)
+        ++next;
+      ASSERT_LT(next, all.clusters.size()) << "not in the whole, or not in raster order";
+      const hasp::CellCluster& other = all.clusters[next];
+      ASSERT_EQ(cluster.active, other.active);
+      ASSERT_EQ(cluster.cornersBefore, other.cornersBefore);
+      ASSERT_EQ(cluster.firstCell, cells);
+      cells += cluster.CellCount();
+      const std::size_t words = (cluster.CornerCount() * cluster.Width() + 31) / 32;
+      ASSERT_TRUE(std::equal(some->corners.begin() + cluster.firstWord,
+        some->corners.begin() + cluster.firstWord + std::ptrdiff_t(words),
+        all.corners.begin() + other.firstWord));
+    }
+    EXPECT_EQ(some->Count(), cells);
+  }
+
+  hasp::GridGeometry Geometry;
+  std::vector<std::int16_t> Samples;
+  hasp::AnyGridView Grid;
+  hasp::MinMaxBlocks Blocks;
+};
+
+TEST_F(RayCache, HoldsClustersOfTheWholeSurface)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 10; ++f)
+    Sample(cache, View(0.1 * f));
+  ExpectClustersOfTheWhole(cache, 7.0);
+}
+
+/// After some frames no pixel's ray meets a block that is not there.
+TEST_F(RayCache, BecomesCompleteForAViewAtRest)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  const hasp::PictureView view = View(0.3);
+  for (int f = 0; f < 200; ++f)
+    Sample(cache, view);
+  EXPECT_EQ(Sample(cache, view).added, 0);
+  const auto cells = cache.Cells(0);
+  const hasp::RayCaster caster(Grid, Blocks, 7.0);
+  const hasp::PixelRays rays(view);
+  int met = 0, missing = 0;
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 160; ++x)
+    {
+      hasp::CellRay ray;
+      ASSERT_TRUE(rays.Of({ x + 0.5, y + 0.5 }, ray));
+      const auto hit = caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
+      met += hit.has_value();
+      missing += hit && !cells->Find(hit->cell);
+    }
+  EXPECT_GT(met, 5000);
+  EXPECT_LE(missing, met / 1000); // blocks of which a corner of a pixel shows
+}
+
+TEST_F(RayCache, HoldsEachBlockOnce)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 30; ++f)
+    Sample(cache, View(0.2 * f), 4);
+  std::size_t distinct = 0;
+  for (int level = 0; level < cache.Levels(); ++level)
+  {
+    auto clusters = cache.Cells(level)->clusters;
+    const auto end = std::unique(clusters.begin(), clusters.end(),
+      [](const auto& a, const auto& b) { return a.Origin() == b.Origin(); });
+    distinct += std::size_t(end - clusters.begin());
+  }
+  EXPECT_EQ(distinct, cache.Live());
+}
+
+TEST_F(RayCache, FollowsTheIsovalueAtOnce)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 10; ++f)
+    Sample(cache, View(0));
+  for (const double isovalue : { 8.0, -31.5, 60.0, 7.0 })
+  {
+    cache.SetIsovalue(isovalue);
+    ExpectClustersOfTheWhole(cache, isovalue);
+    Sample(cache, View(0));
+    ExpectClustersOfTheWhole(cache, isovalue);
+  }
+  cache.SetIsovalue(5000);
+  EXPECT_EQ(cache.Live(), 0U);
+  EXPECT_EQ(cache.Cells(0)->Count(), 0U);
+}
+
+TEST_F(RayCache, FollowsAnEdit)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 20; ++f)
+    Sample(cache, View(0));
+  const glm::ivec3 low(20, 0, 20), high(45, 20, 40);
+  const hasp::GridView<std::int16_t> edited{ Samples.data(), Geometry };
+  for (int k = low.z; k <= high.z; ++k)
+    for (int j = low.y; j <= high.y; ++j)
+      for (int i = low.x; i <= high.x; ++i)
+        edited(i, j, k) = static_cast<std::int16_t>(-edited(i, j, k) / 2);
+  Blocks.Update(Grid, low, high);
+  cache.MarkModified(low, high);
+  ExpectClustersOfTheWhole(cache, 7.0);
+}
+
+/// What nobody has marked is found by upkeep, in a round; a share is one of what is still there, so
+/// a round in which half of the clusters go takes up to twice as many frames.
+TEST_F(RayCache, ChecksItselfInTurns)
+{
+  hasp::RayCacheSettings settings;
+  settings.upkeepShare = 8;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  for (int f = 0; f < 20; ++f)
+    Sample(cache, View(0));
+  for (std::int16_t& sample : Samples)
+    sample = static_cast<std::int16_t>(sample / 2);
+  Blocks = hasp::MinMaxBlocks(Grid);
+  std::int64_t checked = 0;
+  for (int f = 0; f < 16; ++f)
+    checked += Sample(cache, View(0), 0).checked;
+  EXPECT_GE(checked, std::int64_t(cache.Live()));
+  ExpectClustersOfTheWhole(cache, 7.0);
+}
+
+/// A ring far too small for what is seen: memory stays, and what is there is right.
+TEST_F(RayCache, StaysWithinItsMemory)
+{
+  hasp::RayCacheSettings settings;
+  settings.clusters = 60;
+  settings.words = 5000;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  const std::size_t bytes = cache.Bytes();
+  for (int f = 0; f < 300; ++f)
+  {
+    Sample(cache, View(0.05 * f), 4);
+    ASSERT_LE(cache.Live(), settings.clusters);
+    ASSERT_EQ(cache.Bytes(), bytes);
+  }
+  ExpectClustersOfTheWhole(cache, 7.0);
+}
+
+TEST_F(RayCache, GivesTheSamePointerWhileNothingChanges)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  Sample(cache, View(0));
+  const auto before = cache.Cells(0);
+  EXPECT_EQ(cache.Cells(0), before);
+  Sample(cache, View(0), 0);
+  EXPECT_EQ(cache.Cells(0), before);
+  cache.SetIsovalue(9);
+  EXPECT_NE(cache.Cells(0), before);
+}
+
+/// Longer than a window: far away, cells are twice as long, and are those of the volume that has
+/// every other sample.
+class LongRayCache : public RayCache
+{
+protected:
+  LongRayCache() : RayCache({ 1030, 20, 24 }) {}
+};
+
+TEST_F(LongRayCache, HasCoarserCellsFarAway)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  ASSERT_EQ(cache.Levels(), 3);
+  const glm::dvec3 eye(-20, 10, 12);
+  const hasp::PictureView view{ glm::perspective(0.3, 1.0, 1.0, 3000.0) *
+                                  glm::lookAt(eye, glm::dvec3(500, 10, 12), glm::dvec3(0, 0, 1)),
+    { 64, 64 }, { { -1, 0, 0, 1030 }, { 1, 0, 0, -700 } } }; // what lies in front is cut away
+  for (int f = 0; f < 30; ++f)
+    Sample(cache, view);
+  const auto coarse = cache.Cells(1);
+  ASSERT_GT(coarse->clusters.size(), 5U);
+  EXPECT_EQ(coarse->geometry.dims, glm::ivec3(515, 10, 12));
+  EXPECT_EQ(coarse->geometry.spacing, 2.0 * Geometry.spacing);
+
+  std::vector<std::int16_t> every;
+  const hasp::GridView<const std::int16_t> fine{ Samples.data(), Geometry };
+  for (int k = 0; k < 24; k += 2)
+    for (int j = 0; j < 20; j += 2)
+      for (int i = 0; i < 1030; i += 2)
+        every.push_back(fine(i, j, k));
+  const hasp::AnyGridView second =
+    hasp::GridView<const std::int16_t>{ every.data(), coarse->geometry };
+  const auto all = ExtractActiveCells(second, hasp::MinMaxBlocks(second), 7.0);
+  for (std::size_t n = 0; n < coarse->Count(); ++n)
+  {
+    const auto same = all.Find(coarse->Cell(n));
+    ASSERT_TRUE(same);
+    ASSERT_EQ(coarse->Corners(n), all.Corners(*same));
+  }
+}
+
+/// Rays through gaps between levels find the coarse block there, and add a finer one.
+TEST_F(RayCache, MendsHolesWithFinerCells)
+{
+  hasp::RayCacheSettings settings;
+  settings.pixelsACell = 3;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  EXPECT_EQ(cache.Levels(), 1); // of a small volume: nothing to mend, nothing coarser
+  Sample(cache, View(0));
+  EXPECT_GT(cache.Live(), 0U);
+}
+
+TEST_F(LongRayCache, MendsHolesWithFinerCells)
+{
+  hasp::RayCacheSettings settings;
+  settings.pixelsACell = 4;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  const hasp::PictureView view = View(0, 700);
+  const std::vector<float> nothing(160 * 160, 1.0F);
+  const hasp::SampledEye eye{ view, nothing, 0 };
+  cache.Sample({ &eye, 1 }, {}, 16);
+  EXPECT_EQ(cache.Cells(0)->Count(), 0U);
+  for (int f = 0; f < 4; ++f)
+    cache.Sample({ &eye, 1 }, {}, 16);
+  EXPECT_GT(cache.Cells(0)->Count(), 0U);
+}
+
+TEST_F(RayCache, RefusesWhatItCannotUse)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(hasp::RayCache(Grid, Blocks, infinite), std::invalid_argument);
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  EXPECT_THROW(cache.SetIsovalue(infinite), std::invalid_argument);
+  hasp::RayCacheSettings settings;
+  settings.pixelsACell = 0;
+  EXPECT_THROW(hasp::RayCache(Grid, Blocks, 7.0, settings), std::invalid_argument);
+  settings = {};
+  settings.upkeepShare = 0;
+  EXPECT_THROW(hasp::RayCache(Grid, Blocks, 7.0, settings), std::invalid_argument);
+  settings = {};
+  settings.clusters = 0;
+  EXPECT_THROW(hasp::RayCache(Grid, Blocks, 7.0, settings), std::invalid_argument);
+  hasp::GridGeometry other = Geometry;
+  other.dims = { 9, 9, 9 };
+  const hasp::AnyGridView grid = hasp::GridView<const std::int16_t>{ Samples.data(), other };
+  EXPECT_THROW(hasp::RayCache(grid, Blocks, 7.0), std::invalid_argument);
+}
+
+} // namespace
