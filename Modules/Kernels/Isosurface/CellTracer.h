@@ -1,6 +1,6 @@
 #pragma once
 #include "Isosurface/ClusteredCells.h"
-#include "Isosurface/PixelRays.h"
+#include "Isosurface/PictureRays.h"
 
 #include <glm/vec4.hpp>
 

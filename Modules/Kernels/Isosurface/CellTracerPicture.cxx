@@ -29,7 +29,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
   if (view.size.x < 0 || view.size.y < 0)
     throw std::invalid_argument("CellTracer: a picture of " + std::to_string(view.size.x) + " x " +
                                 std::to_string(view.size.y) + " pixels; both must be >= 0");
-  const PixelRays rays(view);
+  const PictureRays rays(view);
   const std::size_t pixels = static_cast<std::size_t>(view.size.x) * view.size.y;
   picture.size = view.size;
   picture.cells.assign(pixels, TracedPicture::Nothing);
@@ -45,7 +45,8 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
     {
       const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
       CellRay ray;
-      const bool meets = at.x < view.size.x && at.y < view.size.y && rays.Of(glm::dvec2(at) + 0.5, ray) &&
+      const bool meets = at.x < view.size.x && at.y < view.size.y &&
+                         rays.Of(glm::dvec2(at) + 0.5, ray) &&
                          this->Embree->Enter(ray, walks[n], entries[n]);
       if (!meets)
         walks[n].inverse[3] = -1.0; // begins after its end

@@ -109,7 +109,7 @@ void RayCache::Follow(std::span<const SampledEye> eyes)
   if (eyes.empty())
     return;
   // The eye is where all rays of a perspective meet; a parallel view looks from far away.
-  const PixelRays rays(eyes.front().view);
+  const PictureRays rays(eyes.front().view);
   CellRay ray;
   if (!rays.Of(0.5 * glm::dvec2(eyes.front().view.size), ray))
     return;

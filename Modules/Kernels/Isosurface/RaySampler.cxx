@@ -64,7 +64,7 @@ struct RaySampler::Tile
   float misses = 0.0F;
 };
 
-RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PixelRays& rays,
+RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRays& rays,
   const SampledEye& eye, const glm::ivec2& place, int count, float misses) const
 {
   const glm::ivec2 from = place * TileSide, to = glm::min(from + TileSide, eye.view.size);
@@ -111,7 +111,7 @@ void RaySampler::SampleEye(const RayCaster& caster, const SampledEye& eye, int c
   if (size.x < 0 || size.y < 0 ||
       (!eye.depth.empty() && eye.depth.size() != std::size_t(size.x) * std::size_t(size.y)))
     throw std::invalid_argument("RaySampler: a picture's depth has not its size");
-  const PixelRays rays(eye.view);
+  const PictureRays rays(eye.view);
   const glm::ivec2 tiles = (size + TileSide - 1) / TileSide;
   std::vector<Tile> sampled(std::size_t(tiles.x) * tiles.y);
   misses.resize(sampled.size());

@@ -1,5 +1,5 @@
 #pragma once
-#include "Isosurface/PixelRays.h"
+#include "Isosurface/PictureRays.h"
 #include "Isosurface/RayCaster.h"
 
 #include <cstdint>
@@ -50,7 +50,7 @@ public:
 
 private:
   struct Tile;
-  Tile SampleTile(const RayCaster& caster, const PixelRays& rays, const SampledEye& eye,
+  Tile SampleTile(const RayCaster& caster, const PictureRays& rays, const SampledEye& eye,
     const glm::ivec2& place, int count, float misses) const;
   void SampleEye(const RayCaster& caster, const SampledEye& eye, int count,
     std::vector<float>& misses, Frame& frame) const;

@@ -93,7 +93,7 @@ TEST_F(RayCache, BecomesCompleteForAViewAtRest)
   EXPECT_EQ(Sample(cache, view).added, 0);
   const auto cells = cache.Cells(0);
   const hasp::RayCaster caster(Grid, Blocks, 7.0);
-  const hasp::PixelRays rays(view);
+  const hasp::PictureRays rays(view);
   int met = 0, missing = 0;
   for (int y = 0; y < 160; ++y)
     for (int x = 0; x < 160; ++x)

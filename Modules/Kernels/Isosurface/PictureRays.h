@@ -30,11 +30,11 @@ struct PictureView
 };
 
 /// The rays of a view's pixels, cut by its planes, from the camera's matrix alone. Any thread.
-class PixelRays
+class PictureRays
 {
 public:
   /// Throws std::invalid_argument if indexToClip cannot be inverted.
-  explicit PixelRays(const PictureView& view);
+  explicit PictureRays(const PictureView& view);
 
   /// place: in pixels from the view's lower left corner; the centre of the first is (0.5, 0.5).
   /// False where the planes leave nothing; else tMin and tMax are finite in every view with a near

@@ -1,4 +1,4 @@
-#include "Isosurface/PixelRays.h"
+#include "Isosurface/PictureRays.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
@@ -11,7 +11,7 @@
 namespace hasp
 {
 
-PixelRays::PixelRays(const PictureView& view)
+PictureRays::PictureRays(const PictureView& view)
   : ToIndex(glm::inverse(view.indexToClip)),
     PixelSize(2.0 / glm::dvec2(view.size)),
     Planes(view.planes)
@@ -22,10 +22,10 @@ PixelRays::PixelRays(const PictureView& view)
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
       if (!std::isfinite(this->ToIndex[c][r]))
-        throw std::invalid_argument("PixelRays: indexToClip cannot be inverted");
+        throw std::invalid_argument("PictureRays: indexToClip cannot be inverted");
 }
 
-bool PixelRays::Of(const glm::dvec2& place, CellRay& ray) const
+bool PictureRays::Of(const glm::dvec2& place, CellRay& ray) const
 {
   const glm::dvec2 device = place * this->PixelSize - 1.0;
   // Points (a + z b) / (a.w + z b.w) for depths z; their derivative points along the ray.
