@@ -29,7 +29,7 @@ public:
     const AnyGridView grid = ViewImage(this->View.image);
     if (this->Blocks.Count() == 0)
       this->Blocks = MinMaxBlocks(grid);
-    const RayCaster caster(grid, this->Blocks, this->View.isovalue);
+    const RayCaster caster(grid, this->Blocks, this->Isovalue);
     const int width = this->View.width;
     this->Hits.assign(std::size_t(width) * this->View.height, std::nullopt);
     this->Grey.assign(this->Hits.size(), 0);
@@ -53,6 +53,7 @@ public:
 
 private:
   const IsosurfaceView& View;
+  double Isovalue = this->View.isovalue;
   MinMaxBlocks Blocks;
   SurfacePoints Hits;
   std::vector<unsigned char> Grey; ///< headlight shading, so that the others' work is matched

@@ -1,13 +1,12 @@
 #include "IsosurfaceMethods.h"
 
 #include "Isosurface/ClusteredCells.h"
+#include "WindowMethod.h"
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
-#include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -15,59 +14,17 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace hasp
 {
 namespace
 {
-
-/// A window of the view's size and camera.
-class WindowMethod : public IsosurfaceMethod
-{
-public:
-  explicit WindowMethod(const IsosurfaceView& view) : View(view)
-  {
-    this->Window->SetOffScreenRendering(true);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(view.width, view.height);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->SetActiveCamera(view.camera);
-  }
-  void Draw() override
-  {
-    this->Window->Render();
-    this->Window->WaitForCompletion();
-  }
-  SurfacePoints Points() override
-  {
-    vtkNew<vtkFloatArray> depth;
-    this->Window->GetZbufferData(0, 0, this->View.width - 1, this->View.height - 1, depth);
-    return this->FromDepth([&](int n) { return depth->GetValue(n); });
-  }
-
-protected:
-  template <typename DepthOf>
-  SurfacePoints FromDepth(const DepthOf& depthOf) const
-  {
-    SurfacePoints points(std::size_t(this->View.width) * this->View.height);
-    for (int y = 0, n = 0; y < this->View.height; ++y)
-      for (int x = 0; x < this->View.width; ++x, ++n)
-        if (const float depth = depthOf(n); depth < 1.0F)
-          points[n] = this->View.Unproject(x, y, 2.0 * depth - 1.0);
-    return points;
-  }
-
-  const IsosurfaceView& View;
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-};
 
 class CellMethod : public WindowMethod
 {
@@ -86,6 +43,7 @@ public:
     actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(actor);
   }
+  void SetIsovalue(double isovalue) override { this->Mapper->SetIsoValue(isovalue); }
   /// Says what was drawn last.
   std::string Name() const override
   {
@@ -120,6 +78,7 @@ public:
     actor->SetMapper(mapper);
     this->Renderer->AddActor(actor);
   }
+  void SetIsovalue(double isovalue) override { this->Contour->SetValue(0, isovalue); }
   std::string Name() const override
   {
     return "VTK " VTK_VERSION " vtkFlyingEdges3D with normals + vtkPolyDataMapper";
@@ -164,6 +123,10 @@ public:
     this->Volume->SetProperty(property);
     this->Renderer->AddVolume(this->Volume);
   }
+  void SetIsovalue(double isovalue) override
+  {
+    this->Volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
+  }
   std::string Name() const override
   {
     return "VTK " VTK_VERSION " vtkOpenGLGPUVolumeRayCastMapper, isosurface blend, step " +
@@ -188,6 +151,16 @@ private:
 };
 
 } // namespace
+
+void IsosurfaceMethod::SetIsovalue(double)
+{
+  throw std::logic_error(this->Name() + ": has one isovalue");
+}
+
+std::vector<glm::vec3> IsosurfaceMethod::Picture()
+{
+  throw std::logic_error(this->Name() + ": makes no picture");
+}
 
 std::unique_ptr<IsosurfaceMethod> MakeCellMethod(const IsosurfaceView& view, CellDrawing drawing)
 {

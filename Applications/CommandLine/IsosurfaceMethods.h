@@ -21,9 +21,13 @@ class IsosurfaceMethod
 {
 public:
   virtual ~IsosurfaceMethod() = default;
-  virtual std::string Name() const = 0;           ///< "VTK 9.1.0 FlyingEdges3D + vtkPolyDataMapper"
-  virtual void Draw() = 0;                        ///< one finished frame
-  virtual SurfacePoints Points() = 0;             ///< of the last frame
+  virtual std::string Name() const = 0; ///< "VTK 9.1.0 FlyingEdges3D + vtkPolyDataMapper"
+  virtual void Draw() = 0;              ///< one finished frame
+  virtual SurfacePoints Points() = 0;   ///< of the last frame
+  /// Of the next frames; the view's until then. Throws std::logic_error if it cannot.
+  virtual void SetIsovalue(double isovalue);
+  /// Red, green, blue in [0,1] of the last frame, row by row from below; std::logic_error if none.
+  virtual std::vector<glm::vec3> Picture();
   virtual std::size_t Bytes() const { return 0; } ///< of the structure it draws from
   virtual ResourceList Resources() const { return {}; }
 };

@@ -3,6 +3,7 @@
 #if HASP_WITH_CELLS
 #include "ReportCells.h"
 #include "ReportIsosurface.h"
+#include "ReportRaycaching.h"
 #include "ReportStability.h"
 #endif
 #include "ReportImport.h"
@@ -20,6 +21,8 @@ const std::vector<ReportEntry>& ReportRegistry()
       ReportIsosurface },
       { "cells", "bytes, extraction, edits, frames and rays of clustered cells, against a mesh",
         ReportCells },
+      { "raycaching", "frames, holes and errors of the ray cache, against direct ray casts",
+        ReportRaycaching },
       { "stability", "what is predicted of extreme volumes, rays and eyes, against what comes",
         ReportStability },
 #endif

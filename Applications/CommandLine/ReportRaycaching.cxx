@@ -1,0 +1,40 @@
+#include "ReportRaycaching.h"
+
+#include "CellRows.h"
+#include "RaycachingScene.h"
+#include "ReportRegistry.h"
+#include "Windows.h"
+
+#include <filesystem>
+
+namespace hasp
+{
+namespace
+{
+
+void Measure(ReportContext& context, const CellScene& cells, int pixels)
+{
+  const RaycachingScene scene(cells, pixels);
+  ReportRaycachingQuality(context, scene);
+  ReportRaycachingFrames(context, scene);
+  ReportRaycachingChanges(context, scene);
+}
+
+} // namespace
+
+void ReportRaycaching(ReportContext& context)
+{
+  const bool quick = context.settings.quick;
+  ChooseWindows();
+  context.report.machine.gl = OpenGLName();
+  const int pixels = quick ? 160 : 512;
+  Measure(context, HeadScene(quick ? 96 : 256, context.settings.seed, true), pixels);
+  const std::string& path = context.settings.volume;
+  if (std::filesystem::exists(path))
+    Measure(context, VolumeScene(path), pixels);
+  else
+    context.report.rows.push_back(AbsentRow("raycaching.psnr@cranium", "a real CT",
+      "no real CT there: give --volume the path that Utilities/Scripts/cranium prints"));
+}
+
+} // namespace hasp
