@@ -1,6 +1,7 @@
 #include "CachingMethod.h"
 
 #include "vtkActor.h"
+#include "vtkImageData.h"
 
 namespace hasp
 {

@@ -20,7 +20,8 @@ namespace
 class DirectMethod : public IsosurfaceMethod
 {
 public:
-  explicit DirectMethod(const IsosurfaceView& view) : View(view) {}
+  explicit DirectMethod(const IsosurfaceView& view) : View(view), Isovalue(view.isovalue) {}
+  void SetIsovalue(double isovalue) override { this->Isovalue = isovalue; }
   std::string Name() const override { return "direct ray cast on the CPU, exact root, all cores"; }
   std::size_t Bytes() const override { return this->Blocks.Bytes(); }
   SurfacePoints Points() override { return this->Hits; }
@@ -53,7 +54,7 @@ public:
 
 private:
   const IsosurfaceView& View;
-  double Isovalue = this->View.isovalue;
+  double Isovalue;
   MinMaxBlocks Blocks;
   SurfacePoints Hits;
   std::vector<unsigned char> Grey; ///< headlight shading, so that the others' work is matched
