@@ -26,8 +26,8 @@ namespace
 void RefuseVolumeOptions(const VolumeChoices& choices)
 {
   if (choices.series != 0 || choices.resample)
-    throw Failure(
-      ExitCode::WrongUse, "--series and --resample are for volumes; leave them out for a surface");
+    throw Failure(ExitCode::WrongUse,
+      "--series and --resample are for volumes; leave them out for surfaces and cells");
 }
 
 void RunOnCells(const VolumeChoices& choices, Session& session)
@@ -85,6 +85,8 @@ void AddInfoVerb(CLI::App& app, Session& session)
   CLI::App* verb =
     app.add_subcommand("info", "Check a volume, a surface or active cells and print the passport");
   AddVolumeOptions(*verb, *options);
+  verb->get_option("IN")->description(
+    "Volume: a file, or a folder of slices; surface; or active cells, .hcells");
   AddCommonOptions(*verb, session);
   verb->footer(
     "The passport holds size, place, orientation, values and warnings, and nothing of the "

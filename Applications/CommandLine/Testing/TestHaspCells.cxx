@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <utility>
 
 namespace
 {
@@ -77,6 +78,46 @@ TEST_F(HaspCells, InfoSaysTheSameAndFindsDamage)
   bytes[bytes.size() / 2] ^= 1;
   this->WriteText("b.hcells", bytes);
   ExpectFailure(RunHasp({ "info", this->Path("b.hcells") }), 2, "the .hcells file: its cells are");
+}
+
+TEST_F(HaspCells, WhereAVolumeIsExpectedTheySayWhatTheyAre)
+{
+  this->Phantom();
+  ASSERT_EQ(this->Cells("head.mha", "a.hcells").exitCode, 0);
+  this->WriteText("b.mha", ReadBytes(this->Path("a.hcells")));
+  this->WriteText("b.stl", ReadBytes(this->Path("a.hcells")));
+  const Words before = this->Names();
+  const std::string what = "holds active cells of an isosurface, no ";
+  const std::pair<const char*, const char*> files[] = {
+    { "a.hcells", ": hasp render draws them, hasp info describes them" },
+    { "b.mha", ": rename it to end in .hcells" }
+  };
+  for (const auto& [in, then] : files)
+  {
+    ExpectFailure(this->Cells(in, "x.hcells"), 2, what + "volume" + then);
+    for (const char* out : { "x.nrrd", "x.stl", "slices" })
+      ExpectFailure(RunHasp({ "convert", this->Path(in), this->Path(out) }), 2,
+        what + "volume and no triangles" + then);
+  }
+  ExpectFailure(RunHasp({ "info", this->Path("b.mha") }), 2, what + "volume: rename");
+  ExpectFailure(RunHasp({ "info", this->Path("b.stl") }), 2, what + "triangles: rename");
+  ExpectFailure(
+    RunHasp({ "convert", this->Path("head.mha"), this->Path("x.hcells") }), 1, "hasp cells makes");
+  EXPECT_EQ(this->Names(), before);
+}
+
+TEST_F(HaspCells, AVolumeUnderTheirNameIsToldFromThem)
+{
+  this->WriteText("a.hcells", ReadBytes(this->Phantom()));
+  const std::string words = "the .hcells file: holds no active cells";
+  for (const char* rest : { words.c_str(), "its own ending", "hasp cells makes" })
+  {
+    ExpectFailure(RunHasp({ "info", this->Path("a.hcells") }), 2, rest);
+    ExpectFailure(RunHasp({ "convert", this->Path("a.hcells"), this->Path("x.nrrd") }), 2, rest);
+    ExpectFailure(this->Cells("a.hcells", "x.hcells"), 2, rest);
+  }
+  this->WriteText("note.txt", "Dear colleague,\n");
+  ExpectFailure(RunHasp({ "info", this->Path("note.txt") }), 2, "active cells .hcells");
 }
 
 TEST_F(HaspCells, ALimitTooSmallIsSaidWithItsBytes)

@@ -79,6 +79,10 @@ TEST_F(HaspRender, ActiveCellsAreDrawnWithoutTheVolume)
   for (const Words& words : { Words{ "--isovalue", "226" }, Words{ "--ignore-below", "5" },
          Words{ "--mapper", "mesh" }, Words{ "--series", "1" } })
     ExpectFailure(draw(words), 1, "for volumes");
+  ExpectFailure(draw({ "--surface", this->Path("head.hcells") }), 2, "isosurface, no triangles");
+  this->WriteText("named.mha", ReadBytes(this->Path("head.hcells")));
+  ExpectFailure(RunHasp({ "render", this->Path("named.mha"), "--output", this->Path("x.png") }), 2,
+    "isosurface, no volume: rename it");
   const HaspRun run = draw({});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_EQ(ReadBytes(this->Path("cells.png")), ReadBytes(this->Path("volume.png")));
