@@ -120,13 +120,30 @@ TEST_F(HaspCells, AVolumeUnderTheirNameIsToldFromThem)
   ExpectFailure(RunHasp({ "info", this->Path("note.txt") }), 2, "active cells .hcells");
 }
 
+/// In the words of the command line, which knows of no function.
+TEST_F(HaspCells, AVolumeTooLongIsSaid)
+{
+  this->WriteText("long.mha", "ObjectType = Image\nNDims = 3\nDimSize = 65538 2 2\nElementSpacing "
+                              "= 1 1 1\nElementType = MET_UCHAR\n"
+                              "ElementDataFile = LOCAL\n" +
+                                std::string(65537 * 4, '\0') + std::string(4, '\1'));
+  const HaspRun run = RunHasp(
+    { "cells", this->Path("long.mha"), "--isovalue", "0.5", "--output", this->Path("x.hcells") });
+  ExpectFailure(run, 1, "hasp: the volume has more than 65,537 samples along one axis: crop");
+}
+
 TEST_F(HaspCells, ALimitTooSmallIsSaidWithItsBytes)
 {
   ASSERT_EQ(
     RunHasp({ "phantom", "--spacing", "1.5,1.5,1.5", "--output", this->Path("big.mha") }).exitCode,
     0);
+  ExpectFailure(this->Cells("big.mha", "a.hcells", { "--memory-limit", "1", "--quiet" }), 1,
+    "hasp: --memory-limit is 1 MiB, and ");
+  ASSERT_EQ(RunHasp({ "convert", this->Path("big.mha"), this->Path("big.vti") }).exitCode, 0);
   ExpectFailure(
-    this->Cells("big.mha", "a.hcells", { "--memory-limit", "1", "--quiet" }), 1, "--memory-limit");
+    this->Cells("big.vti", "a.hcells", { "--memory-limit", "1" }), 2, "raise the limit");
+  ExpectFailure(
+    this->Cells("big.vti", "a.hcells", { "--memory-limit", "5" }), 1, "hasp: --memory-limit is 5");
   EXPECT_EQ(this->Cells("big.mha", "a.hcells", { "--memory-limit", "4" }).exitCode, 0);
 }
 

@@ -90,6 +90,18 @@ TEST_F(HaspRender, ActiveCellsAreDrawnWithoutTheVolume)
     "--isovalue");
 }
 
+/// In the words of the command line, which knows of no function.
+TEST_F(HaspRender, AVolumeTooLongForCellsIsSaid)
+{
+  this->WriteText("long.mha", "ObjectType = Image\nNDims = 3\nDimSize = 65538 2 2\nElementSpacing "
+                              "= 1 1 1\nElementType = MET_UCHAR\n"
+                              "ElementDataFile = LOCAL\n" +
+                                std::string(65537 * 4, '\0') + std::string(4, '\1'));
+  ExpectFailure(RunHasp({ "render", this->Path("long.mha"), "--isovalue", "0.5", "--output",
+                  this->Path("x.png") }),
+    2, "isosurface: the volume has more than 65,537 samples along one axis: crop");
+}
+
 TEST_F(HaspRender, BothRenderersDrawTheSameSurface)
 {
   this->Phantom();
