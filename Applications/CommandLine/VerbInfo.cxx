@@ -12,6 +12,8 @@
 #include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeView.h"
 
+#include "Isosurface/ClusteredCells.h"
+
 #include <CLI/CLI.hpp>
 
 #include <chrono>
@@ -34,6 +36,7 @@ void RunOnCells(const VolumeChoices& choices, Session& session)
 {
   RefuseVolumeOptions(choices);
   const auto cells = ReadCells(choices.input, session);
+  session.resources.push_back({ "active cells", cells->Bytes(), 0.0, "held for the passport" });
   session.progress.Wipe();
   if (session.json)
     session.result["cells"] = CellsJson(*cells);

@@ -268,20 +268,25 @@ void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   const Internals& in = *this->Internal;
   list.push_back({ "min-max blocks", in.Blocks.Bytes(), in.BlocksMilliseconds,
-    "coarse phase of extraction; kept for the next isovalue" });
+    in.Finished ? "the input is active cells: nothing is extracted"
+                : "coarse phase of extraction; kept for the next isovalue" });
   const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
   const hasp::ClusteredCells& cells = this->GetCells();
   const std::size_t labels = bytes(cells.labels);
   const std::size_t colors = bytes(cells.colors) + bytes(cells.firstColors);
   list.push_back({ "active cells, host", cells.Bytes() - labels - colors, in.CellsMilliseconds,
-    std::to_string(cells.Count()) + " cells; kept to answer picks" });
+    std::to_string(cells.Count()) +
+      (in.Finished ? " cells, the input's; read by picks" : " cells; kept to answer picks") });
   const Attributes& own = *this->Attribute;
   list.push_back({ "cell labels, host", labels, own.LabelsMilliseconds,
-    this->LabelArrayName.empty() ? "no label array was named" : "from " + this->LabelArrayName });
+    in.Finished                    ? labels > 0 ? "the input's" : "the input has none"
+    : this->LabelArrayName.empty() ? "no label array was named"
+                                   : "from " + this->LabelArrayName });
   list.push_back({ "cell colours, host", colors + bytes(own.Coloring.table), own.ColorsMilliseconds,
-    !this->ScalarVisibility ? "scalar visibility is off"
-    : own.Coloring.uniform  ? "one colour: the scalars are the volume's own"
-                            : "mapped at the stored corners" });
+    in.Finished               ? colors > 0 ? "the input's" : "the input has none"
+    : !this->ScalarVisibility ? "scalar visibility is off"
+    : own.Coloring.uniform    ? "one colour: the scalars are the volume's own"
+                              : "mapped at the stored corners" });
 }
 
 bool vtkHaspClusteredCellMapper::HasOpaqueGeometry()
@@ -315,8 +320,11 @@ double* vtkHaspClusteredCellMapper::GetBounds()
 void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsoValue: " << this->IsoValue
-     << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
+  os << indent << "IsoValue: ";
+  if (this->Internal->Finished)
+    os << this->GetCells().isovalue << " (the input's own)\n";
+  else
+    os << this->IsoValue << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
   os << indent << "LabelArrayName: " << this->LabelArrayName << "\n";
   os << indent << "BlendNormals: " << this->BlendNormals << "\n";
   os << indent << "Renderer: " << this->Renderer << " (" << this->GetRendererChoice() << ")\n";

@@ -6,13 +6,13 @@
 void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   this->Superclass::ListResources(list);
-  hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing drawn" };
+  hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing rasterised" };
   hasp::ResourceUse culling{ "occlusion culling", 0, 0.0,
-    this->OcclusionCulling ? "nothing opaque drawn" : "switched off" };
+    this->OcclusionCulling ? "nothing opaque rasterised" : "switched off" };
   hasp::ResourceUse labels{ "cell labels, GPU", 0, 0.0, "nothing was said of a label" };
   hasp::ResourceUse colors{ "cell colours, GPU", 0, 0.0, "no scalars colour the surface" };
   hasp::ResourceUse blending{ "normal blending", 0, 0.0,
-    this->BlendNormals ? "nothing opaque drawn" : "switched off" };
+    this->BlendNormals ? "nothing opaque rasterised" : "switched off" };
   const CellTracing& tracing = this->GL->Tracing;
   hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(), 0.0,
     tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
@@ -55,7 +55,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
     this->GetRendererChoice() });
   list.push_back(picture);
   list.push_back({ "shader: shaded cells", 0, shade,
-    shade > 0 ? "compiled at the first frame" : "nothing drawn" });
+    shade > 0 ? "compiled at the first frame" : "nothing rasterised" });
   list.push_back({ "shader: traced cells", 0, traced,
     traced > 0 ? "compiled at the first traced frame" : "nothing traced" });
   list.push_back({ "shader: cell selection", 0, select,
