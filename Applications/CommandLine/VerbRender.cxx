@@ -51,7 +51,8 @@ void RunOnCells(const Choices& choices, Session& session)
   vtkNew<vtkHaspClusteredCells> cells;
   cells->SetCells(ReadCells(volume.input, session));
   if (cells->GetNumberOfCells() == 0)
-    throw Failure(ExitCode::BadInput, FileLabel(volume.input) + ": holds no active cells");
+    throw Failure(ExitCode::BadInput,
+      FileLabel(volume.input) + ": its isovalue has no surface, there is nothing to draw");
   Draw(cells, choices.render, choices.output, session);
 }
 
