@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -158,7 +159,10 @@ void Run(const CellsOptions& options, Session& session)
   session.progress.Step("writing " + FileLabel(options.output));
   const auto start = Clock::now();
   Doing(ExitCode::WrongUse, [&] { WriteCells(cells, options.output, ShowOn(session)); });
-  session.resources.push_back({ "file", cells.Bytes(), MillisecondsSince(start), "checked first" });
+  const double spent = MillisecondsSince(start);
+  std::error_code gone;
+  session.resources.push_back({ "file", std::filesystem::file_size(options.output, gone), spent,
+    "on disk; the cells were checked before" });
   session.progress.Wipe();
   session.result["output"] = FileLabel(options.output);
   if (session.json)

@@ -42,8 +42,11 @@ TEST_F(HaspCells, WrongUseIsSaidAndWritesNothing)
 TEST_F(HaspCells, WhatTheVolumesFormatIsDoesNotMatter)
 {
   this->Phantom();
-  const HaspRun run = this->Cells("head.mha", "a.hcells", { "--json" });
+  const HaspRun run = this->Cells("head.mha", "a.hcells", { "--json", "--explain" });
   ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json resources = json::parse(run.out).at("resources");
+  EXPECT_EQ(resources.back().at("resource"), "file");
+  EXPECT_EQ(resources.back().at("bytes"), std::filesystem::file_size(this->Path("a.hcells")));
   const json cells = json::parse(run.out).at("cells");
   EXPECT_GT(cells.at("cells"), 1000);
   EXPECT_LT(cells.at("mesh_share"), 0.22);
