@@ -93,12 +93,12 @@ void CellContext::ReleaseUnusedBuffers()
   this->BuffersUsed = false;
 }
 
-OcclusionCulling& CellContext::UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes)
+OcclusionCulling& CellContext::UseCulling(const hasp::ClusteredCells& cells)
 {
   if (!this->Culling.Ready())
   {
     const auto start = std::chrono::steady_clock::now();
-    this->Culling.Reset(cells, blockBytes);
+    this->Culling.Reset(cells);
     this->CullingMilliseconds = MillisecondsSince(start);
   }
   return this->Culling;

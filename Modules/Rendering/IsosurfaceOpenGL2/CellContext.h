@@ -37,7 +37,7 @@ public:
   /// Frees what rasterising needs, unless it was used since the last call.
   void ReleaseUnusedBuffers();
   /// Likewise for culling, which needs memory of its own.
-  OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes);
+  OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells);
 
   CellBuffers Buffers;
   AttributeBuffers Attributes;

@@ -203,8 +203,8 @@ void vtkHaspOpenGLClusteredCellMapper::DrawCells(
     program->SetUniformi("firstWord", static_cast<int>(range.part.firstWord));
   };
   if (occlusion)
-    context.UseCulling(cells, this->GetStorageBlockBytes())
-      .Draw({ pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
+    context.UseCulling(cells).Draw(
+      { pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
         [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
   else
     context.Buffers.Draw(draws, prepare);
