@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -210,6 +212,45 @@ TEST_F(CellLabels, APickNamesThePosedCellAndItsPoint)
       ++picks;
     }
   EXPECT_GT(picks, 50);
+}
+
+/// The halves of the ball, as labels 65534 and 65535, apart; all labels from `first` to 65533 have
+/// a pose, too. With and without blended normals.
+std::vector<unsigned char> HalvesApart(int first)
+{
+  AttributeScene s;
+  vtkDataArray* label = s.Mapper->GetImage()->GetPointData()->GetArray("label");
+  for (vtkIdType n = 0; n < label->GetNumberOfTuples(); ++n)
+    label->SetComponent(n, 0, label->GetComponent(n, 0) + 65533);
+  s.Mapper->SetLabelArrayName("label");
+  vtkNew<vtkMatrix4x4> up;
+  up->SetElement(2, 3, 10);
+  for (int n = first; n < 65534; ++n)
+    s.Mapper->SetLabelPose(n, up);
+  vtkNew<vtkTransform> left;
+  left->Translate(-20, 0, -8);
+  s.Mapper->SetLabelPose(65534, left);
+  s.Mapper->SetLabelPose(65535, Away());
+  s.Actor->GetProperty()->LightingOn();
+  std::vector<unsigned char> colors;
+  for (const bool blended : { false, true })
+  {
+    s.Mapper->SetBlendNormals(blended);
+    s.Draw();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    s.Window->GetPixelData(0, 0, 119, 99, 1, rgb);
+    colors.insert(colors.end(), rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues());
+  }
+  return colors;
+}
+
+// What is not moved at all is a frame, too: 65536 poses make 65537.
+TEST_F(CellLabels, EachOfAllMayHaveAPose)
+{
+  const auto truth = HalvesApart(65534);
+  EXPECT_GT(std::count_if(truth.begin(), truth.end(), [](int c) { return c > 0; }), 6000);
+  EXPECT_EQ(HalvesApart(1), truth);
+  EXPECT_EQ(HalvesApart(0), truth);
 }
 
 TEST_F(CellLabels, BoundsHoldWhatPosesCarryAway)
