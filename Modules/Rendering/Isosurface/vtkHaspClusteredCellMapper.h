@@ -40,7 +40,7 @@
  *
  * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
  * Threads: RENDER only; extraction uses all cores inside the call.
- * Errors: vtkErrorMacro, and nothing is drawn.
+ * Errors: vtkErrorMacro, once until something changes, and nothing is drawn.
  */
 #ifndef vtkHaspClusteredCellMapper_h
 #define vtkHaspClusteredCellMapper_h
@@ -161,9 +161,9 @@ public:
   ///@}
 
   /// Brings the active cells up to date with input and isovalue; Render does it by itself. The
-  /// min-max blocks of the volume are kept for the next isovalue. False, after vtkErrorMacro, if
-  /// there is no input or it cannot be read. O(samples) for a new volume, O(active blocks) for a
-  /// new isovalue.
+  /// min-max blocks of the volume are kept for the next isovalue. False if there is no input or it
+  /// cannot be read; vtkErrorMacro says so once, and nothing is tried again, until mapper or input
+  /// change. O(samples) for a new volume, O(active blocks) for a new isovalue.
   bool UpdateCells();
 
   /// Samples in this box of point indices (x0, x1, y0, y1, z0, z1; clamped to the image) have been

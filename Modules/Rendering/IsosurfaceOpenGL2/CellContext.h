@@ -11,6 +11,8 @@
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
+#include <string>
+
 class vtkOpenGLRenderWindow;
 
 /// What a mapper holds in the OpenGL context of one window. It is made when the window first draws
@@ -47,6 +49,7 @@ public:
   TracedCells Traced;
   const bool SoftwareOpenGL;
   double UploadMilliseconds = 0.0, CullingMilliseconds = 0.0;
+  std::string Complaint; ///< why the last drawing failed; empty if it did not
 
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

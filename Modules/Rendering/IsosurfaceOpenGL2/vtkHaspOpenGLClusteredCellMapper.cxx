@@ -151,10 +151,13 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
       context.Traced.Release();
     }
     vtkOpenGLCheckErrorMacro("after drawing active cells");
+    context.Complaint.clear();
   }
   catch (const std::exception& e)
   {
-    vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+    if (context.Complaint != e.what())
+      vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+    context.Complaint = e.what();
   }
 }
 

@@ -2,9 +2,9 @@
 // and bounds go along.
 #include "AttributeTestScene.h"
 #include "CellLabels.h"
+#include "ErrorCounter.h"
 #include "Isosurface/CellAttributes.h"
 
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 #include "vtkPlane.h"
@@ -20,20 +20,13 @@ namespace
 {
 
 using hasp::testing::AttributeScene;
+using hasp::testing::ErrorCounter;
 using Color = std::array<int, 3>;
 
 class CellLabels : public ::testing::Test
 {
 protected:
   static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
-};
-
-/// Counts errors and lets none be printed.
-struct ErrorCounter : vtkCommand
-{
-  static ErrorCounter* New() { return new ErrorCounter; }
-  int Count = 0;
-  void Execute(vtkObject*, unsigned long, void*) override { ++this->Count; }
 };
 
 /// Turned by 180 degrees around z, 30 mm to the right, 8 up.
