@@ -8,6 +8,7 @@
 #include "OcclusionCulling.h"
 #include "TracedCells.h"
 
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -36,8 +37,10 @@ public:
 
   /// Brings the buffers up to date; the context must be current. Throws std::runtime_error.
   void Upload(const hasp::ClusteredCells& cells, vtkMTimeType time, std::size_t blockBytes);
-  /// Frees what rasterising needs, unless it was used since the last call.
+  /// Frees what rasterising needs, unless it was used in this frame of the window or the last one.
   void ReleaseUnusedBuffers();
+  /// When the window began the frame at hand.
+  vtkMTimeType GetFrameTime() const { return this->Frame; }
   /// Likewise for culling, which needs memory of its own.
   OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells);
 
@@ -55,7 +58,11 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType CreationTime;  ///< of the context; unique
   vtkMTimeType CellsTime = 0; ///< of what is uploaded
-  bool BuffersUsed = false;
+  vtkTimeStamp BuffersUsed;
+  vtkTimeStamp Frame, FrameBefore; ///< when they began
+  unsigned long FrameObserver;
+
+  void BeginFrame();
 };
 
 #endif

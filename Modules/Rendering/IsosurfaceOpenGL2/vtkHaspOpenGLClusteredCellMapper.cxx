@@ -238,7 +238,10 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   const CellScene scene(this, renderer, actor, this->GetColoring().uniform);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
-  tracing.Trace(scene);
+  // A pick has several passes, each a frame of its own, and follows one that was looked at.
+  tracing.Trace(scene, this->GL->Switch.Measures() ? VTK_MTIME_MAX
+                       : selector                  ? 0
+                                                   : context.GetFrameTime());
   context.Traced.Upload(window, tracing, selector != nullptr);
   vtkShaderProgram* program = context.Program.ReadyTraced(window, scene, selector);
   if (!program)
