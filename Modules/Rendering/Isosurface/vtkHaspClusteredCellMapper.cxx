@@ -3,6 +3,7 @@
 #include "ClusteredCellAttributes.h"
 #include "Isosurface/ActiveCells.h"
 #include "vtkHaspClusteredCells.h"
+#include "vtkHaspResourceTable.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkAlgorithm.h"
@@ -300,6 +301,13 @@ void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
     !this->ScalarVisibility ? "scalar visibility is off"
     : own.Coloring.uniform  ? "one colour: the scalars are the volume's own"
                             : "mapped at the stored corners" });
+}
+
+void vtkHaspClusteredCellMapper::ListResources(vtkTable* table) const
+{
+  hasp::ResourceList list;
+  this->ListResources(list);
+  FillTable(list, table);
 }
 
 bool vtkHaspClusteredCellMapper::HasOpaqueGeometry()

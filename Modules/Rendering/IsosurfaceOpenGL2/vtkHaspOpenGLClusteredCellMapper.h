@@ -36,6 +36,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void SetRenderer(int renderer) override;
   std::string GetRendererChoice() const override;
+  using Superclass::ListResources;
   void ListResources(hasp::ResourceList& list) const override;
 
 protected:

@@ -4,6 +4,7 @@
 #include "CellLabels.h"
 #include "ErrorCounter.h"
 #include "Isosurface/CellAttributes.h"
+#include "vtkHaspPickedCell.h"
 
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
@@ -191,17 +192,18 @@ TEST_F(CellLabels, APickNamesThePosedCellAndItsPoint)
         continue;
       const auto [from, way] = s.Ray(int(x), int(y));
       const glm::dvec3 to = from + 400.0 * way;
-      vtkHaspPickedCell picked{}, first{};
+      vtkNew<vtkHaspPickedCell> picked, first;
       ASSERT_TRUE(s.Mapper->PickCell(info.AttributeID, &from.x, &to.x, picked));
-      EXPECT_LT(glm::distance(glm::make_vec3(picked.position), *truth), 0.02); // 24 bits of depth
-      EXPECT_EQ(picked.label, truth->x > 10 ? 2 : 1);
+      EXPECT_LT(
+        glm::distance(glm::make_vec3(picked->GetPosition()), *truth), 0.02); // 24 bits of depth
+      EXPECT_EQ(picked->GetLabel(), truth->x > 10 ? 2 : 1);
       ASSERT_TRUE(s.Mapper->PickFirstCell(&from.x, &to.x, first));
-      EXPECT_NEAR(first.t, picked.t, 1e-6);
+      EXPECT_NEAR(first->GetT(), picked->GetT(), 1e-6);
       const glm::dvec3 ball =
         truth->x > 10 ? glm::dvec3(30 - truth->x, -truth->y, truth->z - 8) : *truth;
       const glm::dvec3 normal =
         glm::normalize(truth->x > 10 ? glm::dvec3(-ball.x, -ball.y, ball.z) : ball);
-      EXPECT_GT(glm::dot(glm::make_vec3(picked.normal), normal), 0.99);
+      EXPECT_GT(glm::dot(glm::make_vec3(picked->GetNormal()), normal), 0.99);
       ++picks;
     }
   EXPECT_GT(picks, 50);
