@@ -36,7 +36,9 @@
  * Labels: name a point array of whole numbers and each cell takes the most frequent label of its
  * inside corners. A label can have a colour, a rigid pose and be hidden; all are drawn in one pass.
  *
- * Limit: texture, edges, representation and culling of faces are ignored.
+ * Limit: texture, edges, representation and culling of faces are ignored. Render passes that change
+ * an actor's shaders are asked, but there are only the //VTK::DepthPeeling lines for them to fill;
+ * vtkSSAOPass and vtkValuePass need vtkPolyDataMapper.
  *
  * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
  * Threads: RENDER only; extraction uses all cores inside the call.

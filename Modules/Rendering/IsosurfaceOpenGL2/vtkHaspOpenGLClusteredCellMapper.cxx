@@ -243,7 +243,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
                        : selector                  ? 0
                                                    : context.GetFrameTime());
   context.Traced.Upload(window, tracing, selector != nullptr);
-  vtkShaderProgram* program = context.Program.ReadyTraced(window, scene, selector);
+  vtkShaderProgram* program = context.Program.ReadyTraced(window, this, actor, scene, selector);
   if (!program)
     throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
   context.Traced.Draw(program, tracing, scene);
