@@ -43,6 +43,8 @@ struct PictureView
   /// In index coordinates; plane . (p, 1) >= 0 is kept. Near and far plane of indexToClip always
   /// cut and need not be here.
   std::vector<glm::dvec4> planes;
+
+  bool operator==(const PictureView&) const = default;
 };
 
 /// One entry a pixel, row by row from the lowest (as OpenGL has it), ready to be textures.

@@ -3,6 +3,7 @@
 #include "ClusteredCellAttributes.h"
 #include "Isosurface/ActiveCells.h"
 #include "vtkHaspClusteredCells.h"
+#include "vtkHaspResourceTable.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkAlgorithm.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 vtkAbstractObjectFactoryNewMacro(vtkHaspClusteredCellMapper);
@@ -62,6 +64,15 @@ struct vtkHaspClusteredCellMapper::Internals
   int CellsPrecision = 0;
   vtkTimeStamp CellsTime;
   double CellsMilliseconds = 0.0;
+
+  /// All that an update depends on.
+  struct Causes
+  {
+    vtkMTimeType mapper, input;
+    const vtkDataObject* data;
+    bool operator==(const Causes&) const = default;
+  };
+  std::optional<Causes> Failed; ///< of the last update, if it failed
 
   bool Changed() const { return this->ChangedLow.x <= this->ChangedHigh.x; }
   void ForgetChanges()
@@ -111,7 +122,7 @@ struct vtkHaspClusteredCellMapper::Internals
     return size == this->ImageSize && scalars && scalars->GetDataType() == this->ImageType;
   }
 
-  /// An isovalue that is not a number is never up to date, and refused each time.
+  /// An isovalue that is not a number is never up to date, and refused.
   void UpdateSurface(vtkImageData* image, double isovalue, int precision)
   {
     const bool sameSurface = this->CellsTime.GetMTime() != 0 && this->CellsIsoValue == isovalue &&
@@ -182,23 +193,30 @@ void vtkHaspClusteredCellMapper::SetIsoValue(double value)
 
 bool vtkHaspClusteredCellMapper::UpdateCells()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    vtkErrorMacro("No input: give it a vtkImageData or a vtkHaspClusteredCells.");
-    return false;
-  }
-  this->GetInputAlgorithm()->Update();
-  vtkImageData* image = this->GetImage();
   Internals& in = *this->Internal;
-  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(this->GetInputDataObject(0, 0)))
+  vtkDataObject* input = nullptr;
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm()->Update();
+    input = this->GetInputDataObject(0, 0);
+  }
+  // VTK asks three times a frame: nothing is tried, nor said, again before there is reason to.
+  const Internals::Causes causes{ this->GetMTime(), input ? input->GetMTime() : 0, input };
+  if (in.Failed == causes)
+    return false;
+  in.Failed.reset();
+  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(input))
   {
     in.Keep(cells->GetCells());
     this->UseColorsOf(this->GetCells());
     return true;
   }
+  vtkImageData* image = this->GetImage();
   const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
   try
   {
+    if (!input)
+      throw std::invalid_argument("no input: give it a vtkImageData or a vtkHaspClusteredCells");
     if (newImage)
       in.NewImage(image);
     if (newImage && !this->IsoValueIsSet)
@@ -212,6 +230,7 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
   {
     in.Cells = {};
     in.CellsTime = {};
+    in.Failed = causes;
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     return false;
   }
@@ -287,6 +306,13 @@ void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
     : !this->ScalarVisibility ? "scalar visibility is off"
     : own.Coloring.uniform    ? "one colour: the scalars are the volume's own"
                               : "mapped at the stored corners" });
+}
+
+void vtkHaspClusteredCellMapper::ListResources(vtkTable* table) const
+{
+  hasp::ResourceList list;
+  this->ListResources(list);
+  FillTable(list, table);
 }
 
 bool vtkHaspClusteredCellMapper::HasOpaqueGeometry()

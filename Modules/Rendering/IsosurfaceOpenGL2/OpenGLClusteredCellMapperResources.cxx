@@ -14,7 +14,8 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   hasp::ResourceUse blending{ "normal blending", 0, 0.0,
     this->BlendNormals ? "nothing opaque rasterised" : "switched off" };
   const CellTracing& tracing = this->GL->Tracing;
-  hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(), 0.0,
+  hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(),
+    tracing.PictureMilliseconds(),
     tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
   double shade = 0.0, select = 0.0, traced = 0.0;
   for (const auto& context : this->GL->Contexts)
@@ -36,6 +37,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
     blending.milliseconds += context->Program.CompileMilliseconds(CellPass::Hits) +
                              context->Program.CompileMilliseconds(CellPass::Splats);
     picture.bytes += context->Traced.Bytes();
+    picture.milliseconds += context->Traced.UploadMilliseconds();
     traced += context->Program.CompileMilliseconds(CellPass::Traced);
     shade += context->Program.CompileMilliseconds(CellPass::Shade);
     select += context->Program.CompileMilliseconds(CellPass::Select);
