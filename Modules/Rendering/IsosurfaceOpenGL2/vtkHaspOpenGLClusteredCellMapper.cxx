@@ -210,7 +210,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawCells(
       { pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
         [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
   else
-    context.Buffers.Draw(draws, prepare);
+    context.Buffers.Draw(draws, prepare, context.SoftwareOpenGL);
   context.Attributes.Unbind();
 }
 
