@@ -164,7 +164,7 @@ class Isosurface(unittest.TestCase):
         self.assertGreater(milliseconds_of("active cells, host"), 0.0)
         self.assertEqual(bytes_of("active cells, GPU"), 0)
         self.assertEqual(table.GetValueByName(rows["active cells, GPU"], "reason").ToString(),
-                         "nothing drawn")
+                         "nothing rasterised")
 
 
 class Files(unittest.TestCase):

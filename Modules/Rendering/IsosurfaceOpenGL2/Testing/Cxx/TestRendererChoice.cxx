@@ -27,7 +27,9 @@ TEST(RendererChoice, TakesTheFasterOne)
       EXPECT_FALSE(choice.Trace(1000, 100));
       choice.Note(milliseconds);
       if (!choice.Decided())
+      {
         EXPECT_EQ(choice.Text().rfind("rasterised: to compare; traced in 20.0 ms, ", 0), 0U);
+      }
     }
     EXPECT_TRUE(choice.Decided());
     EXPECT_EQ(choice.Trace(1000, 100), traceIsFaster);

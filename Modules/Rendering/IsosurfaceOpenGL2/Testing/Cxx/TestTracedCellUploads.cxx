@@ -103,7 +103,9 @@ TEST_F(TracedCellUploads, CellsThatEachFrameRasterisesOnceStay)
   scene.Mapper->ListResources(list);
   for (const auto& use : list)
     if (use.resource == "active cells, GPU")
+    {
       EXPECT_EQ(use.bytes, 0U) << "nobody rasterised for a whole frame";
+    }
 }
 
 TEST_F(TracedCellUploads, AFrameTracesAViewOnce)
