@@ -2,12 +2,9 @@
 
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/Phantom.h"
-#include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
-
-#include <stdexcept>
 
 namespace hasp
 {
@@ -49,16 +46,6 @@ CellScene GyroidScene(int n)
 CellScene SpongyBoneScene(int n)
 {
   return Analytic("bone", AnalyticTrabecular(31.0, 0.64, 6.4), n);
-}
-
-CellScene VolumeScene(const std::string& path)
-{
-  const auto image = LoadVolume(OpenVolume(path, {})).image;
-  int dims[3];
-  image->GetDimensions(dims);
-  const std::string size =
-    std::to_string(dims[0]) + "x" + std::to_string(dims[1]) + "x" + std::to_string(dims[2]);
-  return { "@cranium", "real CT, " + size + ", 226", image, 226.0 };
 }
 
 } // namespace hasp

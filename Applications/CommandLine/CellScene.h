@@ -25,7 +25,5 @@ CellScene HeadScene(int n, std::uint64_t seed, bool named = false);
 /// Four periods of a gyroid, and spongy bone of ten periods in a shell: int16, from closed forms.
 CellScene GyroidScene(int n);
 CellScene SpongyBoneScene(int n);
-/// A real CT, bone at 226. Throws std::runtime_error, as reading does.
-CellScene VolumeScene(const std::string& path);
 
 } // namespace hasp

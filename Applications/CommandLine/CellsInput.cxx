@@ -29,8 +29,8 @@ std::shared_ptr<const ClusteredCells> ReadCells(const std::string& path, Session
       });
     const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - start;
-    session.resources.push_back({ "active cells, file", cells->Bytes(), spent.count(),
-      std::to_string(cells->Count()) + " cells, read and checked" });
+    session.resources.push_back({ "reading active cells", 0, spent.count(),
+      std::to_string(cells->Count()) + " cells, each cluster checked" });
     return cells;
   }
   catch (const std::bad_alloc&)

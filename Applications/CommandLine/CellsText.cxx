@@ -43,6 +43,16 @@ std::string Figure(const char* format, double value)
   return text;
 }
 
+/// What the same surface would take as a mesh.
+std::string MeshText(const ClusteredCells& cells)
+{
+  if (cells.Count() == 0)
+    return "no surface";
+  const std::size_t mesh = CellMeshBytes(cells.Count());
+  return "as compact indexed triangles the surface takes " + std::to_string(mesh) + " bytes, " +
+         Figure("%.1f", double(mesh) / double(cells.Bytes())) + " times as many";
+}
+
 template <typename Vector>
 std::string Three(const Vector& v, const char* between)
 {
@@ -70,8 +80,7 @@ std::string CellsText(const ClusteredCells& cells)
   std::ostringstream text;
   text << "cells       " << cells.Count() << "\nclusters    " << cells.clusters.size()
        << "\nbytes       " << cells.Bytes() << ", " << Figure("%.2f", PerCell(cells))
-       << " a cell\nmesh        " << Figure("%.3f", MeshShare(cells))
-       << " of an indexed mesh of 32 bytes a cell\nisovalue    " << cells.isovalue
+       << " a cell\nmesh        " << MeshText(cells) << "\nisovalue    " << cells.isovalue
        << "\nprecision   "
        << (IsCompact(cells) ? "compact: 8 bits a corner, the sign exact"
                             : "exact: corners are the volume's samples")

@@ -28,6 +28,9 @@ public:
 /// files.
 std::string SafeText(const std::exception& error);
 
+/// A text of ours as its user reads it: "ExtractActiveCells: the volume ..." without the function.
+std::string WithoutFunctionNames(const std::string& text);
+
 /// A failed check and its reasons, a line each.
 inline Failure FailedCheck(const std::string& what, const std::vector<std::string>& faults)
 {

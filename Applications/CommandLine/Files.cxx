@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 #include <stdexcept>
 #include <system_error>
 
@@ -61,6 +62,12 @@ std::string SafeText(const std::exception& error)
   if (dynamic_cast<const nlohmann::json::exception*>(&error)) // quotes the file
     return "no valid JSON";
   return error.what();
+}
+
+std::string WithoutFunctionNames(const std::string& text)
+{
+  static const std::regex name("\\b[A-Z]\\w*[a-z][A-Z]\\w*(::\\w+)?: ");
+  return std::regex_replace(text, name, "");
 }
 
 void RequireWritable(const std::string& path, const std::vector<std::string>& endings)

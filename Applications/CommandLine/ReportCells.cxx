@@ -3,7 +3,10 @@
 #include "CellRows.h"
 #include "ReportCellsParts.h"
 #include "ReportRegistry.h"
+#include "ReportVolume.h"
 #include "Windows.h"
+
+#include "vtkImageData.h"
 
 #include <filesystem>
 #include <functional>
@@ -52,7 +55,8 @@ void MeasureVolume(ReportContext& context, int pixels)
       "no real CT there: give --volume the path that Utilities/Scripts/cranium prints"));
     return;
   }
-  const CellScene scene = VolumeScene(path);
+  const ReportVolume volume = ReadReportVolume(path);
+  const CellScene scene{ "@" + volume.name, volume.data, volume.image, volume.isovalue };
   ReportCellBytes(context, scene);
   ReportCellEdits(context, scene);
   ReportCellDepth(context, scene, pixels);
@@ -67,6 +71,7 @@ void ReportCells(ReportContext& context)
   const std::uint64_t seed = context.settings.seed;
   const int pixels = quick ? 160 : 512;
   const int head = quick ? 96 : 256;
+  RequireReportVolume(context.settings.volume);
   ChooseWindows();
   context.report.machine.gl = OpenGLName();
 

@@ -5,8 +5,8 @@
 #include "Isosurface/RayCaster.h"
 #include "IsosurfaceComparison.h"
 #include "ReportRegistry.h"
+#include "ReportVolume.h"
 #include "Windows.h"
-#include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkCamera.h"
@@ -138,10 +138,10 @@ void RunRealVolume(ReportContext& context, int pixels)
     context.report.rows.push_back(row);
     return;
   }
-  const auto image = LoadVolume(OpenVolume(path, {})).image;
-  const double* spacing = image->GetSpacing();
-  const IsosurfaceView view(image, 226.0, pixels, pixels, Oblique);
-  IsosurfaceComparison comparison(context, "cranium", "cranium",
+  const ReportVolume volume = ReadReportVolume(path);
+  const double* spacing = volume.image->GetSpacing();
+  const IsosurfaceView view(volume.image, volume.isovalue, pixels, pixels, Oblique);
+  IsosurfaceComparison comparison(context, volume.name, volume.name,
     *std::min_element(spacing, spacing + 3), view, TrilinearTruth(view));
   CompareAll(comparison, view);
 }
@@ -208,6 +208,7 @@ void RunStability(ReportContext& context)
 
 void ReportIsosurface(ReportContext& context)
 {
+  RequireReportVolume(context.settings.volume);
   ChooseWindows();
   context.report.machine.gl = OpenGLName();
   const bool quick = context.settings.quick;

@@ -89,7 +89,7 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const CellDraw
   return { actor.Get(), [kept](ResourceList& list)
     {
       kept->ListResources(list);
-      list.push_back({ "mesh", 0, 0.0, "--mapper cells draws without one" });
+      list.push_back({ "mesh", 0, 0.0, "active cells are drawn without one" });
     } };
 }
 #endif

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -49,17 +50,17 @@ auto Doing(ExitCode otherwise, const Work& work)
   {
     return work();
   }
+  catch (const Failure&)
+  {
+    throw;
+  }
   catch (const std::bad_alloc&)
   {
     throw; // no fault of the file; the caller says what to do
   }
   catch (const std::invalid_argument& error)
   {
-    throw Failure(ExitCode::WrongUse, SafeText(error));
-  }
-  catch (const MemoryCapExceeded& error)
-  {
-    throw Failure(ExitCode::WrongUse, std::string(error.what()) + " (--memory-limit)");
+    throw Failure(ExitCode::WrongUse, WithoutFunctionNames(SafeText(error)));
   }
   catch (const std::exception& error)
   {
@@ -96,28 +97,45 @@ std::unique_ptr<VolumeSlabReader> OpenSlabs(const CellsOptions& options, Session
   return reader;
 }
 
+/// The kernel's refusal in the words of the command line.
+Failure TooSmall(std::size_t limitMiB, std::size_t neededBytes, double share)
+{
+  return Failure(ExitCode::WrongUse,
+    "--memory-limit is " + std::to_string(limitMiB) + " MiB, and " +
+      std::to_string(neededBytes / (1 << 20) + 1) + " are needed at least, after " +
+      std::to_string(int(100.0 * share)) +
+      " % of the volume: raise it, crop the volume or choose another --isovalue");
+}
+
 ClusteredCells Extract(VolumeSlabReader& reader, const CellsOptions& options, Session& session)
 {
   session.progress.Step("extracting active cells");
   const std::size_t limit = options.limitMiB << 20;
   SlabSettings settings;
   settings.precision = options.compact ? CellPrecision::Compact : CellPrecision::Exact;
-  settings.memoryCapBytes = reader.Streams() ? limit : limit - std::min(limit, reader.BytesHeld());
+  const std::size_t loaded = reader.Streams() ? 0 : std::min(limit, reader.BytesHeld());
+  settings.memoryCapBytes = limit - loaded;
   const auto start = Clock::now();
   double reading = 0.0;
+  const SlabSource slabs = [&](int first, int count)
+  {
+    const auto asked = Clock::now();
+    const AnyGridView slab = reader.Read(first, count);
+    reading += MillisecondsSince(asked);
+    return slab;
+  };
   ClusteredCells cells = Doing(ExitCode::BadInput,
     [&]
     {
-      return ExtractActiveCellsFromSlabs(
-        reader.GetPassport().geometry,
-        [&](int first, int count)
-        {
-          const auto asked = Clock::now();
-          const AnyGridView slab = reader.Read(first, count);
-          reading += MillisecondsSince(asked);
-          return slab;
-        },
-        options.isoValue, settings, ShowOn(session));
+      try
+      {
+        return ExtractActiveCellsFromSlabs(
+          reader.GetPassport().geometry, slabs, options.isoValue, settings, ShowOn(session));
+      }
+      catch (const MemoryCapExceeded& error)
+      {
+        throw TooSmall(options.limitMiB, loaded + error.neededBytes, error.share);
+      }
     });
   const Passport& passport = reader.GetPassport();
   session.resources.push_back({ reader.Streams() ? "volume, a slab of it" : "volume",
@@ -141,7 +159,10 @@ void Run(const CellsOptions& options, Session& session)
   session.progress.Step("writing " + FileLabel(options.output));
   const auto start = Clock::now();
   Doing(ExitCode::WrongUse, [&] { WriteCells(cells, options.output, ShowOn(session)); });
-  session.resources.push_back({ "file", cells.Bytes(), MillisecondsSince(start), "checked first" });
+  const double spent = MillisecondsSince(start);
+  std::error_code gone;
+  session.resources.push_back({ "file", std::filesystem::file_size(options.output, gone), spent,
+    "on disk; the cells were checked before" });
   session.progress.Wipe();
   session.result["output"] = FileLabel(options.output);
   if (session.json)

@@ -4,6 +4,7 @@
 #include "Session.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
+#include "vtkHaspCellFile.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspSurfaceFile.h"
 
@@ -40,6 +41,10 @@ void RefuseOneForBoth(const ConvertOptions& options)
 void Run(const ConvertOptions& options, Session& session)
 {
   RefuseOneForBoth(options);
+  RefuseCells(options.volume.input, "volume and no triangles");
+  if (IsCellFileName(options.output))
+    throw Failure(
+      ExitCode::WrongUse, "active cells are for one isovalue: hasp cells makes them of a volume");
   const OutputKind kind = KindOfOutput(options.output);
   const bool surface = IsSurfaceName(options.volume.input);
   if (kind == OutputKind::Unknown)

@@ -12,6 +12,8 @@
 #include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeView.h"
 
+#include "Isosurface/ClusteredCells.h"
+
 #include <CLI/CLI.hpp>
 
 #include <chrono>
@@ -26,14 +28,15 @@ namespace
 void RefuseVolumeOptions(const VolumeChoices& choices)
 {
   if (choices.series != 0 || choices.resample)
-    throw Failure(
-      ExitCode::WrongUse, "--series and --resample are for volumes; leave them out for a surface");
+    throw Failure(ExitCode::WrongUse,
+      "--series and --resample are for volumes; leave them out for surfaces and cells");
 }
 
 void RunOnCells(const VolumeChoices& choices, Session& session)
 {
   RefuseVolumeOptions(choices);
   const auto cells = ReadCells(choices.input, session);
+  session.resources.push_back({ "active cells", cells->Bytes(), 0.0, "held for the passport" });
   session.progress.Wipe();
   if (session.json)
     session.result["cells"] = CellsJson(*cells);
@@ -85,6 +88,8 @@ void AddInfoVerb(CLI::App& app, Session& session)
   CLI::App* verb =
     app.add_subcommand("info", "Check a volume, a surface or active cells and print the passport");
   AddVolumeOptions(*verb, *options);
+  verb->get_option("IN")->description(
+    "Volume: a file, or a folder of slices; surface; or active cells, .hcells");
   AddCommonOptions(*verb, session);
   verb->footer(
     "The passport holds size, place, orientation, values and warnings, and nothing of the "

@@ -51,7 +51,8 @@ void RunOnCells(const Choices& choices, Session& session)
   vtkNew<vtkHaspClusteredCells> cells;
   cells->SetCells(ReadCells(volume.input, session));
   if (cells->GetNumberOfCells() == 0)
-    throw Failure(ExitCode::BadInput, FileLabel(volume.input) + ": holds no active cells");
+    throw Failure(ExitCode::BadInput,
+      FileLabel(volume.input) + ": its isovalue has no surface, there is nothing to draw");
   Draw(cells, choices.render, choices.output, session);
 }
 
@@ -60,6 +61,7 @@ void Run(Choices choices, Session& session)
   RequireWritable(choices.output, { ".png" });
   if (IsCellFileName(choices.volume.input))
     return RunOnCells(choices, session);
+  RefuseCells(choices.volume.input, "volume"); // before their lack of an isovalue is a fault
   if (!choices.isoValue)
     throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
   if (choices.render.mapper == "mesh" &&
@@ -129,6 +131,8 @@ void AddRenderVerb(CLI::App& app, Session& session)
   CLI::App* verb = app.add_subcommand(
     "render", "Draw an isosurface of a volume, or active cells, into a PNG file");
   AddVolumeOptions(*verb, choices->volume);
+  verb->get_option("IN")->description(
+    "Volume: a file, or a folder of slices; or active cells, .hcells");
   verb->add_option("--isovalue", choices->isoValue,
     "In the volume's units; bone in CT: 226. Active cells have their own");
   verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();

@@ -142,7 +142,8 @@ void AddReportVerb(CLI::App& app, Session& session)
   options->settings.volume = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
   verb
     ->add_option("--volume", options->settings.volume,
-      "A real CT to measure on too, bone at 226; Utilities/Scripts/cranium prints one")
+      "A CT to measure on too, bone at 226: its rows end in @volume, those of the demo's, which "
+      "Utilities/Scripts/cranium prints, in @cranium")
     ->capture_default_str();
   verb->add_option("--json", options->json, "Write the figures to this .json file");
   verb->add_option("--html", options->html, "Write tables and charts to this .html file");

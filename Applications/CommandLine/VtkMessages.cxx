@@ -51,7 +51,7 @@ std::string Message(const std::string& text)
   std::string message = text.substr(start + 3);
   while (!message.empty() && (message.back() == '\n' || message.back() == ' '))
     message.pop_back();
-  return message;
+  return WithoutFunctionNames(message);
 }
 
 } // namespace

@@ -8,7 +8,7 @@ import unittest
 
 import hasp
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
 RADIUS = 9.0  # mm
@@ -118,6 +118,53 @@ class Isosurface(unittest.TestCase):
         said = errors_of(mapper)
         self.assertEqual(lit_pixels(window), 0)
         self.assertEqual(said, [])
+
+
+    def test_picks_voxel_place_and_normal(self):
+        mapper = hasp.vtkHaspClusteredCellMapper()
+        mapper.SetInputData(ball())
+        mapper.SetIsoValue(0.0)
+        self.assertTrue(mapper.UpdateCells())
+        picked = hasp.vtkHaspPickedCell()
+        self.assertEqual(picked.GetCellId(), -1)
+        start, end = (2.3, -1.4, 50.0), (2.3, -1.4, -50.0)
+        self.assertTrue(mapper.PickFirstCell(start, end, picked))
+        truth = (2.3, -1.4, math.sqrt(RADIUS ** 2 - 2.3 ** 2 - 1.4 ** 2))
+        for told, true in zip(picked.GetPosition(), truth):
+            self.assertAlmostEqual(told, true, delta=0.04)  # a cell of 1 mm is 0.03 off the ball
+        for told, true in zip(picked.GetNormal(), truth):
+            self.assertAlmostEqual(told, true / RADIUS, delta=0.1)
+        z = picked.GetPosition()[2]
+        self.assertEqual(picked.GetIJK(), (14, 10, 12 + int(z)))
+        for told, true in zip(picked.GetPCoords(), (0.3, 0.6, z % 1.0)):
+            self.assertAlmostEqual(told, true, delta=1e-5)
+        self.assertAlmostEqual(picked.GetT(), (50.0 - z) / 100.0, delta=1e-6)
+        self.assertEqual((picked.GetValue(), picked.GetLabel()), (0.0, 0))
+        again = hasp.vtkHaspPickedCell()
+        self.assertTrue(mapper.PickCell(picked.GetCellId(), start, end, again))
+        self.assertEqual(again.GetPosition(), picked.GetPosition())
+        self.assertFalse(mapper.PickFirstCell((20, 0, 50), (20, 0, -50), again))
+        self.assertEqual(again.GetCellId(), picked.GetCellId())  # as it was
+
+    def test_lists_what_it_holds_and_what_not(self):
+        mapper = hasp.vtkHaspClusteredCellMapper()
+        mapper.SetInputData(ball())
+        mapper.SetIsoValue(0.0)
+        self.assertTrue(mapper.UpdateCells())
+        table = vtkTable()
+        mapper.ListResources(table)
+        rows = {table.GetValueByName(row, "resource").ToString(): row
+                for row in range(table.GetNumberOfRows())}
+        self.assertEqual(len(rows), table.GetNumberOfRows())
+        def bytes_of(name):
+            return table.GetValueByName(rows[name], "bytes").ToInt()
+        def milliseconds_of(name):
+            return table.GetValueByName(rows[name], "milliseconds").ToDouble()
+        self.assertGreater(bytes_of("active cells, host"), 1000)
+        self.assertGreater(milliseconds_of("active cells, host"), 0.0)
+        self.assertEqual(bytes_of("active cells, GPU"), 0)
+        self.assertEqual(table.GetValueByName(rows["active cells, GPU"], "reason").ToString(),
+                         "nothing rasterised")
 
 
 class Files(unittest.TestCase):

@@ -90,9 +90,12 @@ TEST_F(Canary, ActiveCellsGiveNothingAway)
     0);
   std::vector<std::string> files = Damaged(cells);
   files.push_back(cells);
+  files.push_back(this->In() / (canary::Name() + ".mha")); // under a volume's name
+  fs::copy(cells, files.back());
   for (const std::string& file : files)
   {
     this->ExpectNoneTwice({ "info", file });
+    this->ExpectNone({ "cells", file, "--isovalue", "0", "--output", this->OutFile("x.hcells") });
     this->ExpectNone({ "convert", file, this->OutFile("x.mha") });
 #if HASP_WITH_PICTURES
     this->ExpectNone(

@@ -15,8 +15,14 @@ protected:
   /// The resources of one picture by name.
   std::map<std::string, json> Resources(const std::vector<std::string>& more)
   {
-    std::vector<std::string> words{ "render", this->Phantom(), "--isovalue", "226", "--resolution",
-      "60,60", "--output", this->Path("x.png"), "--explain", "--json" };
+    return this->Resources(more, { this->Phantom(), "--isovalue", "226" });
+  }
+  std::map<std::string, json> Resources(
+    const std::vector<std::string>& more, const std::vector<std::string>& input)
+  {
+    std::vector<std::string> words{ "render", "--resolution", "60,60", "--output",
+      this->Path("x.png"), "--explain", "--json" };
+    words.insert(words.end(), input.begin(), input.end());
     words.insert(words.end(), more.begin(), more.end());
     const HaspRun run = RunHasp(words);
     EXPECT_EQ(run.exitCode, 0) << run.err;
@@ -74,6 +80,24 @@ TEST_F(HaspExplain, TheCellMapperMakesNoMeshAndNoPickingBuffers)
   const bool traced = resources.at("ray tracing tree").at("bytes") > 0;
   ExpectBuilt(resources, traced ? "ray tracing tree" : "active cells, GPU");
   ExpectSkipped(resources, traced ? "active cells, GPU" : "ray tracing tree");
+}
+
+TEST_F(HaspExplain, CellsThatAreGivenAreListedOnceAndNothingIsExtracted)
+{
+  const auto extracted = this->Resources({});
+  ASSERT_EQ(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "226", "--output",
+                      this->Path("head.hcells") })
+              .exitCode,
+    0);
+  const auto given = this->Resources({}, { this->Path("head.hcells") });
+  ExpectSkipped(given, "min-max blocks");
+  EXPECT_NE(given.at("min-max blocks").at("reason"), extracted.at("min-max blocks").at("reason"));
+  EXPECT_EQ(
+    given.at("active cells, host").at("bytes"), extracted.at("active cells, host").at("bytes"));
+  EXPECT_EQ(given.at("reading active cells").at("bytes"), 0); // they are the host's
+  EXPECT_GT(given.at("reading active cells").at("ms"), 0.0);
+  ExpectSkipped(given, "cell labels, host");
+  EXPECT_EQ(given.at("cell labels, host").at("reason"), "the input has none");
 }
 
 TEST_F(HaspExplain, TheTableSaysTheSame)

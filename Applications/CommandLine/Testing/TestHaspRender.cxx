@@ -1,4 +1,4 @@
-#include "HaspProcess.h"
+#include "RenderFixture.h"
 
 #include <array>
 #include <cmath>
@@ -9,18 +9,9 @@
 namespace
 {
 
-using Words = std::vector<std::string>;
-
-class HaspRender : public HaspTest
+class HaspRender : public RenderFixture
 {
 protected:
-  HaspRun Render(const Words& more, const std::string& output = "out.png") const
-  {
-    Words words{ "render", this->Path("head.mha"), "--isovalue", "226", "--resolution", "120,90",
-      "--output", this->Path(output) };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
   /// Width and height out of the PNG's header.
   std::pair<int, int> Size(const std::string& name) const
   {
@@ -60,65 +51,16 @@ TEST_F(HaspRender, WhatCannotBeWrittenIsOneAndLeavesNothing)
   EXPECT_EQ(this->Names(), (Words{ "head.mha", "taken.png" }));
 }
 
-TEST_F(HaspRender, ActiveCellsAreDrawnWithoutTheVolume)
+/// In the words of the command line, which knows of no function.
+TEST_F(HaspRender, AVolumeTooLongForCellsIsSaid)
 {
-  this->Phantom();
-  ASSERT_EQ(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "226", "--output",
-                      this->Path("head.hcells") })
-              .exitCode,
-    0);
-  ASSERT_EQ(this->Render({}, "volume.png").exitCode, 0);
-  std::filesystem::remove(this->Path("head.mha"));
-  const auto draw = [&](const Words& more)
-  {
-    Words words{ "render", this->Path("head.hcells"), "--resolution", "120,90", "--output",
-      this->Path("cells.png") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  };
-  for (const Words& words : { Words{ "--isovalue", "226" }, Words{ "--ignore-below", "5" },
-         Words{ "--mapper", "mesh" }, Words{ "--series", "1" } })
-    ExpectFailure(draw(words), 1, "for volumes");
-  const HaspRun run = draw({});
-  ASSERT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_EQ(ReadBytes(this->Path("cells.png")), ReadBytes(this->Path("volume.png")));
-  ExpectFailure(RunHasp({ "render", this->Path("none.mha"), "--output", this->Path("x.png") }), 1,
-    "--isovalue");
-}
-
-TEST_F(HaspRender, BothRenderersDrawTheSameSurface)
-{
-  this->Phantom();
-  const HaspRun traced = this->Render({ "--renderer", "trace", "--explain" }, "trace.png");
-  if (!HASP_WITH_EMBREE)
-    return ExpectFailure(traced, 1, "HASP_ENABLE_EMBREE");
-  ASSERT_EQ(traced.exitCode, 0) << traced.err;
-  EXPECT_NE(traced.out.find("traced picture"), std::string::npos) << traced.out;
-  const HaspRun drawn = this->Render({ "--renderer", "rasterize", "--explain" }, "raster.png");
-  ASSERT_EQ(drawn.exitCode, 0) << drawn.err;
-  EXPECT_NE(drawn.out.find("active cells, GPU"), std::string::npos) << drawn.out;
-  const double ratio = double(ReadBytes(this->Path("trace.png")).size()) /
-                       double(ReadBytes(this->Path("raster.png")).size());
-  EXPECT_NEAR(ratio, 1.0, 0.02); // alike to a few pixels; the mapper's own tests compare them
-  ExpectFailure(this->Render({ "--renderer", "magic" }), 1, "one of");
-}
-
-TEST_F(HaspRender, CompactCellsAreSmallerAndOnlyForCells)
-{
-  this->Phantom();
-  const auto bytesOfCells = [&](const HaspRun& run)
-  {
-    const std::size_t at = run.out.find("active cells, host");
-    return at == std::string::npos ? 0 : std::stol(run.out.substr(at + 18));
-  };
-  const HaspRun exact = this->Render({ "--explain" }, "exact.png");
-  const HaspRun compact = this->Render({ "--compact", "--explain" }, "compact.png");
-  ASSERT_EQ(compact.exitCode, 0) << compact.err;
-  EXPECT_GT(bytesOfCells(compact), 0);
-  EXPECT_LT(bytesOfCells(compact), bytesOfCells(exact));
-  ExpectFailure(this->Render({ "--compact", "--mapper", "mesh" }), 1, "--mapper cells");
-  ExpectFailure(
-    this->Render({ "--renderer", "rasterize", "--mapper", "mesh" }), 1, "--mapper cells");
+  this->WriteText("long.mha", "ObjectType = Image\nNDims = 3\nDimSize = 65538 2 2\nElementSpacing "
+                              "= 1 1 1\nElementType = MET_UCHAR\n"
+                              "ElementDataFile = LOCAL\n" +
+                                std::string(65537 * 4, '\0') + std::string(4, '\1'));
+  ExpectFailure(RunHasp({ "render", this->Path("long.mha"), "--isovalue", "0.5", "--output",
+                  this->Path("x.png") }),
+    2, "isosurface: the volume has more than 65,537 samples along one axis: crop");
 }
 
 TEST_F(HaspRender, AFailureKeepsTheOldPicture)

@@ -31,6 +31,21 @@ TEST_F(HaspReport, WrongUseIsOne)
   EXPECT_TRUE(this->Names().empty());
 }
 
+#if HASP_WITH_CELLS
+TEST_F(HaspReport, WhatIsNoVolumeIsTwoBeforeAnythingIsMeasured)
+{
+  this->WriteText("Erika.mha", "\x89HCELL\r\n");
+  this->WriteText("Erika.txt", "Dear colleague,\n");
+  for (const char* report : { "cells", "isosurface" })
+  {
+    ExpectFailure(RunHasp({ "report", report, "--volume", this->Path("Erika.mha") }), 2,
+      "the .mha file: holds active cells");
+    ExpectFailure(RunHasp({ "report", report, "--volume", this->Path("Erika.txt") }), 2,
+      "the file: is of no kind that is read");
+  }
+}
+#endif
+
 TEST_F(HaspReport, WritesWhatItMeasured)
 {
   const HaspRun run = RunHasp({ "report", "stereo", "stereo", "--quick", "--seed", "7", "--json",

@@ -1,17 +1,22 @@
 #include "vtkHaspClusteredCellFilter.h"
 
 #include "Isosurface/ActiveCells.h"
+#include "Isosurface/CellAttributes.h"
 #include "vtkHaspClusteredCells.h"
 #include "vtkHaspVolumeView.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkHaspClusteredCellFilter);
 
@@ -48,6 +53,7 @@ struct vtkHaspClusteredCellFilter::Internals
   std::shared_ptr<hasp::ClusteredCells> cells; ///< null, or of `from`
   double isoValue = 0.0;                       ///< and of these
   bool compact = false;
+  std::string labelArray;
   std::optional<SampleBox> marked; ///< in the indices of the input's extent
 
   void Forget()
@@ -59,7 +65,7 @@ struct vtkHaspClusteredCellFilter::Internals
 
   /// Brings blocks and cells up to date. What it leaves after an exception is to be forgotten.
   void Update(vtkImageData* image, double newIsoValue, bool newCompact,
-    const hasp::ProgressFunction& progress)
+    const std::string& newLabelArray, const hasp::ProgressFunction& progress)
   {
     const hasp::AnyGridView grid = hasp::ViewImage(image);
     const bool known =
@@ -71,7 +77,8 @@ struct vtkHaspClusteredCellFilter::Internals
       this->Forget();
       this->blocks = hasp::MinMaxBlocks(grid);
     }
-    else if (this->marked)
+    const bool sameCells = known && sameSurface && !this->marked;
+    if (known && this->marked)
       this->Apply(*this->marked, image, grid, sameSurface);
     if (!known || !sameSurface)
     {
@@ -80,9 +87,12 @@ struct vtkHaspClusteredCellFilter::Internals
       this->cells = std::make_shared<hasp::ClusteredCells>(
         hasp::ExtractActiveCells(grid, this->blocks, newIsoValue, precision, progress));
     }
+    if (!sameCells || newLabelArray != this->labelArray)
+      this->AddLabels(newLabelArray, image);
     this->from = { image, image->GetMTime(), grid.index(), hasp::GeometryOf(grid) };
     this->isoValue = newIsoValue;
     this->compact = newCompact;
+    this->labelArray = newLabelArray;
     this->marked.reset();
   }
 
@@ -97,9 +107,29 @@ struct vtkHaspClusteredCellFilter::Internals
     const glm::ivec3 high = glm::clamp(box.high, first - 1, last) - first;
     if (!sameSurface)
       return this->blocks.Update(grid, low, high);
-    if (this->cells.use_count() > 1) // somebody else draws them
+    hasp::UpdateActiveCells(this->Own(), grid, this->blocks, low, high);
+  }
+
+  /// In place of those there are.
+  void AddLabels(const std::string& array, vtkImageData* image)
+  {
+    if (array.empty() && this->cells->labels.empty())
+      return;
+    this->Own().labels = {};
+    if (array.empty())
+      return;
+    vtkDataArray* labels = image->GetPointData()->GetArray(array.c_str());
+    if (!labels)
+      throw std::invalid_argument("the image has no point array " + array + " for labels");
+    hasp::AddLabels(*this->cells, hasp::ViewPointArray(image, labels));
+  }
+
+  /// The cells, to be changed: a copy if somebody else draws them.
+  hasp::ClusteredCells& Own()
+  {
+    if (this->cells.use_count() > 1)
       this->cells = std::make_shared<hasp::ClusteredCells>(*this->cells);
-    hasp::UpdateActiveCells(*this->cells, grid, this->blocks, low, high);
+    return *this->cells;
   }
 };
 
@@ -134,7 +164,7 @@ int vtkHaspClusteredCellFilter::RequestData(
   try
   {
     this->Inside->Update(vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0)), this->IsoValue,
-      this->Compact, progress);
+      this->Compact, this->LabelArrayName, progress);
     output->SetCells(this->Inside->cells);
     return 1;
   }
@@ -156,6 +186,7 @@ void vtkHaspClusteredCellFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IsoValue: " << this->IsoValue << "\n"
      << indent << "Compact: " << (this->Compact ? "on" : "off") << "\n"
+     << indent << "LabelArrayName: " << this->LabelArrayName << "\n"
      << indent << "Active cells: " << (this->Inside->cells ? this->Inside->cells->Count() : 0)
      << "\n";
 }

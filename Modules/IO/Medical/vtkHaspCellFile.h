@@ -27,6 +27,11 @@ struct CellReadSettings
 /// Does the name end in .hcells?
 VTKHASPIOMEDICAL_EXPORT bool IsCellFileName(const std::string& path);
 
+/// For whoever reads something else, `wanted` ("volume"): throws std::runtime_error, with what the
+/// file is and what to do, if it begins as active cells do, whatever its name. Never for what is
+/// no regular file.
+VTKHASPIOMEDICAL_EXPORT void RefuseCells(const std::string& path, const std::string& wanted);
+
 /// UTF-8 path. Sizes are held against the file's before memory is taken, checksums before anything
 /// is believed, and then each cluster by ValidateCells: whoever draws or traces what comes out need
 /// not doubt a number in it, whoever wrote the file.

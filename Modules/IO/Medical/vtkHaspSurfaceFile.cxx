@@ -1,6 +1,7 @@
 #include "vtkHaspSurfaceFile.h"
 #include "Files/FileError.h"
 #include "Surfaces/SurfaceFormat.h"
+#include "vtkHaspCellFile.h"
 
 #include "vtkPolyData.h"
 
@@ -52,6 +53,7 @@ LoadedSurface LoadSurface(
     ThrowFileError(file, "there is no such file");
   if (!std::filesystem::is_regular_file(status))
     ThrowFileError(file, "is no file; surfaces are read from .stl, .ply, .obj and .vtp files");
+  RefuseCells(path, "triangles");
   const Reader reader = ReaderOf(file);
   if (!reader)
     ThrowFileError(file, "is of no kind that is read: .stl, .ply, .obj or .vtp");

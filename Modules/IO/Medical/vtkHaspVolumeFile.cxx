@@ -1,5 +1,7 @@
 #include "vtkHaspVolumeFile.h"
+#include "Cells/CellFile.h"
 #include "Volumes/VolumeFormat.h"
+#include "vtkHaspCellFile.h"
 #include "vtkHaspVolumeHash.h"
 #include "vtkHaspVolumeView.h"
 
@@ -147,11 +149,14 @@ OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSetti
     ThrowFileError(file, "pairs of .hdr and .img are not read; save it as a single .nii file");
   if (extension == ".vti")
     return OpenXMLImage(file, settings);
+  if (extension == ".hcells")
+    ThrowIsNoCells(file);
   if (IsOneDicomFile(file))
     ThrowFileError(file, "is a single DICOM file; open the folder that holds the whole series");
   ThrowFileError(file,
-    "is of no kind that is read: a folder of DICOM slices, .inv3, .mha, .mhd, .nrrd, .nhdr, "
-    ".seg.nrrd, .nii, .nii.gz or .vti");
+    "is of no kind that is read: volumes are folders of DICOM slices, .inv3, .mha, .mhd, .nrrd, "
+    ".nhdr, .seg.nrrd, .nii, .nii.gz or .vti, active cells .hcells, surfaces .stl, .ply, .obj or "
+    ".vtp");
 }
 
 } // namespace
@@ -163,6 +168,7 @@ OpenedVolume OpenVolume(
   if (path.empty())
     throw std::invalid_argument("no file or folder is named");
   const std::filesystem::path file = std::filesystem::u8path(path);
+  RefuseCells(path, "volume");
   OpenedVolume opened = OpenByKind(file, settings, progress);
   if (settings.series > opened.passport.seriesFound)
     ThrowFileError(file, "series " + std::to_string(settings.series) +

@@ -224,7 +224,8 @@ ClusteredCells BeginCells(const AnyGridView& grid, double isovalue)
     throw std::invalid_argument("ExtractActiveCells: the isovalue must be a finite number");
   const glm::ivec3& dims = geometry.dims;
   if (std::max({ dims.x, dims.y, dims.z }) - 1 > MostBlocks * Side)
-    throw std::invalid_argument("ExtractActiveCells: more than 65,537 samples along one axis");
+    throw std::invalid_argument("ExtractActiveCells: the volume has more than 65,537 samples along "
+                                "one axis: crop or resample it");
   std::visit([&]<typename T>(const GridView<const T>&) { cells.cornerType = CornersOf<T>; }, grid);
   return cells;
 }

@@ -55,6 +55,8 @@ VisibleClusters MovedClusters::Cull(const glm::dmat4& indexToClip,
   for (std::size_t m = 0; m < moves.size(); ++m)
   {
     const Group& group = this->Groups[m];
+    if (group.numbers.empty()) // a label that no cell has
+      continue;
     const VisibleClusters seen =
       CullClusters(group.cells, indexToClip * moves[m], viewport, pointLimit, margin);
     for (const std::uint32_t n : seen.points)

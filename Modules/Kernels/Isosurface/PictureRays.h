@@ -27,6 +27,8 @@ struct PictureView
   /// In index coordinates; plane . (p, 1) >= 0 is kept. Near and far plane of indexToClip always
   /// cut and need not be here.
   std::vector<glm::dvec4> planes;
+
+  bool operator==(const PictureView&) const = default;
 };
 
 /// The rays of a view's pixels, cut by its planes, from the camera's matrix alone. Any thread.

@@ -24,12 +24,8 @@ public:
   bool Holds(std::size_t bytes) const { return bytes <= this->Cap; }
   void Require(std::size_t bytes, double share) const
   {
-    if (this->Holds(bytes))
-      return;
-    throw MemoryCapExceeded("ExtractActiveCellsFromSlabs: needs " + std::to_string(bytes) +
-                            " bytes after " + std::to_string(int(100.0 * share)) +
-                            " % of the volume, the limit is " + std::to_string(this->Cap) +
-                            ": raise it, crop the volume or choose another isovalue");
+    if (!this->Holds(bytes))
+      throw MemoryCapExceeded(bytes, this->Cap, share);
   }
 
 private:
@@ -141,6 +137,17 @@ AnyGridView Whole(const AnyGridView& slab, const GridGeometry& geometry)
 }
 
 } // namespace
+
+MemoryCapExceeded::MemoryCapExceeded(std::size_t needed, std::size_t cap, double done)
+  : std::runtime_error("ExtractActiveCellsFromSlabs: needs " + std::to_string(needed) +
+                       " bytes after " + std::to_string(int(100.0 * done)) +
+                       " % of the volume, the limit is " + std::to_string(cap) +
+                       ": raise it, crop the volume or choose another isovalue"),
+    neededBytes(needed),
+    capBytes(cap),
+    share(done)
+{
+}
 
 std::size_t SliceBytes(const AnyGridView& view)
 {

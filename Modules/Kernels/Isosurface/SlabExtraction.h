@@ -16,10 +16,13 @@ using SlabSource = std::function<AnyGridView(int first, int count)>;
 /// A volume in memory as a source. It must outlive it.
 SlabSource SlabsOf(const AnyGridView& volume);
 
-/// More memory would be needed than the cap allows; what() says how much.
+/// More memory would be needed than the cap allows.
 struct MemoryCapExceeded : std::runtime_error
 {
-  using std::runtime_error::runtime_error;
+  MemoryCapExceeded(std::size_t needed, std::size_t cap, double done);
+  std::size_t neededBytes; ///< at least
+  std::size_t capBytes;
+  double share; ///< of the volume that was searched, [0, 1]
 };
 
 struct SlabSettings

@@ -2,6 +2,7 @@
 #include "ClusteredCellAttributes.h"
 
 #include "Isosurface/CellHits.h"
+#include "vtkHaspPickedCell.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkDataArray.h"
@@ -67,31 +68,30 @@ double Interpolate(vtkDataArray* array, vtkScalarsToColors* table, int component
 
 } // namespace
 
-vtkHaspPickedCell vtkHaspClusteredCellMapper::Tell(const hasp::LineHit& hit) const
+void vtkHaspClusteredCellMapper::Tell(const hasp::LineHit& hit, vtkHaspPickedCell* result) const
 {
   const hasp::ClusteredCells& cells = this->GetCells();
   const hasp::CellLabel* label = this->LabelOfCell(hit.cell);
   const glm::dmat4 pose = label && label->pose ? *label->pose : glm::dmat4(1.0);
   const glm::ivec3 cell = cells.Cell(hit.cell);
-  vtkHaspPickedCell told{};
-  told.cellId = static_cast<vtkIdType>(hit.cell);
-  told.t = hit.t;
-  told.label = cells.labels.empty() ? 0 : cells.labels[hit.cell];
-  told.value = cells.isovalue;
+  result->CellId = static_cast<vtkIdType>(hit.cell);
+  result->T = hit.t;
+  result->Label = cells.labels.empty() ? 0 : cells.labels[hit.cell];
+  result->Value = cells.isovalue;
   if (auto* array = vtkDataArray::SafeDownCast(this->Attribute->ColorArray))
-    told.value = Interpolate(array, this->LookupTable, this->ArrayComponent, cells.geometry.dims,
+    result->Value = Interpolate(array, this->LookupTable, this->ArrayComponent, cells.geometry.dims,
       cell, hit.index - glm::dvec3(cell));
   const glm::dvec3 position(pose * glm::dvec4(cells.geometry.IndexToWorld(hit.index), 1.0));
   const glm::dvec3 normal =
     -glm::normalize(glm::dmat3(pose) * cells.geometry.GradientToWorld(hit.gradient));
   for (int a = 0; a < 3; ++a)
   {
-    told.ijk[a] = cell[a];
-    told.inCell[a] = std::clamp(hit.index[a] - cell[a], 0.0, 1.0);
-    told.position[a] = position[a];
-    told.normal[a] = normal[a];
+    result->IJK[a] = cell[a];
+    result->PCoords[a] = std::clamp(hit.index[a] - cell[a], 0.0, 1.0);
+    result->Position[a] = position[a];
+    result->Normal[a] = normal[a];
   }
-  return told;
+  result->Modified();
 }
 
 const hasp::CellLabel* vtkHaspClusteredCellMapper::LabelOfCell(std::size_t cell) const
@@ -115,7 +115,7 @@ bool vtkHaspClusteredCellMapper::GetCellIndex(vtkIdType cellId, int ijk[3]) cons
 }
 
 bool vtkHaspClusteredCellMapper::PickCell(
-  vtkIdType cellId, const double from[3], const double to[3], vtkHaspPickedCell& result) const
+  vtkIdType cellId, const double from[3], const double to[3], vtkHaspPickedCell* result) const
 {
   const hasp::ClusteredCells& cells = this->GetCells();
   if (cellId < 0 || static_cast<std::size_t>(cellId) >= cells.Count())
@@ -124,13 +124,13 @@ bool vtkHaspClusteredCellMapper::PickCell(
   const hasp::CellLabel* label = this->LabelOfCell(n);
   const PosedLine line(cells.geometry, label ? label->pose : std::nullopt, from, to);
   const auto hit = hasp::HitCell(cells, n, line.from, line.to);
-  if (hit)
-    result = this->Tell(*hit);
+  if (hit && result)
+    this->Tell(*hit, result);
   return hit.has_value();
 }
 
 bool vtkHaspClusteredCellMapper::PickFirstCell(
-  const double from[3], const double to[3], vtkHaspPickedCell& result) const
+  const double from[3], const double to[3], vtkHaspPickedCell* result) const
 {
   const hasp::ClusteredCells& cells = this->GetCells();
   std::optional<hasp::LineHit> first;
@@ -152,7 +152,7 @@ bool vtkHaspClusteredCellMapper::PickFirstCell(
     for (const auto& [n, label] : this->Attribute->Labels)
       if (label.visible && label.pose)
         meet(label.pose, &label);
-  if (first)
-    result = this->Tell(*first);
+  if (first && result)
+    this->Tell(*first, result);
   return first.has_value();
 }

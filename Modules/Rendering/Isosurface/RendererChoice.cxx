@@ -39,11 +39,16 @@ void RendererChoice::Note(double milliseconds)
 std::string RendererChoice::Text() const
 {
   if (this->Step == 0)
-    return "to be measured";
+    return "traced: OpenGL is software, so rays are tried first";
   char figures[96];
-  if (!this->Decided())
-    std::snprintf(
-      figures, sizeof figures, "being measured: traced in %.1f ms", this->TraceMilliseconds);
+  if (this->Step <= TracedSteps)
+    std::snprintf(figures, sizeof figures,
+      "traced: OpenGL is software, so rays are tried first; they took %.1f ms",
+      this->TraceMilliseconds);
+  else if (!this->Decided())
+    std::snprintf(figures, sizeof figures,
+      "rasterised: to compare; traced in %.1f ms, rasterised in %.1f ms so far",
+      this->TraceMilliseconds, this->RasterMilliseconds);
   else
     std::snprintf(figures, sizeof figures, "%s: traced in %.1f ms, rasterised in %.1f ms",
       this->TraceWins() ? "traced" : "rasterised", this->TraceMilliseconds,

@@ -1,9 +1,11 @@
 #include "vtkHaspClusteredCellLocator.h"
 
 #include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspPickedCell.h"
 
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStructuredData.h"
 
@@ -36,18 +38,18 @@ int vtkHaspClusteredCellLocator::IntersectWithLine(const double p1[3], const dou
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSet());
-  vtkHaspPickedCell picked{};
+  vtkNew<vtkHaspPickedCell> picked;
   if (!image || !this->Mapper->UpdateCells() || !this->Mapper->PickFirstCell(p1, p2, picked))
     return 0;
   const int* extent = image->GetExtent();
   int ijk[3];
   for (int a = 0; a < 3; ++a)
   {
-    ijk[a] = extent[2 * a] + picked.ijk[a];
-    pcoords[a] = picked.inCell[a];
+    ijk[a] = extent[2 * a] + picked->GetIJK()[a];
+    pcoords[a] = picked->GetPCoords()[a];
   }
-  t = picked.t;
-  std::copy_n(picked.position, 3, x);
+  t = picked->GetT();
+  picked->GetPosition(x);
   subId = 0;
   cellId = vtkStructuredData::ComputeCellIdForExtent(extent, ijk);
   if (cell)

@@ -1,24 +1,22 @@
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "ClusteredCellAttributes.h"
+#include "FailedUpdate.h"
 #include "Isosurface/ActiveCells.h"
+#include "MappedVolume.h"
 #include "vtkHaspClusteredCells.h"
+#include "vtkHaspResourceTable.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkTimeStamp.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 vtkAbstractObjectFactoryNewMacro(vtkHaspClusteredCellMapper);
@@ -44,16 +42,7 @@ void AddPosedBounds(const hasp::CellLabels& labels, double bounds[6])
 
 struct vtkHaspClusteredCellMapper::Internals
 {
-  hasp::MinMaxBlocks Blocks;
-  vtkWeakPointer<vtkImageData> Image; ///< they were made from, and
-  vtkMTimeType ImageTime = 0;         ///< when: images that share their samples share MTimes, too
-  glm::ivec3 ImageSize{ 0 };          ///< its samples along each axis, then
-  int ImageType = VTK_VOID;           ///< and what they were
-  double BlocksMilliseconds = 0.0;
-
-  /// Samples changed in place since the last update, if low <= high.
-  glm::ivec3 ChangedLow{ std::numeric_limits<int>::max() };
-  glm::ivec3 ChangedHigh{ std::numeric_limits<int>::min() };
+  MappedVolume Volume;
 
   hasp::ClusteredCells Cells; ///< of the image
   std::shared_ptr<const hasp::ClusteredCells>
@@ -63,12 +52,7 @@ struct vtkHaspClusteredCellMapper::Internals
   vtkTimeStamp CellsTime;
   double CellsMilliseconds = 0.0;
 
-  bool Changed() const { return this->ChangedLow.x <= this->ChangedHigh.x; }
-  void ForgetChanges()
-  {
-    this->ChangedLow = glm::ivec3(std::numeric_limits<int>::max());
-    this->ChangedHigh = glm::ivec3(std::numeric_limits<int>::min());
-  }
+  FailedUpdate Failed;
 
   /// Cells that somebody else made are drawn as they are, and nothing else is kept.
   void Keep(std::shared_ptr<const hasp::ClusteredCells> cells)
@@ -76,70 +60,46 @@ struct vtkHaspClusteredCellMapper::Internals
     if (cells == this->Finished)
       return;
     this->Cells = {};
-    this->Blocks = {};
-    this->ForgetChanges();
-    this->Image = nullptr;
+    this->Volume.Forget();
     this->Finished = std::move(cells);
     this->CellsTime.Modified();
-    this->BlocksMilliseconds = this->CellsMilliseconds = 0.0;
+    this->CellsMilliseconds = 0.0;
   }
 
-  /// Neither blocks nor cells are of this image: make the first, forget the second.
-  void NewImage(vtkImageData* image)
+  /// True if it is a new image: then cells of the last one are forgotten.
+  bool UpdateVolume(vtkImageData* image)
   {
-    const hasp::Stopwatch watch;
+    if (!this->Volume.Update(image))
+      return false;
     this->Cells = {};
     this->CellsTime = {};
-    this->Blocks = {};
-    this->ForgetChanges();
-    this->Image = nullptr;
     this->Finished = nullptr;
-    this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
-    this->Image = image;
-    this->ImageTime = image->GetMTime();
-    image->GetDimensions(&this->ImageSize.x);
-    this->ImageType = image->GetPointData()->GetScalars()->GetDataType();
-    this->BlocksMilliseconds = watch.Milliseconds();
+    return true;
   }
 
-  /// As many of the same type as the blocks were made from.
-  bool SameSamples(vtkImageData* image) const
-  {
-    glm::ivec3 size;
-    image->GetDimensions(&size.x);
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    return size == this->ImageSize && scalars && scalars->GetDataType() == this->ImageType;
-  }
-
-  /// An isovalue that is not a number is never up to date, and refused each time.
+  /// An isovalue that is not a number is never up to date, and refused.
   void UpdateSurface(vtkImageData* image, double isovalue, int precision)
   {
     const bool sameSurface = this->CellsTime.GetMTime() != 0 && this->CellsIsoValue == isovalue &&
                              this->CellsPrecision == precision;
-    if (sameSurface && !this->Changed())
+    if (sameSurface && !this->Volume.Changed())
       return;
     const hasp::Stopwatch watch;
     const hasp::AnyGridView grid = hasp::ViewImage(image);
     if (sameSurface)
-      UpdateActiveCells(this->Cells, grid, this->Blocks, this->ChangedLow, this->ChangedHigh);
+      UpdateActiveCells(this->Cells, grid, this->Volume.Blocks, this->Volume.ChangedLow(),
+        this->Volume.ChangedHigh());
     else
     {
-      this->Blocks.Update(grid, this->ChangedLow, this->ChangedHigh);
-      this->Cells = ExtractActiveCells(grid, this->Blocks, isovalue,
+      this->Volume.Blocks.Update(grid, this->Volume.ChangedLow(), this->Volume.ChangedHigh());
+      this->Cells = ExtractActiveCells(grid, this->Volume.Blocks, isovalue,
         precision == Compact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact);
     }
-    this->ForgetChanges();
+    this->Volume.ForgetChanges();
     this->CellsIsoValue = isovalue;
     this->CellsPrecision = precision;
     this->CellsTime.Modified();
     this->CellsMilliseconds = watch.Milliseconds();
-  }
-
-  /// 0 if no sample is a number.
-  double MiddleOfRange() const
-  {
-    const double middle = 0.5 * (double{ this->Blocks.Min() } + double{ this->Blocks.Max() });
-    return this->Blocks.Min() <= this->Blocks.Max() && std::isfinite(middle) ? middle : 0.0;
   }
 };
 
@@ -182,27 +142,28 @@ void vtkHaspClusteredCellMapper::SetIsoValue(double value)
 
 bool vtkHaspClusteredCellMapper::UpdateCells()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    vtkErrorMacro("No input: give it a vtkImageData or a vtkHaspClusteredCells.");
-    return false;
-  }
-  this->GetInputAlgorithm()->Update();
-  vtkImageData* image = this->GetImage();
   Internals& in = *this->Internal;
-  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(this->GetInputDataObject(0, 0)))
+  vtkDataObject* input = nullptr;
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm()->Update();
+    input = this->GetInputDataObject(0, 0);
+  }
+  if (in.Failed.Repeats(this, input))
+    return false;
+  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(input))
   {
     in.Keep(cells->GetCells());
     this->UseColorsOf(this->GetCells());
     return true;
   }
-  const bool newImage = !image || image != in.Image || image->GetMTime() != in.ImageTime;
+  vtkImageData* image = this->GetImage();
   try
   {
-    if (newImage)
-      in.NewImage(image);
-    if (newImage && !this->IsoValueIsSet)
-      this->IsoValue = in.MiddleOfRange();
+    if (!input)
+      throw std::invalid_argument("no input: give it a vtkImageData or a vtkHaspClusteredCells");
+    if (in.UpdateVolume(image) && !this->IsoValueIsSet)
+      this->IsoValue = in.Volume.MiddleOfRange();
     in.UpdateSurface(image, this->IsoValue, this->Precision);
     this->UpdateLabels(in.Cells, image);
     this->UpdateColors(in.Cells, image);
@@ -212,6 +173,7 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
   {
     in.Cells = {};
     in.CellsTime = {};
+    in.Failed.Remember();
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     return false;
   }
@@ -233,24 +195,8 @@ std::string vtkHaspClusteredCellMapper::GetRendererChoice() const
 
 void vtkHaspClusteredCellMapper::MarkModified(const int extent[6])
 {
-  Internals& in = *this->Internal;
-  vtkImageData* image = this->GetImage();
-  if (!image || image != in.Image)
-    return; // nothing is kept of it that could be stale
-  if (!in.SameSamples(image))
-    return; // it is read in whole
-  const int* whole = image->GetExtent();
-  for (int a = 0; a < 3; ++a)
-  {
-    // Clamped before they are moved: a mark may reach as far as integers do.
-    const int first = whole[2 * a], last = whole[2 * a + 1];
-    const int low = std::clamp(extent[2 * a], first, last + 1) - first;
-    const int high = std::clamp(extent[2 * a + 1], first - 1, last) - first;
-    in.ChangedLow[a] = std::min(in.ChangedLow[a], low);
-    in.ChangedHigh[a] = std::max(in.ChangedHigh[a], high);
-  }
-  in.ImageTime = image->GetMTime();
-  this->Modified();
+  if (this->Internal->Volume.Mark(this->GetImage(), extent))
+    this->Modified();
 }
 
 const hasp::ClusteredCells& vtkHaspClusteredCellMapper::GetCells() const
@@ -267,21 +213,33 @@ vtkMTimeType vtkHaspClusteredCellMapper::GetCellsTime() const
 void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   const Internals& in = *this->Internal;
-  list.push_back({ "min-max blocks", in.Blocks.Bytes(), in.BlocksMilliseconds,
-    "coarse phase of extraction; kept for the next isovalue" });
+  list.push_back({ "min-max blocks", in.Volume.Blocks.Bytes(), in.Volume.BlocksMilliseconds,
+    in.Finished ? "the input is active cells: nothing is extracted"
+                : "coarse phase of extraction; kept for the next isovalue" });
   const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
   const hasp::ClusteredCells& cells = this->GetCells();
   const std::size_t labels = bytes(cells.labels);
   const std::size_t colors = bytes(cells.colors) + bytes(cells.firstColors);
   list.push_back({ "active cells, host", cells.Bytes() - labels - colors, in.CellsMilliseconds,
-    std::to_string(cells.Count()) + " cells; kept to answer picks" });
+    std::to_string(cells.Count()) +
+      (in.Finished ? " cells, the input's; read by picks" : " cells; kept to answer picks") });
   const Attributes& own = *this->Attribute;
   list.push_back({ "cell labels, host", labels, own.LabelsMilliseconds,
-    this->LabelArrayName.empty() ? "no label array was named" : "from " + this->LabelArrayName });
+    in.Finished                    ? labels > 0 ? "the input's" : "the input has none"
+    : this->LabelArrayName.empty() ? "no label array was named"
+                                   : "from " + this->LabelArrayName });
   list.push_back({ "cell colours, host", colors + bytes(own.Coloring.table), own.ColorsMilliseconds,
-    !this->ScalarVisibility ? "scalar visibility is off"
-    : own.Coloring.uniform  ? "one colour: the scalars are the volume's own"
-                            : "mapped at the stored corners" });
+    in.Finished               ? colors > 0 ? "the input's" : "the input has none"
+    : !this->ScalarVisibility ? "scalar visibility is off"
+    : own.Coloring.uniform    ? "one colour: the scalars are the volume's own"
+                              : "mapped at the stored corners" });
+}
+
+void vtkHaspClusteredCellMapper::ListResources(vtkTable* table) const
+{
+  hasp::ResourceList list;
+  this->ListResources(list);
+  FillTable(list, table);
 }
 
 bool vtkHaspClusteredCellMapper::HasOpaqueGeometry()
@@ -315,8 +273,11 @@ double* vtkHaspClusteredCellMapper::GetBounds()
 void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsoValue: " << this->IsoValue
-     << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
+  os << indent << "IsoValue: ";
+  if (this->Internal->Finished)
+    os << this->GetCells().isovalue << " (the input's own)\n";
+  else
+    os << this->IsoValue << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
   os << indent << "LabelArrayName: " << this->LabelArrayName << "\n";
   os << indent << "BlendNormals: " << this->BlendNormals << "\n";
   os << indent << "Renderer: " << this->Renderer << " (" << this->GetRendererChoice() << ")\n";

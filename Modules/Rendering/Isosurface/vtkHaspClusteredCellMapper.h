@@ -36,11 +36,13 @@
  * Labels: name a point array of whole numbers and each cell takes the most frequent label of its
  * inside corners. A label can have a colour, a rigid pose and be hidden; all are drawn in one pass.
  *
- * Limit: texture, edges, representation and culling of faces are ignored.
+ * Limit: texture, edges, representation and culling of faces are ignored. Render passes that change
+ * an actor's shaders are asked, but there are only the //VTK::DepthPeeling lines for them to fill;
+ * vtkSSAOPass and vtkValuePass need vtkPolyDataMapper.
  *
  * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
  * Threads: RENDER only; extraction uses all cores inside the call.
- * Errors: vtkErrorMacro, and nothing is drawn.
+ * Errors: vtkErrorMacro, once until something changes, and nothing is drawn.
  */
 #ifndef vtkHaspClusteredCellMapper_h
 #define vtkHaspClusteredCellMapper_h
@@ -56,10 +58,12 @@
 
 class vtkAbstractArray;
 class vtkDataArray;
+class vtkHaspPickedCell;
 class vtkImageData;
 class vtkLinearTransform;
 class vtkMatrix4x4;
 class vtkPointData;
+class vtkTable;
 
 namespace hasp
 {
@@ -69,19 +73,6 @@ struct CellLabels;
 struct ClusteredCells;
 struct LineHit;
 }
-
-/// What a pick gives: see vtkHaspClusteredCellMapper::PickCell.
-struct vtkHaspPickedCell
-{
-  vtkIdType cellId;   ///< number of the active cell
-  int ijk[3];         ///< voxel: its first corner sample, counted from the image's first
-  double inCell[3];   ///< where in that cell, 0 to 1
-  double t;           ///< the point is from + t (to - from)
-  double position[3]; ///< data coordinates, mm; on the surface within float's rounding
-  double normal[3];   ///< unit, away from the inside
-  double value; ///< of the scalars that colour the surface there, interpolated; else the isovalue
-  int label;    ///< of the cell; 0 without labels
-};
 
 class VTKHASPRENDERINGISOSURFACE_EXPORT vtkHaspClusteredCellMapper : public vtkMapper
 {
@@ -161,9 +152,9 @@ public:
   ///@}
 
   /// Brings the active cells up to date with input and isovalue; Render does it by itself. The
-  /// min-max blocks of the volume are kept for the next isovalue. False, after vtkErrorMacro, if
-  /// there is no input or it cannot be read. O(samples) for a new volume, O(active blocks) for a
-  /// new isovalue.
+  /// min-max blocks of the volume are kept for the next isovalue. False if there is no input or it
+  /// cannot be read; vtkErrorMacro says so once, and nothing is tried again, until mapper or input
+  /// change. O(samples) for a new volume, O(active blocks) for a new isovalue.
   bool UpdateCells();
 
   /// Samples in this box of point indices (x0, x1, y0, y1, z0, z1; clamped to the image) have been
@@ -205,14 +196,19 @@ public:
   /// Where the line from `from` to `to` first meets the surface in the active cell `cellId`, as
   /// hardware selection gives it. In the actor's data coordinates, like the result: where the actor
   /// has a matrix, take both points through its inverse first. False, and the result untouched, if
-  /// there is no such cell or the line misses the surface in it. Clipping planes are not asked.
+  /// there is no such cell or the line misses the surface in it. Clipping planes are not asked. No
+  /// result need be given.
   bool PickCell(
-    vtkIdType cellId, const double from[3], const double to[3], vtkHaspPickedCell& result) const;
+    vtkIdType cellId, const double from[3], const double to[3], vtkHaspPickedCell* result) const;
   /// The same for the first of all cells along the line that are not hidden. O(clusters).
-  bool PickFirstCell(const double from[3], const double to[3], vtkHaspPickedCell& result) const;
+  bool PickFirstCell(const double from[3], const double to[3], vtkHaspPickedCell* result) const;
 
-  /// Appends what this mapper holds and what it skipped, with bytes and milliseconds.
+  ///@{
+  /// Appends what this mapper holds and what it skipped, with bytes and milliseconds; or fills a
+  /// table with it, columns "resource", "bytes", "milliseconds" and "reason".
   virtual void ListResources(hasp::ResourceList& list) const;
+  void ListResources(vtkTable* table) const;
+  ///@}
 
   /// Of the volume, and of the volume in each pose of a label. Brings the pipeline up to date, no
   /// cells.
@@ -256,7 +252,7 @@ private:
     std::span<std::uint32_t> colors);
   hasp::CellLabel* LabelOf(int n);
   const hasp::CellLabel* LabelOfCell(std::size_t cell) const;
-  vtkHaspPickedCell Tell(const hasp::LineHit& hit) const;
+  void Tell(const hasp::LineHit& hit, vtkHaspPickedCell* result) const;
 
   double IsoValue = 0.0;
   bool IsoValueIsSet = false;

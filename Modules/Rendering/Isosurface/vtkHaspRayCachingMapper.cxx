@@ -1,5 +1,6 @@
 #include "vtkHaspRayCachingMapper.h"
 
+#include "FailedUpdate.h"
 #include "MappedVolume.h"
 
 #include "vtkAlgorithm.h"
@@ -12,7 +13,9 @@
 
 vtkAbstractObjectFactoryNewMacro(vtkHaspRayCachingMapper);
 
-vtkHaspRayCachingMapper::vtkHaspRayCachingMapper() : Volume(new MappedVolume)
+vtkHaspRayCachingMapper::vtkHaspRayCachingMapper()
+  : Volume(new MappedVolume),
+    Failed(new FailedUpdate)
 {
   this->ScalarVisibility = false; // else VTK maps every voxel to a colour
 }
@@ -48,15 +51,16 @@ void vtkHaspRayCachingMapper::SetIsoValue(double value)
 
 bool vtkHaspRayCachingMapper::UpdateVolume()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    vtkErrorMacro("No input: give it a vtkImageData.");
+  if (this->GetNumberOfInputConnections(0) > 0)
+    this->GetInputAlgorithm()->Update();
+  vtkImageData* image = this->GetImage();
+  if (this->Failed->Repeats(this, image))
     return false;
-  }
-  this->GetInputAlgorithm()->Update();
   try
   {
-    if (this->Volume->Update(this->GetImage()))
+    if (!image)
+      throw std::invalid_argument("no input: give it a vtkImageData");
+    if (this->Volume->Update(image))
     {
       ++this->VolumeTime;
       if (!this->IsoValueIsSet)
@@ -68,6 +72,7 @@ bool vtkHaspRayCachingMapper::UpdateVolume()
   {
     this->Volume->Forget();
     ++this->VolumeTime;
+    this->Failed->Remember();
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     return false;
   }

@@ -36,6 +36,7 @@
 #include <memory> // for unique_ptr
 #include <string> // for string
 
+class FailedUpdate;
 class MappedVolume;
 class vtkImageData;
 
@@ -139,6 +140,7 @@ private:
   bool IsoValueIsSet = false;
   vtkMTimeType VolumeTime = 0;
   std::unique_ptr<MappedVolume> Volume;
+  std::unique_ptr<FailedUpdate> Failed;
 };
 
 #endif

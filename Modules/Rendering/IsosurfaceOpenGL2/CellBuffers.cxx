@@ -2,6 +2,7 @@
 
 #include "HaspGL.h"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +24,34 @@ unsigned int MakeBuffer(const void* data, std::size_t bytes)
   throw std::runtime_error(
     "the GPU has no room for " + std::to_string(bytes >> 20) + " MiB of active cells");
 }
-}
+
+constexpr GLsizei BatchCells = 20000;
+
+/// Draws that wait for OpenGL: no more than two, the last of which may still be waiting in the end.
+class DrawQueue
+{
+public:
+  DrawQueue() = default;
+  ~DrawQueue() { glDeleteSync(this->Last); } // null is none
+  DrawQueue(const DrawQueue&) = delete;
+  DrawQueue& operator=(const DrawQueue&) = delete;
+
+  /// What was sent since the last call; waits until that before it is done.
+  void Add()
+  {
+    GLsync now = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    if (this->Last)
+      glClientWaitSync(this->Last, 0, GL_TIMEOUT_IGNORED);
+    glDeleteSync(this->Last);
+    this->Last = now;
+  }
+
+private:
+  GLsync Last = nullptr;
+};
+
+} // namespace
 
 void CellBuffers::Upload(const hasp::ClusteredCells& cells, std::size_t blockBytes)
 {
@@ -84,12 +112,13 @@ void CellBuffers::Unbind() const
   glBindVertexArray(0);
 }
 
-void CellBuffers::Draw(
-  const CellDraws& draws, const std::function<void(const DrawRange&)>& prepare) const
+void CellBuffers::Draw(const CellDraws& draws, const std::function<void(const DrawRange&)>& prepare,
+  bool inBatches) const
 {
   if (draws.ranges.empty())
     return;
   this->BindVertexArray();
+  DrawQueue queue;
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   for (const DrawRange& range : draws.ranges)
@@ -104,8 +133,16 @@ void CellBuffers::Draw(
     }
     this->Bind(range.part);
     prepare(range);
-    glMultiDrawArrays(range.points ? GL_POINTS : GL_TRIANGLES, firsts.data(), counts.data(),
-      static_cast<GLsizei>(firsts.size()));
+    const GLsizei batch = inBatches ? BatchCells * vertices : std::numeric_limits<GLsizei>::max();
+    for (std::size_t first = 0, end = 0; first < firsts.size(); first = end)
+    {
+      for (GLsizei sum = 0; end < firsts.size() && sum < batch; ++end)
+        sum += counts[end]; // below 2^31 in all: a part has so many vertices at most
+      glMultiDrawArrays(range.points ? GL_POINTS : GL_TRIANGLES, firsts.data() + first,
+        counts.data() + first, static_cast<GLsizei>(end - first));
+      if (inBatches)
+        queue.Add();
+    }
   }
   this->Unbind();
 }

@@ -25,8 +25,11 @@ public:
   /// Unbinds storage blocks and vertex array.
   void Unbind() const;
 
-  /// Draws all ranges; each is bound, then `prepare` is called, then it is drawn.
-  void Draw(const CellDraws& draws, const std::function<void(const DrawRange&)>& prepare) const;
+  /// Draws all ranges; each is bound, then `prepare` is called, then it is drawn. In batches: no
+  /// more than two of 20,000 cells wait at a time, for software OpenGL keeps some 300 bytes a cell
+  /// that waits, and never gives them back.
+  void Draw(const CellDraws& draws, const std::function<void(const DrawRange&)>& prepare,
+    bool inBatches) const;
 
 private:
   unsigned int Clusters = 0, Corners = 0, VertexArray = 0;

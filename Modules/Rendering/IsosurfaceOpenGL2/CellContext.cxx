@@ -2,6 +2,7 @@
 
 #include "HaspGL.h"
 
+#include "vtkCommand.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -31,13 +32,23 @@ bool IsSoftwareOpenGL()
 CellContext::CellContext(vtkOpenGLRenderWindow* window)
   : SoftwareOpenGL(IsSoftwareOpenGL()),
     Window(window),
-    CreationTime(window->GetContextCreationTime())
+    CreationTime(window->GetContextCreationTime()),
+    FrameObserver(window->AddObserver(vtkCommand::StartEvent, this, &CellContext::BeginFrame))
 {
+  this->Frame.Modified();
 }
 
 CellContext::~CellContext()
 {
   this->Free(this->Window);
+  if (this->Window)
+    this->Window->RemoveObserver(this->FrameObserver);
+}
+
+void CellContext::BeginFrame()
+{
+  this->FrameBefore = this->Frame;
+  this->Frame.Modified();
 }
 
 bool CellContext::IsOf(vtkOpenGLRenderWindow* window) const
@@ -71,7 +82,7 @@ void CellContext::Free(vtkOpenGLRenderWindow* window)
 void CellContext::Upload(
   const hasp::ClusteredCells& cells, vtkMTimeType time, std::size_t blockBytes)
 {
-  this->BuffersUsed = true;
+  this->BuffersUsed.Modified();
   if (time == this->CellsTime)
     return;
   const auto start = std::chrono::steady_clock::now();
@@ -84,21 +95,19 @@ void CellContext::Upload(
 
 void CellContext::ReleaseUnusedBuffers()
 {
-  if (!this->BuffersUsed)
-  {
-    this->Buffers.Release();
-    this->Culling.Release();
-    this->CellsTime = 0;
-  }
-  this->BuffersUsed = false;
+  if (this->BuffersUsed > this->FrameBefore)
+    return;
+  this->Buffers.Release();
+  this->Culling.Release();
+  this->CellsTime = 0;
 }
 
-OcclusionCulling& CellContext::UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes)
+OcclusionCulling& CellContext::UseCulling(const hasp::ClusteredCells& cells)
 {
   if (!this->Culling.Ready())
   {
     const auto start = std::chrono::steady_clock::now();
-    this->Culling.Reset(cells, blockBytes);
+    this->Culling.Reset(cells);
     this->CullingMilliseconds = MillisecondsSince(start);
   }
   return this->Culling;

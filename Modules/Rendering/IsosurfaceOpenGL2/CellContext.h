@@ -8,8 +8,11 @@
 #include "OcclusionCulling.h"
 #include "TracedCells.h"
 
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
+
+#include <string>
 
 class vtkOpenGLRenderWindow;
 
@@ -34,10 +37,12 @@ public:
 
   /// Brings the buffers up to date; the context must be current. Throws std::runtime_error.
   void Upload(const hasp::ClusteredCells& cells, vtkMTimeType time, std::size_t blockBytes);
-  /// Frees what rasterising needs, unless it was used since the last call.
+  /// Frees what rasterising needs, unless it was used in this frame of the window or the last one.
   void ReleaseUnusedBuffers();
+  /// When the window began the frame at hand.
+  vtkMTimeType GetFrameTime() const { return this->Frame; }
   /// Likewise for culling, which needs memory of its own.
-  OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells, std::size_t blockBytes);
+  OcclusionCulling& UseCulling(const hasp::ClusteredCells& cells);
 
   CellBuffers Buffers;
   AttributeBuffers Attributes;
@@ -47,12 +52,17 @@ public:
   TracedCells Traced;
   const bool SoftwareOpenGL;
   double UploadMilliseconds = 0.0, CullingMilliseconds = 0.0;
+  std::string Complaint; ///< why the last drawing failed; empty if it did not
 
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType CreationTime;  ///< of the context; unique
   vtkMTimeType CellsTime = 0; ///< of what is uploaded
-  bool BuffersUsed = false;
+  vtkTimeStamp BuffersUsed;
+  vtkTimeStamp Frame, FrameBefore; ///< when they began
+  unsigned long FrameObserver;
+
+  void BeginFrame();
 };
 
 #endif

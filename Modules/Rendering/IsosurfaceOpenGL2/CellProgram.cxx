@@ -112,70 +112,75 @@ void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* select
 
 } // namespace
 
-vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
+/// What a variant is put together from, without what scene and passes add.
+struct CellProgram::Variant
+{
+  CellPass pass;
+  std::string vertex, fragment, defines;
+};
+
+vtkShaderProgram* CellProgram::Ready(Variant& variant, vtkOpenGLRenderWindow* window,
   vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
-  const AttributeBuffers& attributes, vtkHardwareSelector* selector, CellPass pass)
+  vtkHardwareSelector* selector)
 {
   const auto start = std::chrono::steady_clock::now();
-  std::string vertex = vtkHaspClusteredCellVS, geometry, fragment = vtkHaspClusteredCellFS;
-  FillSlot(vertex, "CellLayout", CellLayout);
-  FillSlot(vertex, "CellFrame", CellFrame);
-  FillSlot(fragment, "RayRoot", RayRoot);
-  FillSlot(fragment, "CellFrame", CellFrame);
-  FillSlot(fragment, "CellShading", CellShading);
-  FillSlot(fragment, "CellColors", CellColors);
-  FillSlot(fragment, "CellSplat", CellSplat);
-  FillSlot(fragment, "CellSelection", CellSelection);
+  std::string geometry;
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
   for (vtkOpenGLRenderPass* one : passes)
   {
-    one->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
-    one->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+    one->PreReplaceShaderValues(variant.vertex, geometry, variant.fragment, mapper, actor);
+    one->PostReplaceShaderValues(variant.vertex, geometry, variant.fragment, mapper, actor);
   }
-  std::string defines =
-    CornerDefines(mapper->GetCells()) + scene.Defines() + AttributeDefines(attributes);
-  constexpr const char* passDefines[] = { "", "#define HASP_SELECTION\n", "#define HASP_HITS\n",
-    "#define HASP_SPLATS\n" };
-  defines += passDefines[static_cast<int>(pass)];
-  FillSlot(vertex, "Defines", defines);
-  FillSlot(fragment, "Defines", defines + NameOutputs(fragment));
-
+  variant.defines += scene.Defines();
+  FillSlot(variant.vertex, "Defines", variant.defines);
+  FillSlot(variant.fragment, "Defines", variant.defines + NameOutputs(variant.fragment));
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    vertex.c_str(), fragment.c_str(), geometry.c_str());
+    variant.vertex.c_str(), variant.fragment.c_str(), geometry.c_str());
   if (!program)
     return nullptr;
-  double& milliseconds = this->Milliseconds[static_cast<int>(pass)];
+  double& milliseconds = this->Milliseconds[static_cast<int>(variant.pass)];
   if (milliseconds == 0.0)
     milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   for (vtkOpenGLRenderPass* one : passes)
     one->SetShaderParameters(program, mapper, actor);
   scene.SetUniforms(program);
-  const std::vector<float>& levels = mapper->GetCells().levels;
-  if (!levels.empty())
-    program->SetUniform1fv("levels", static_cast<int>(levels.size()), levels.data());
   if (selector)
     SetSelectionUniforms(program, selector);
   return program;
 }
 
-vtkShaderProgram* CellProgram::ReadyTraced(
-  vtkOpenGLRenderWindow* window, const CellScene& scene, vtkHardwareSelector* selector)
+vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
+  vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
+  const AttributeBuffers& attributes, vtkHardwareSelector* selector, CellPass pass)
 {
-  const auto start = std::chrono::steady_clock::now();
-  std::string fragment = vtkHaspTracedCellFS;
-  FillSlot(fragment, "CellShading", CellShading);
-  FillSlot(fragment, "CellSelection", CellSelection);
-  FillSlot(fragment, "Defines", scene.Defines() + (selector ? "#define HASP_SELECTION\n" : ""));
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vtkHaspTracedCellVS, fragment.c_str(), "");
-  if (!program)
-    return nullptr;
-  if (this->Milliseconds[static_cast<int>(CellPass::Traced)] == 0.0)
-    this->Milliseconds[static_cast<int>(CellPass::Traced)] =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  scene.SetUniforms(program);
-  if (selector)
-    SetSelectionUniforms(program, selector);
+  constexpr const char* passDefines[] = { "", "#define HASP_SELECTION\n", "#define HASP_HITS\n",
+    "#define HASP_SPLATS\n" };
+  Variant variant{ pass, vtkHaspClusteredCellVS, vtkHaspClusteredCellFS,
+    CornerDefines(mapper->GetCells()) + AttributeDefines(attributes) +
+      passDefines[static_cast<int>(pass)] };
+  FillSlot(variant.vertex, "CellLayout", CellLayout);
+  FillSlot(variant.vertex, "CellFrame", CellFrame);
+  FillSlot(variant.fragment, "RayRoot", RayRoot);
+  FillSlot(variant.fragment, "CellFrame", CellFrame);
+  FillSlot(variant.fragment, "CellShading", CellShading);
+  FillSlot(variant.fragment, "CellColors", CellColors);
+  FillSlot(variant.fragment, "CellSplat", CellSplat);
+  FillSlot(variant.fragment, "CellSelection", CellSelection);
+  vtkShaderProgram* program = this->Ready(variant, window, mapper, actor, scene, selector);
+  const std::vector<float>& levels = mapper->GetCells().levels;
+  if (program && !levels.empty())
+    program->SetUniform1fv("levels", static_cast<int>(levels.size()), levels.data());
   return program;
+}
+
+vtkShaderProgram* CellProgram::ReadyTraced(vtkOpenGLRenderWindow* window,
+  vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
+  vtkHardwareSelector* selector)
+{
+  Variant variant{ CellPass::Traced, vtkHaspTracedCellVS, vtkHaspTracedCellFS,
+    selector ? "#define HASP_SELECTION\n" : "" };
+  FillSlot(variant.fragment, "CellShading", CellShading);
+  FillSlot(variant.fragment, "CellSelection", CellSelection);
+  return this->Ready(variant, window, mapper, actor, scene, selector);
 }

@@ -28,14 +28,14 @@ class CellProgram
 public:
   /// The program for this scene, bound and with its uniforms set, or null if it did not compile.
   /// Render passes of VTK that have a say in the actor's shader (order-independent translucency,
-  /// depth peeling) get it: they fill the //VTK::DepthPeeling lines.
+  /// depth peeling, passes of others) get it: they fill the //VTK::DepthPeeling lines.
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, vtkHaspClusteredCellMapper* mapper,
     vtkActor* actor, const CellScene& scene, const AttributeBuffers& attributes,
     vtkHardwareSelector* selector, CellPass pass);
 
-  /// The program that shades a traced picture, likewise. Opaque surfaces only: no pass has a say.
-  vtkShaderProgram* ReadyTraced(
-    vtkOpenGLRenderWindow* window, const CellScene& scene, vtkHardwareSelector* selector);
+  /// The program that shades a traced picture, likewise.
+  vtkShaderProgram* ReadyTraced(vtkOpenGLRenderWindow* window, vtkHaspClusteredCellMapper* mapper,
+    vtkActor* actor, const CellScene& scene, vtkHardwareSelector* selector);
 
   /// Time of the first compilation; 0 if that variant was never asked for.
   double CompileMilliseconds(CellPass pass) const
@@ -44,6 +44,11 @@ public:
   }
 
 private:
+  struct Variant;
+  vtkShaderProgram* Ready(Variant& variant, vtkOpenGLRenderWindow* window,
+    vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
+    vtkHardwareSelector* selector);
+
   double Milliseconds[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

@@ -12,6 +12,12 @@
 namespace
 {
 
+double MillisecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
+}
+
 /// Pixels [first, end) of a viewport.
 struct PixelRectangle
 {
@@ -82,19 +88,26 @@ void CellTracing::Update(const hasp::ClusteredCells& cells, vtkMTimeType time)
     this->Low = glm::min(this->Low, glm::dvec3(cluster.Origin()));
     this->High = glm::max(this->High, glm::dvec3(cluster.Origin() + 8));
   }
-  this->Milliseconds =
-    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  this->Milliseconds = MillisecondsSince(start);
 }
 
-void CellTracing::Trace(const CellScene& scene)
+void CellTracing::Trace(const CellScene& scene, vtkMTimeType since)
 {
   const PixelRectangle part = Cover(this->Low, this->High, scene);
+  hasp::PictureView view = ViewOf(scene, part);
+  if (this->Time > since && part.first == this->First && view == this->View)
+    return;
+  const auto start = std::chrono::steady_clock::now();
+  this->Time = {}; // if tracing fails there is none
   this->First = part.first;
-  this->Tracer->TracePicture(ViewOf(scene, part), this->Traced);
+  this->Tracer->TracePicture(view, this->Traced);
   for (std::size_t pixel = 0; pixel < this->Traced.cells.size(); ++pixel)
     this->Traced.gradients[pixel].w = this->Traced.cells[pixel] == hasp::TracedPicture::Nothing
                                         ? 2.0F
                                         : this->Traced.places[pixel].w;
+  this->View = std::move(view);
+  this->Time.Modified();
+  this->TraceMilliseconds = MillisecondsSince(start);
 }
 
 std::size_t CellTracing::TreeBytes() const
@@ -115,7 +128,7 @@ void CellTracing::Update(const hasp::ClusteredCells&, vtkMTimeType)
                            "HASP_ENABLE_EMBREE=ON (Debian: libembree-dev)");
 }
 
-void CellTracing::Trace(const CellScene&) {}
+void CellTracing::Trace(const CellScene&, vtkMTimeType) {}
 
 std::size_t CellTracing::TreeBytes() const
 {

@@ -3,6 +3,7 @@
 
 #include "Isosurface/CellTracer.h"
 
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 
 struct CellScene;
@@ -17,17 +18,21 @@ public:
   /// Makes the tree if there is none of these cells, which must live and stay as they are until the
   /// next Update or Release. Throws std::runtime_error, also where tracing is not available.
   void Update(const hasp::ClusteredCells& cells, vtkMTimeType time);
-  /// Traces the pixels of the scene's viewport that the cells may cover.
-  void Trace(const CellScene& scene);
+  /// Traces the pixels of the scene's viewport that the cells may cover; nothing if the last
+  /// picture is of the same view and was traced after `since`.
+  void Trace(const CellScene& scene, vtkMTimeType since);
   void Release() { *this = {}; }
 
   bool Ready() const { return this->Tracer != nullptr; }
   std::size_t TreeBytes() const;
   std::size_t PictureBytes() const;
   double TreeMilliseconds() const { return this->Milliseconds; }
+  double PictureMilliseconds() const { return this->TraceMilliseconds; }
 
   /// Of the last picture; gradients have the depth as their fourth number, over 1 where nothing is.
   const hasp::TracedPicture& Picture() const { return this->Traced; }
+  /// When it was traced; no two pictures have the same.
+  vtkMTimeType PictureTime() const { return this->Time; }
   /// Its lowest left pixel in the viewport.
   const glm::ivec2& Origin() const { return this->First; }
 
@@ -38,6 +43,9 @@ private:
   glm::dvec3 Low{ 0.0 }, High{ 0.0 }; ///< of all clusters, in index coordinates
   hasp::TracedPicture Traced;
   glm::ivec2 First{ 0 };
+  hasp::PictureView View; ///< of the picture
+  vtkTimeStamp Time;
+  double TraceMilliseconds = 0.0;
 };
 
 #endif

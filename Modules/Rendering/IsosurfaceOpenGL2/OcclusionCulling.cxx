@@ -23,6 +23,13 @@ namespace
 
 constexpr std::size_t CommandBytes = 4 * sizeof(GLuint);
 constexpr std::size_t Pieces = 4;
+constexpr std::size_t GroupSize = 128; // of vtkHaspClusterCommandsCS.glsl
+
+/// Where what is bound begins: at a multiple of 64 words, for OpenGL asks for up to 256 bytes.
+std::size_t BoundFrom(std::size_t first)
+{
+  return first / 64 * 64;
+}
 
 std::string WithParts(std::string shader)
 {
@@ -62,15 +69,12 @@ unsigned int MakeComputeProgram(const std::string& text)
 
 } // namespace
 
-void OcclusionCulling::Reset(const hasp::ClusteredCells& cells, std::size_t blockBytes)
+void OcclusionCulling::Reset(const hasp::ClusteredCells& cells)
 {
   this->Release();
   const std::size_t count = cells.clusters.size();
   if (count == 0)
     return;
-  if (count * CommandBytes > blockBytes)
-    throw std::runtime_error(std::to_string(count) + " clusters are too many for a block of " +
-                             std::to_string(blockBytes >> 20) + " MiB of draw commands");
   std::vector<std::uint32_t> states;
   states.reserve(count);
   for (const hasp::CellCluster& cluster : cells.clusters)
@@ -142,10 +146,17 @@ void OcclusionCulling::Draw(const Frame& frame)
 
 void OcclusionCulling::Bind(const Frame& frame, const DrawRange& range) const
 {
+  const auto bind =
+    [](GLuint slot, GLuint buffer, std::size_t from, std::size_t to, std::size_t size)
+  {
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, slot, buffer, static_cast<GLintptr>(from * size),
+      static_cast<GLsizeiptr>((to - from) * size));
+  };
+  const std::size_t first = BoundFrom(range.first), end = range.first + range.count;
   frame.buffers.Bind(range.part);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, this->States);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, this->Order);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, this->Commands);
+  bind(2, this->States, BoundFrom(range.part.first), range.part.end, sizeof(GLuint));
+  bind(3, this->Order, first, end, sizeof(GLuint));
+  bind(4, this->Commands, first, end, CommandBytes);
 }
 
 void OcclusionCulling::WriteCommands(
@@ -159,14 +170,15 @@ void OcclusionCulling::WriteCommands(
   glUseProgram(program);
   const auto set = [program](const char* name, std::size_t value)
   { glUniform1i(glGetUniformLocation(program, name), static_cast<GLint>(value)); };
-  set("firstEntry", range.first);
+  set("firstEntry", range.first - BoundFrom(range.first));
   set("entryCount", range.count);
-  set("firstCluster", range.part.first);
+  set("firstCluster", range.part.first - BoundFrom(range.part.first));
   set("verticesPerCell", range.VerticesPerCell());
   set("viewer", viewer);
   set("late", late);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // what the boxes' fragments wrote
-  glDispatchCompute(static_cast<GLuint>((range.count + 127) / 128), 1, 1);
+  // A range is of one part: below 2^31 / 3072 clusters, so 5462 groups; OpenGL promises 65535.
+  glDispatchCompute(static_cast<GLuint>((range.count + GroupSize - 1) / GroupSize), 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   glUseProgram(0);
 }
@@ -182,7 +194,8 @@ void OcclusionCulling::TestBoxes(const Frame& frame, const DrawRange& range, int
   if (!program)
     throw std::runtime_error("the shaders of the clusters' boxes did not compile");
   frame.scene.SetBoxUniforms(program);
-  program->SetUniformi("firstCluster", static_cast<int>(range.part.first));
+  program->SetUniformi(
+    "firstCluster", static_cast<int>(range.part.first - BoundFrom(range.part.first)));
   program->SetUniformi("viewer", viewer);
   this->Bind(frame, range);
   vtkOpenGLState* state = frame.window->GetState();
@@ -190,8 +203,8 @@ void OcclusionCulling::TestBoxes(const Frame& frame, const DrawRange& range, int
   vtkOpenGLState::ScopedglColorMask colorMask(state);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDrawArrays(
-    GL_TRIANGLES, static_cast<GLint>(range.first * 18), static_cast<GLsizei>(range.count * 18));
+  glDrawArrays(GL_TRIANGLES, static_cast<GLint>((range.first - BoundFrom(range.first)) * 18),
+    static_cast<GLsizei>(range.count * 18));
 }
 
 void OcclusionCulling::DrawCells(const Frame& frame, const DrawRange& range) const

@@ -45,9 +45,9 @@ public:
     std::function<void(const DrawRange&)> prepare;
   };
 
-  /// Nothing has been seen of these cells. Throws std::runtime_error if the GPU has no memory, the
-  /// shaders do not compile, or there are more clusters than storage blocks of blockBytes hold.
-  void Reset(const hasp::ClusteredCells& cells, std::size_t blockBytes);
+  /// Nothing has been seen of these cells. Throws std::runtime_error if the GPU has no memory or
+  /// the shaders do not compile.
+  void Reset(const hasp::ClusteredCells& cells);
   void Release();
   bool Ready() const { return this->States != 0; }
   std::size_t Bytes() const { return this->ByteCount; }
@@ -59,7 +59,9 @@ private:
     vtkWeakPointer<vtkObject> renderer, actor;
   };
   int ViewerOf(const Frame& frame);
-  /// Attributes of cells take the same slots while cells are drawn.
+  /// Binds what a range needs, and no more, so that no number of clusters is too large for a
+  /// storage block: a part's clusters fit one (DivideClusters), at 96 bytes each; here 16 is the
+  /// most. Attributes of cells take the same slots while cells are drawn.
   void Bind(const Frame& frame, const DrawRange& range) const;
   void WriteCommands(const Frame& frame, const DrawRange& range, int viewer, bool late) const;
   void TestBoxes(const Frame& frame, const DrawRange& range, int viewer) const;

@@ -6,15 +6,16 @@
 void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   this->Superclass::ListResources(list);
-  hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing drawn" };
+  hasp::ResourceUse cells{ "active cells, GPU", 0, 0.0, "nothing rasterised" };
   hasp::ResourceUse culling{ "occlusion culling", 0, 0.0,
-    this->OcclusionCulling ? "nothing opaque drawn" : "switched off" };
+    this->OcclusionCulling ? "nothing opaque rasterised" : "switched off" };
   hasp::ResourceUse labels{ "cell labels, GPU", 0, 0.0, "nothing was said of a label" };
   hasp::ResourceUse colors{ "cell colours, GPU", 0, 0.0, "no scalars colour the surface" };
   hasp::ResourceUse blending{ "normal blending", 0, 0.0,
-    this->BlendNormals ? "nothing opaque drawn" : "switched off" };
+    this->BlendNormals ? "nothing opaque rasterised" : "switched off" };
   const CellTracing& tracing = this->GL->Tracing;
-  hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(), 0.0,
+  hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(),
+    tracing.PictureMilliseconds(),
     tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
   double shade = 0.0, select = 0.0, traced = 0.0;
   for (const auto& context : this->GL->Contexts)
@@ -36,6 +37,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
     blending.milliseconds += context->Program.CompileMilliseconds(CellPass::Hits) +
                              context->Program.CompileMilliseconds(CellPass::Splats);
     picture.bytes += context->Traced.Bytes();
+    picture.milliseconds += context->Traced.UploadMilliseconds();
     traced += context->Program.CompileMilliseconds(CellPass::Traced);
     shade += context->Program.CompileMilliseconds(CellPass::Shade);
     select += context->Program.CompileMilliseconds(CellPass::Select);
@@ -55,7 +57,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
     this->GetRendererChoice() });
   list.push_back(picture);
   list.push_back({ "shader: shaded cells", 0, shade,
-    shade > 0 ? "compiled at the first frame" : "nothing drawn" });
+    shade > 0 ? "compiled at the first frame" : "nothing rasterised" });
   list.push_back({ "shader: traced cells", 0, traced,
     traced > 0 ? "compiled at the first traced frame" : "nothing traced" });
   list.push_back({ "shader: cell selection", 0, select,

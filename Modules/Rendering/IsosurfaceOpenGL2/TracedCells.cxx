@@ -9,6 +9,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <chrono>
 #include <stdexcept>
 
 namespace
@@ -40,20 +41,29 @@ TracedCells& TracedCells::operator=(TracedCells&&) = default;
 void TracedCells::Upload(vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection)
 {
   const hasp::TracedPicture& picture = tracing.Picture();
-  if (picture.cells.empty())
+  const bool there = this->PictureTime == tracing.PictureTime();
+  if (picture.cells.empty() || (there && (this->Numbers || !selection)))
     return;
+  const auto start = std::chrono::steady_clock::now();
   vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
-  Fill(this->Gradients, window, picture.size, 4, VTK_FLOAT, picture.gradients.data());
-  this->ByteCount = picture.gradients.size() * sizeof(picture.gradients[0]);
+  this->PictureTime = 0; // if there is no room there is none
+  if (!there)
+  {
+    this->Milliseconds = 0.0;
+    this->Numbers = nullptr;
+    Fill(this->Gradients, window, picture.size, 4, VTK_FLOAT, picture.gradients.data());
+    this->ByteCount = picture.gradients.size() * sizeof(picture.gradients[0]);
+  }
   if (selection)
   {
     Fill(this->Numbers, window, picture.size, 1, VTK_UNSIGNED_INT, picture.cells.data());
     this->ByteCount += picture.cells.size() * sizeof(picture.cells[0]);
   }
-  else
-    this->Numbers = nullptr;
   if (this->VertexArray == 0)
     glGenVertexArrays(1, &this->VertexArray);
+  this->PictureTime = tracing.PictureTime();
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  this->Milliseconds += spent.count();
 }
 
 void TracedCells::Draw(

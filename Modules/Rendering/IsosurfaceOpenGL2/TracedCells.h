@@ -2,6 +2,9 @@
 #define TracedCells_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
 
 class CellTracing;
 struct CellScene;
@@ -18,16 +21,20 @@ public:
   ~TracedCells();
   TracedCells& operator=(TracedCells&&);
 
-  /// selection: cell numbers are needed, too. Throws std::runtime_error.
+  /// Nothing if the picture is there. selection: cell numbers are needed, too. Throws
+  /// std::runtime_error.
   void Upload(vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection);
   void Draw(vtkShaderProgram* program, const CellTracing& tracing, const CellScene& scene) const;
   void Release();
   std::size_t Bytes() const { return this->ByteCount; }
+  double UploadMilliseconds() const { return this->Milliseconds; } ///< of the picture there
 
 private:
   vtkSmartPointer<vtkTextureObject> Gradients, Numbers;
   unsigned int VertexArray = 0;
   std::size_t ByteCount = 0;
+  double Milliseconds = 0.0;
+  vtkMTimeType PictureTime = 0;
 };
 
 #endif

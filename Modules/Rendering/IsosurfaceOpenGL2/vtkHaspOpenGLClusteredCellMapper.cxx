@@ -151,10 +151,13 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
       context.Traced.Release();
     }
     vtkOpenGLCheckErrorMacro("after drawing active cells");
+    context.Complaint.clear();
   }
   catch (const std::exception& e)
   {
-    vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+    if (context.Complaint != e.what())
+      vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+    context.Complaint = e.what();
   }
 }
 
@@ -203,11 +206,11 @@ void vtkHaspOpenGLClusteredCellMapper::DrawCells(
     program->SetUniformi("firstWord", static_cast<int>(range.part.firstWord));
   };
   if (occlusion)
-    context.UseCulling(cells, this->GetStorageBlockBytes())
-      .Draw({ pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
+    context.UseCulling(cells).Draw(
+      { pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
         [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
   else
-    context.Buffers.Draw(draws, prepare);
+    context.Buffers.Draw(draws, prepare, context.SoftwareOpenGL);
   context.Attributes.Unbind();
 }
 
@@ -236,9 +239,12 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
     this->GetColoring().uniform);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, this->GetCells().Count());
-  tracing.Trace(scene);
+  // A pick has several passes, each a frame of its own, and follows one that was looked at.
+  tracing.Trace(scene, this->GL->Switch.Measures() ? VTK_MTIME_MAX
+                       : selector                  ? 0
+                                                   : context.GetFrameTime());
   context.Traced.Upload(window, tracing, selector != nullptr);
-  vtkShaderProgram* program = context.Program.ReadyTraced(window, scene, selector);
+  vtkShaderProgram* program = context.Program.ReadyTraced(window, this, actor, scene, selector);
   if (!program)
     throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
   context.Traced.Draw(program, tracing, scene);

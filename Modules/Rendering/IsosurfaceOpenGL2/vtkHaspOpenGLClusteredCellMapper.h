@@ -11,7 +11,8 @@
  * Occlusion culling: see OcclusionCulling.h of this folder. It works where what is drawn hides what
  * is behind it; translucent passes, depth peeling and hardware selection draw all that is in view.
  *
- * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn.
+ * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn; what OpenGL refuses is tried
+ * again each time, and said once in a row.
  */
 #ifndef vtkHaspOpenGLClusteredCellMapper_h
 #define vtkHaspOpenGLClusteredCellMapper_h
@@ -35,6 +36,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void SetRenderer(int renderer) override;
   std::string GetRendererChoice() const override;
+  using Superclass::ListResources;
   void ListResources(hasp::ResourceList& list) const override;
 
 protected:

@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 namespace hasp
@@ -103,8 +104,7 @@ CellFileHead ReadHead(FileBytes& file)
   CellFileHead head;
   if (file.Peek(sizeof head.magic) !=
       std::string_view(CellFileHead::Magic, sizeof CellFileHead::Magic))
-    ThrowFileError(
-      file.File(), "holds no active cells of Hasp: it does not begin as one that does");
+    ThrowIsNoCells(file.File());
   file.Read(&head, sizeof head);
   if (head.version != CellFileHead::Version)
     ThrowFileError(file.File(), "is of version " + std::to_string(head.version) +
@@ -186,6 +186,30 @@ void ForEachPiece(
 bool IsCellFileName(const std::string& path)
 {
   return LowerExtension(std::filesystem::u8path(path)) == ".hcells";
+}
+
+void ThrowIsNoCells(const std::filesystem::path& file)
+{
+  ThrowFileError(file,
+    "holds no active cells: it does not begin as they do. If it is a volume, give it its own "
+    "ending back (.mha, .nrrd and so on); hasp cells makes active cells of it");
+}
+
+void RefuseCells(const std::string& path, const std::string& wanted)
+{
+  const std::filesystem::path name = std::filesystem::u8path(path);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) // a pipe would wait
+    return;
+  char start[sizeof CellFileHead::Magic] = {};
+  std::ifstream(name, std::ios::binary).read(start, sizeof start);
+  if (std::memcmp(start, CellFileHead::Magic, sizeof start) != 0)
+    return;
+  const std::string then = IsCellFileName(path)
+                             ? "hasp render draws them, hasp info describes them"
+                             : "rename it to end in .hcells, and hasp render draws them";
+  ThrowFileError(name, "holds active cells of an isosurface, no " + wanted + ": " + then +
+                         "; for all else give the volume they were made of");
 }
 
 std::shared_ptr<const ClusteredCells> LoadCells(

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 
-/// The head of a .hcells file, byte for byte. Internal to IOMedical.
+/// Internal to IOMedical.
 namespace hasp
 {
 
+/// The head of a .hcells file, byte for byte.
 struct CellFileHead
 {
   static constexpr char Magic[8] = { '\x89', 'H', 'C', 'E', 'L', 'L', '\r', '\n' };
@@ -27,5 +29,8 @@ struct CellFileHead
   std::uint32_t headChecksum; ///< CRC-32 of the head up to here
 };
 static_assert(sizeof(CellFileHead) == 224);
+
+/// Of a file that is named or read as active cells and does not begin as they do.
+[[noreturn]] void ThrowIsNoCells(const std::filesystem::path& file);
 
 } // namespace hasp

@@ -133,7 +133,7 @@ void WalkArchive(const std::filesystem::path& file, std::size_t limitBytes,
     if (size < 0 || std::uint64_t(size) > most - declared)
       ThrowFileError(file, "the archive declares more than the memory limit of " +
                              Text(double(limitBytes) / (1 << 20)) +
-                             " MiB; if it is to be trusted, raise memoryLimitBytes");
+                             " MiB; if it is to be trusted, raise the limit");
     declared += static_cast<std::size_t>(size);
     if (seen.size() > EntryLimit)
       ThrowFileError(

@@ -41,7 +41,7 @@ std::string TooManySamples(std::int64_t x, std::int64_t y, std::int64_t z,
   if (bytes > double(limitBytes))
     return "declares " + size + ", " + Text(bytes / (1 << 20)) + " MiB; the memory limit is " +
            Text(double(limitBytes) / (1 << 20)) +
-           " MiB. Crop or resample the scan, or raise memoryLimitBytes";
+           " MiB. Crop or resample the scan, or raise the limit";
   return {};
 }
 

@@ -29,12 +29,12 @@ mat3 normalToView;
 vec4 eyeIndex;
 vec4 planes[HASP_PLANES];
 
-// What is said of a label: frame in the low 16 bits and these two; RGBA.
-const uint LabelHidden = 0x80000000u, LabelColored = 0x40000000u;
+// What is said of a label: the number of its frame in the low bits, 65536 at most, and these two; RGBA.
+const uint LabelHidden = 0x80000000u, LabelColored = 0x40000000u, LabelFrame = 0x1FFFFu;
 
 void EnterFrame(uvec2 label)
 {
-  uint frame = label.x & 0xFFFFu;
+  uint frame = label.x & LabelFrame;
   indexToClip = cellFrames[frame].indexToClip;
   clipToIndex = cellFrames[frame].clipToIndex;
   indexToView = cellFrames[frame].indexToView;

@@ -34,7 +34,7 @@ void main()
     discard;
 #ifdef HASP_LABELS
   EnterFrame(label);
-  if (texelFetch(hitFrame, pixel, 0).x != float(label.x & 0xFFFFu)) // a surface that moves otherwise
+  if (texelFetch(hitFrame, pixel, 0).x != float(label.x & LabelFrame)) // a surface that moves otherwise
     discard;
 #endif
   vec3 hit = HitInCell(depth);

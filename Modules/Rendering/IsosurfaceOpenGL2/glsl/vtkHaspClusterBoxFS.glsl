@@ -1,7 +1,7 @@
 #version 430 core
 // Notes that a cluster's box is not hidden. Depth is tested before and nothing else is written.
 //
-// in   cluster   its number
+// in   cluster   its number in states
 // both states    see ClusterState.glsl; all fragments of a cluster write the same
 #define HASP_FUNCTION
 //Hasp::ClusterState

@@ -6,7 +6,7 @@
 //
 // in   clusters, order, states   see vtkHaspClusterCommandsCS.glsl; a vertex's number is that of its entry,
 //                                times 18, plus that of its place in the box
-// out  cluster                   its number
+// out  cluster                   its number in states
 #define HASP_FUNCTION
 //Hasp::CellLayout
 //Hasp::ClusterState
@@ -28,7 +28,7 @@ uniform vec4 eyeIndex;       // (eye, 1), or (minus the view direction, 0) if pa
 uniform vec3 voxelsPerPixel; // at clip w 1, a parallel projection's only w
 uniform float roundingVoxels;
 uniform vec2 viewport;       // pixels
-uniform int firstCluster;
+uniform int firstCluster; // of the part, in states
 
 flat out uint cluster;
 

@@ -2,9 +2,9 @@
 // Writes the draw command of each cluster of a range: no cells for those that are not to be drawn.
 //
 // in   clusters     packed as CellLayout.glsl says, of one part
-// in   order        entries of the frame: clusters, counted from the first one of their part
-// both states       of all clusters, as ClusterState.glsl says
-// out  commands     DrawArraysIndirectCommand of each entry: count, instances, first, base
+// in   order        entries of the range, and some before: clusters, counted from the first one of their part
+// both states       of the part's clusters, and some before, as ClusterState.glsl says
+// out  commands     DrawArraysIndirectCommand of each entry in order: count, instances, first, base
 // early: those seen in the last frame, and the frame begins. late: those seen and not drawn yet.
 #define HASP_FUNCTION
 //Hasp::CellLayout
@@ -29,7 +29,7 @@ layout(std430, binding = 4) writeonly buffer Commands
 };
 uniform int firstEntry;
 uniform int entryCount;
-uniform int firstCluster; // of the part
+uniform int firstCluster; // of the part, in states
 uniform int verticesPerCell;
 uniform int viewer;
 uniform bool late;

@@ -94,7 +94,7 @@ void main()
   //VTK::DepthPeeling::PreColor
 #ifdef HASP_HITS
 #ifdef HASP_LABELS
-  fragOutput0 = vec4(float(label.x & 0xFFFFu), 0.0, 0.0, 0.0);
+  fragOutput0 = vec4(float(label.x & LabelFrame), 0.0, 0.0, 0.0);
 #else
   fragOutput0 = vec4(0.0);
 #endif

@@ -20,6 +20,8 @@ uniform mat3 normalToView;
 uniform vec4 viewportToDevice; // scale, offset: pixels to [-1,1]
 
 layout(location = 0) out vec4 fragOutput0;
+// Filled by VTK's passes, like the two lines in main().
+//VTK::DepthPeeling::Dec
 
 void main()
 {
@@ -28,6 +30,8 @@ void main()
   if (met.w > 1.0)
     discard;
   gl_FragDepth = gl_DepthRange.near + gl_DepthRange.diff * met.w;
+
+  //VTK::DepthPeeling::PreColor
 #ifdef HASP_SELECTION
   fragOutput0 = SelectionColor(texelFetch(numbers, texel, 0).x);
 #else
@@ -37,4 +41,5 @@ void main()
   vec3 normal = FaceEye(position, normalize(normalToView * -met.xyz));
   fragOutput0 = Shade(position, normal, PropertyMaterial());
 #endif
+  //VTK::DepthPeeling::Impl
 }

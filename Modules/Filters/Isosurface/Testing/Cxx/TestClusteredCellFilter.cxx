@@ -1,5 +1,6 @@
 #include "vtkHaspClusteredCellFilter.h"
 
+#include "Isosurface/CellAttributes.h"
 #include "Isosurface/Testing/CellFixture.h"
 #include "vtkHaspClusteredCells.h"
 #include "vtkHaspVolumeView.h"
@@ -10,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -177,6 +179,38 @@ TEST_F(ClusteredCellFilter, CellsThatSomebodyHoldsDoNotChange)
   this->Update();
   EXPECT_TRUE(SameCells(*held, before));
   EXPECT_TRUE(SameCells(*this->Held, this->Truth()));
+}
+
+TEST_F(ClusteredCellFilter, LabelsFollowTheArrayAndTheEdits)
+{
+  vtkNew<vtkUnsignedCharArray> labels;
+  labels->SetName("bones");
+  for (vtkIdType n = 0; n < this->Image->GetNumberOfPoints(); ++n)
+    labels->InsertNextValue(static_cast<unsigned char>(n / 7 % 5));
+  this->Image->GetPointData()->AddArray(labels);
+  const auto truth = [&]
+  {
+    hasp::ClusteredCells cells = this->Truth();
+    hasp::AddLabels(cells, hasp::ViewPointArray(this->Image, labels));
+    return cells;
+  };
+  const Errors errors(this->Filter), executive(this->Filter->GetExecutive());
+  this->Filter->SetLabelArrayName("teeth");
+  EXPECT_EQ(this->Update().Count(), 0U);
+  EXPECT_NE(errors.Text.find("no point array teeth"), std::string::npos) << errors.Text;
+  this->Filter->SetLabelArrayName("");
+  EXPECT_TRUE(SameCells(this->Update(), this->Truth()));
+  const auto held = this->Held;
+  this->Filter->SetLabelArrayName("bones");
+  EXPECT_FALSE(this->Update().labels.empty());
+  EXPECT_TRUE(SameCells(*this->Held, truth()));
+  EXPECT_TRUE(held->labels.empty()) << "somebody holds them";
+  this->Sample(20, 20, 20) = 30000;
+  const int box[6] = { 20, 20, 20, 20, 20, 20 };
+  this->Filter->MarkModified(box);
+  EXPECT_TRUE(SameCells(this->Update(), truth()));
+  this->Filter->SetLabelArrayName("");
+  EXPECT_TRUE(SameCells(this->Update(), this->Truth()));
 }
 
 TEST_F(ClusteredCellFilter, AbortGivesNothingAndNoError)

@@ -81,12 +81,7 @@ struct AttributeScene : CellTestScene
 
 inline std::size_t BytesOf(const CellTestScene& scene, const std::string& resource)
 {
-  ResourceList list;
-  scene.Mapper->ListResources(list);
-  for (const auto& use : list)
-    if (use.resource == resource)
-      return use.bytes;
-  throw std::invalid_argument("no resource " + resource);
+  return FindResource(scene.Mapper, resource).bytes;
 }
 
 } // namespace hasp::testing

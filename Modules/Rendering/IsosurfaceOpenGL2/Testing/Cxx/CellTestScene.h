@@ -23,6 +23,8 @@
 #include <glm/matrix.hpp>
 
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace hasp::testing
@@ -121,5 +123,16 @@ private:
   vtkNew<vtkFloatArray> Depth;
   glm::dmat4 ClipToWorld{ 1.0 };
 };
+
+/// What the mapper says of one of its resources.
+inline ResourceUse FindResource(vtkHaspClusteredCellMapper* mapper, const std::string& name)
+{
+  ResourceList list;
+  mapper->ListResources(list);
+  for (const ResourceUse& use : list)
+    if (use.resource == name)
+      return use;
+  throw std::invalid_argument("no resource " + name);
+}
 
 } // namespace hasp::testing

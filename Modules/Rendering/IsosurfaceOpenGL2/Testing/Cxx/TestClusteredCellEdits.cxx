@@ -1,5 +1,6 @@
 // Samples changed in place: only the box that was marked is read again.
 #include "AttributeTestScene.h"
+#include "vtkHaspPickedCell.h"
 
 #include "Isosurface/ClusteredCells.h"
 
@@ -141,10 +142,10 @@ TEST_F(CellEdits, LabelsAndColoursFollowInAnyExtent)
   scene.Draw();
   const hasp::ClusteredCells edited = mapper->GetCells();
   const double from[3] = { 9, -100, 7.25 }, to[3] = { 9, 100, 7.25 };
-  vtkHaspPickedCell picked{};
+  vtkNew<vtkHaspPickedCell> picked;
   ASSERT_TRUE(mapper->PickFirstCell(from, to, picked));
-  EXPECT_EQ(picked.label, 2);
-  EXPECT_NEAR(picked.value, 7.25, 1e-5);
+  EXPECT_EQ(picked->GetLabel(), 2);
+  EXPECT_NEAR(picked->GetValue(), 7.25, 1e-5);
   image->GetPointData()->GetScalars()->Modified();
   image->Modified(); // from scratch
   scene.Draw();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <vector>
 
 namespace
@@ -58,6 +59,9 @@ TEST_F(CellInputs, AreDrawnAsTheImageIs)
   EXPECT_EQ(this->Draw(), truth);
   EXPECT_EQ(&this->Scene.Mapper->GetCells(), this->Cells->GetCells().get()) << "no copy";
   EXPECT_EQ(this->Scene.Mapper->GetImage(), nullptr);
+  std::ostringstream text;
+  this->Scene.Mapper->Print(text);
+  EXPECT_NE(text.str().find("IsoValue: 0 (the input's own)"), std::string::npos) << text.str();
   for (int n = 0; n < 6; ++n)
     EXPECT_NEAR(this->Scene.Mapper->GetBounds()[n], bounds[n], 1e-9); // mm: sums in another order
   int ijk[3];

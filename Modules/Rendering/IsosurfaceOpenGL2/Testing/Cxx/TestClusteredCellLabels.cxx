@@ -2,9 +2,10 @@
 // and bounds go along.
 #include "AttributeTestScene.h"
 #include "CellLabels.h"
+#include "ErrorCounter.h"
 #include "Isosurface/CellAttributes.h"
+#include "vtkHaspPickedCell.h"
 
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 #include "vtkPlane.h"
@@ -12,26 +13,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
 
 using hasp::testing::AttributeScene;
+using hasp::testing::ErrorCounter;
 using Color = std::array<int, 3>;
 
 class CellLabels : public ::testing::Test
 {
 protected:
   static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
-};
-
-/// Counts errors and lets none be printed.
-struct ErrorCounter : vtkCommand
-{
-  static ErrorCounter* New() { return new ErrorCounter; }
-  int Count = 0;
-  void Execute(vtkObject*, unsigned long, void*) override { ++this->Count; }
 };
 
 /// Turned by 180 degrees around z, 30 mm to the right, 8 up.
@@ -196,20 +192,60 @@ TEST_F(CellLabels, APickNamesThePosedCellAndItsPoint)
         continue;
       const auto [from, way] = s.Ray(int(x), int(y));
       const glm::dvec3 to = from + 400.0 * way;
-      vtkHaspPickedCell picked{}, first{};
+      vtkNew<vtkHaspPickedCell> picked, first;
       ASSERT_TRUE(s.Mapper->PickCell(info.AttributeID, &from.x, &to.x, picked));
-      EXPECT_LT(glm::distance(glm::make_vec3(picked.position), *truth), 0.02); // 24 bits of depth
-      EXPECT_EQ(picked.label, truth->x > 10 ? 2 : 1);
+      EXPECT_LT(
+        glm::distance(glm::make_vec3(picked->GetPosition()), *truth), 0.02); // 24 bits of depth
+      EXPECT_EQ(picked->GetLabel(), truth->x > 10 ? 2 : 1);
       ASSERT_TRUE(s.Mapper->PickFirstCell(&from.x, &to.x, first));
-      EXPECT_NEAR(first.t, picked.t, 1e-6);
+      EXPECT_NEAR(first->GetT(), picked->GetT(), 1e-6);
       const glm::dvec3 ball =
         truth->x > 10 ? glm::dvec3(30 - truth->x, -truth->y, truth->z - 8) : *truth;
       const glm::dvec3 normal =
         glm::normalize(truth->x > 10 ? glm::dvec3(-ball.x, -ball.y, ball.z) : ball);
-      EXPECT_GT(glm::dot(glm::make_vec3(picked.normal), normal), 0.99);
+      EXPECT_GT(glm::dot(glm::make_vec3(picked->GetNormal()), normal), 0.99);
       ++picks;
     }
   EXPECT_GT(picks, 50);
+}
+
+/// The halves of the ball, as labels 65534 and 65535, apart; all labels from `first` to 65533 have
+/// a pose, too. With and without blended normals.
+std::vector<unsigned char> HalvesApart(int first)
+{
+  AttributeScene s;
+  vtkDataArray* label = s.Mapper->GetImage()->GetPointData()->GetArray("label");
+  for (vtkIdType n = 0; n < label->GetNumberOfTuples(); ++n)
+    label->SetComponent(n, 0, label->GetComponent(n, 0) + 65533);
+  s.Mapper->SetLabelArrayName("label");
+  vtkNew<vtkMatrix4x4> up;
+  up->SetElement(2, 3, 10);
+  for (int n = first; n < 65534; ++n)
+    s.Mapper->SetLabelPose(n, up);
+  vtkNew<vtkTransform> left;
+  left->Translate(-20, 0, -8);
+  s.Mapper->SetLabelPose(65534, left);
+  s.Mapper->SetLabelPose(65535, Away());
+  s.Actor->GetProperty()->LightingOn();
+  std::vector<unsigned char> colors;
+  for (const bool blended : { false, true })
+  {
+    s.Mapper->SetBlendNormals(blended);
+    s.Draw();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    s.Window->GetPixelData(0, 0, 119, 99, 1, rgb);
+    colors.insert(colors.end(), rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues());
+  }
+  return colors;
+}
+
+// What is not moved at all is a frame, too: 65536 poses make 65537.
+TEST_F(CellLabels, EachOfAllMayHaveAPose)
+{
+  const auto truth = HalvesApart(65534);
+  EXPECT_GT(std::count_if(truth.begin(), truth.end(), [](int c) { return c > 0; }), 6000);
+  EXPECT_EQ(HalvesApart(1), truth);
+  EXPECT_EQ(HalvesApart(0), truth);
 }
 
 TEST_F(CellLabels, BoundsHoldWhatPosesCarryAway)

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -94,6 +95,27 @@ TEST_F(CellParts, Int16CellsLookTheSame)
 TEST_F(CellParts, FloatCellsLookTheSame)
 {
   ExpectTheSamePictureInParts<float>();
+}
+
+// Occlusion culling needs 16 bytes of draw commands a cluster. OpenGL's 128 MiB a block are full at
+// 8,388,608 clusters, these 32 KiB at 2048.
+TEST_F(CellParts, MoreClustersThanABlockHoldsDrawCommandsOfAreCulled)
+{
+  // A grain in each of 13^3 clusters.
+  const hasp::GridGeometry g = hasp::testing::ObliqueGrid(108, { 0.5, 0.5, 0.5 });
+  std::vector<std::int16_t> samples(g.Size(), 0);
+  for (int n = 0; n < 13 * 13 * 13; ++n)
+  {
+    const glm::ivec3 at = 8 * glm::ivec3(n % 13, n / 13 % 13, n / 169) + glm::ivec3(3, 4, 5);
+    samples[(std::size_t(at.z) * g.dims.y + at.y) * g.dims.x + at.x] = 500;
+  }
+  const auto image = hasp::MakeImage(g, samples);
+  vtkNew<vtkHaspOpenGLClusteredCellMapper> whole;
+  vtkNew<SmallBlockMapper> parts;
+  const auto truth = Picture(whole, image, false);
+  ASSERT_GT(16 * whole->GetCells().clusters.size(), hasp::LeastBlockBytes);
+  EXPECT_EQ(Picture(parts, image, true), truth);
+  EXPECT_GT(std::count_if(truth.begin(), truth.end(), [](int c) { return c > 0; }), 10000);
 }
 
 // Labels, a pose, and colours of another array go along in parts, too.

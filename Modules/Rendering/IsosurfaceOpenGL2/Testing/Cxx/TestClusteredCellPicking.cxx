@@ -4,6 +4,7 @@
 #include "Isosurface/ClusteredCells.h"
 #include "Isosurface/RayCaster.h"
 #include "vtkHaspClusteredCellLocator.h"
+#include "vtkHaspPickedCell.h"
 
 #include "vtkCellPicker.h"
 #include "vtkDataObject.h"
@@ -173,19 +174,20 @@ TEST_F(CellPicking, GivesVoxelPointNormalAndValue)
     const auto [origin, direction] = s.scene.Ray(120, 100);
     const glm::dvec3 to = origin + 300.0 * direction;
     const auto truth = caster.Cast(origin, direction);
-    vtkHaspPickedCell picked{};
+    vtkNew<vtkHaspPickedCell> picked;
     ASSERT_TRUE(s.scene.Mapper->PickFirstCell(&origin.x, &to.x, picked));
-    EXPECT_EQ(glm::make_vec3(picked.ijk), truth->cell);
+    EXPECT_EQ(glm::make_vec3(picked->GetIJK()), truth->cell);
     // The root is found in float inside a cell: a millionth of it.
-    EXPECT_LT(glm::distance(glm::make_vec3(picked.position), truth->position), 1e-5);
-    EXPECT_GT(glm::dot(glm::make_vec3(picked.normal), -glm::normalize(truth->gradient)), 0.9999);
-    EXPECT_EQ(picked.label, 0);
+    EXPECT_LT(glm::distance(glm::make_vec3(picked->GetPosition()), truth->position), 1e-5);
+    EXPECT_GT(
+      glm::dot(glm::make_vec3(picked->GetNormal()), -glm::normalize(truth->gradient)), 0.9999);
+    EXPECT_EQ(picked->GetLabel(), 0);
     const glm::dvec3 index = s.geometry.WorldToIndex(truth->position);
-    EXPECT_NEAR(picked.value, colored ? index.x + 2 * index.y - index.z : 0.0, 1e-4);
-    vtkHaspPickedCell same{};
-    EXPECT_TRUE(s.scene.Mapper->PickCell(picked.cellId, &origin.x, &to.x, same));
-    EXPECT_EQ(same.t, picked.t);
-    EXPECT_FALSE(s.scene.Mapper->PickCell(picked.cellId, &origin.x, &origin.x, same));
+    EXPECT_NEAR(picked->GetValue(), colored ? index.x + 2 * index.y - index.z : 0.0, 1e-4);
+    vtkNew<vtkHaspPickedCell> same;
+    EXPECT_TRUE(s.scene.Mapper->PickCell(picked->GetCellId(), &origin.x, &to.x, same));
+    EXPECT_EQ(same->GetT(), picked->GetT());
+    EXPECT_FALSE(s.scene.Mapper->PickCell(picked->GetCellId(), &origin.x, &origin.x, same));
     EXPECT_FALSE(s.scene.Mapper->PickCell(-1, &origin.x, &to.x, same));
   }
 }

@@ -13,17 +13,23 @@ TEST(RendererChoice, TakesTheFasterOne)
   for (const bool traceIsFaster : { true, false })
   {
     hasp::RendererChoice choice;
-    EXPECT_EQ(choice.Text(), "to be measured");
+    EXPECT_EQ(choice.Text(), "traced: OpenGL is software, so rays are tried first");
     for (const double milliseconds : { 95.0, 20.0 })
     {
       EXPECT_TRUE(choice.Trace(1000, 100));
       choice.Note(milliseconds);
     }
+    EXPECT_EQ(
+      choice.Text(), "traced: OpenGL is software, so rays are tried first; they took 20.0 ms");
     for (const double milliseconds : { 90.0, 60.0, traceIsFaster ? 21.0 : 19.0 })
     {
       EXPECT_FALSE(choice.Decided());
       EXPECT_FALSE(choice.Trace(1000, 100));
       choice.Note(milliseconds);
+      if (!choice.Decided())
+      {
+        EXPECT_EQ(choice.Text().rfind("rasterised: to compare; traced in 20.0 ms, ", 0), 0U);
+      }
     }
     EXPECT_TRUE(choice.Decided());
     EXPECT_EQ(choice.Trace(1000, 100), traceIsFaster);

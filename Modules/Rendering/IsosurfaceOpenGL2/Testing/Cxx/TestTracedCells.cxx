@@ -1,11 +1,6 @@
-// The traced renderer: the same surface, colours and cells as the rasteriser, and nothing of it
-// there while it is not used.
-#include "CellTestScene.h"
-#include "HaspGL.h"
-#include "Isosurface/ClusteredCells.h"
+// The traced renderer: the same surface, colours and cells as the rasteriser.
+#include "GyroidScene.h"
 
-#include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkLight.h"
 #include "vtkPlane.h"
 #include "vtkProperty.h"
@@ -15,61 +10,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
+
+#if HASP_WITH_EMBREE
 
 namespace
 {
 
-using hasp::testing::CellTestScene;
-
-constexpr int PixelsX = 150, PixelsY = 120;
-
-vtkSmartPointer<vtkImageData> Gyroid()
-{
-  const hasp::GridGeometry g = hasp::testing::ObliqueGrid(50, { 1, 0.9, 1.3 });
-  return hasp::MakeImage(
-    g, hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticGyroid(20), g, 100, 0));
-}
-
-hasp::ResourceUse Find(vtkHaspClusteredCellMapper* mapper, const std::string& name)
-{
-  hasp::ResourceList list;
-  mapper->ListResources(list);
-  for (const auto& use : list)
-    if (use.resource == name)
-      return use;
-  ADD_FAILURE() << "no resource " << name;
-  return {};
-}
-
-struct GyroidScene : CellTestScene
-{
-  GyroidScene() : CellTestScene(PixelsX, PixelsY)
-  {
-    this->Mapper->SetInputData(Gyroid());
-    this->Look({ 60, -80, 40 }, { 0, 0, 0 }, 20, 200);
-  }
-
-  /// Cell ids of all pixels, -1 where nothing is.
-  std::vector<vtkIdType> CellIds()
-  {
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(this->Renderer);
-    selector->SetArea(0, 0, PixelsX - 1, PixelsY - 1);
-    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-    EXPECT_TRUE(selector->CaptureBuffers());
-    std::vector<vtkIdType> ids;
-    for (unsigned y = 0; y < PixelsY; ++y)
-      for (unsigned x = 0; x < PixelsX; ++x)
-      {
-        const unsigned pixel[2] = { x, y };
-        const auto picked = selector->GetPixelInformation(pixel);
-        ids.push_back(picked.Valid ? picked.AttributeID : -1);
-      }
-    return ids;
-  }
-};
+using hasp::testing::GyroidScene;
+using hasp::testing::PixelsX;
+using hasp::testing::PixelsY;
 
 struct Picture
 {
@@ -128,8 +78,6 @@ class TracedCells : public ::testing::Test
 protected:
   static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
 };
-
-#if HASP_WITH_EMBREE
 
 TEST_F(TracedCells, LookLikeRasterizedOnes)
 {
@@ -267,168 +215,6 @@ TEST_F(TracedCells, OfFloatVolumesAndCompactCells)
   ExpectAgreement(scene);
 }
 
-TEST_F(TracedCells, AreNotThereUntilAskedForAndGoneAfterwards)
-{
-  GyroidScene scene;
-  vtkHaspClusteredCellMapper* mapper = scene.Mapper;
-  const auto bytes = [&](const char* name) { return Find(mapper, name).bytes; };
-  scene.Draw();
-  EXPECT_EQ(mapper->GetRendererChoice(), "rasterised: as asked for");
-  for (const char* name : { "ray tracing tree", "traced picture", "shader: traced cells" })
-  {
-    EXPECT_EQ(bytes(name), 0U) << name;
-    EXPECT_EQ(Find(mapper, name).milliseconds, 0.0) << name;
-  }
-  EXPECT_GT(bytes("active cells, GPU"), 0U);
-
-  mapper->SetRendererToTrace();
-  scene.Draw();
-  scene.Draw(); // what the rasteriser used lately goes now
-  EXPECT_EQ(mapper->GetRendererChoice(), "traced: as asked for");
-  EXPECT_GT(bytes("ray tracing tree"), 0U);
-  EXPECT_GT(bytes("traced picture"), 0U);
-  EXPECT_EQ(bytes("active cells, GPU"), 0U);
-  EXPECT_EQ(bytes("occlusion culling"), 0U);
-
-  scene.Actor->GetProperty()->SetOpacity(0.5);
-  scene.Draw();
-  EXPECT_EQ(mapper->GetRendererChoice(), "rasterised: translucent surfaces always are");
-  scene.Actor->GetProperty()->SetOpacity(1.0);
-
-  mapper->SetBlendNormals(true);
-  scene.Draw();
-  EXPECT_EQ(mapper->GetRendererChoice(),
-    "rasterised: labels, scalar colours and blended normals always are");
-  EXPECT_EQ(bytes("ray tracing tree"), 0U);
-  mapper->SetBlendNormals(false);
-
-  mapper->SetRendererToRasterize();
-  scene.Draw();
-  EXPECT_EQ(bytes("ray tracing tree"), 0U);
-  EXPECT_EQ(bytes("traced picture"), 0U);
-  EXPECT_GT(bytes("active cells, GPU"), 0U);
-
-  mapper->SetRendererToTrace();
-  scene.Draw();
-  scene.Window->Finalize();
-  EXPECT_EQ(bytes("active cells, GPU"), 0U);
-}
-
-TEST_F(TracedCells, FollowIsovalueAndInput)
-{
-  GyroidScene scene;
-  scene.Mapper->SetRendererToTrace();
-  const auto depth = [&]
-  {
-    scene.Draw();
-    const auto point = scene.Point(PixelsX / 2, PixelsY / 2);
-    return point ? glm::length(*point) : -1.0;
-  };
-  const auto image = [](double radius)
-  {
-    const hasp::GridGeometry g{ { 40, 40, 40 }, glm::dvec3(-19.5), { 1, 1, 1 }, glm::dmat3(1) };
-    return hasp::MakeImage(
-      g, hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, radius), g, 100, 0));
-  };
-  scene.Mapper->SetInputData(image(15));
-  EXPECT_NEAR(depth(), 15, 0.1);
-  scene.Mapper->SetIsoValue(400);
-  EXPECT_NEAR(depth(), 11, 0.1);
-  scene.Mapper->SetIsoValue(1e6); // no surface
-  EXPECT_EQ(depth(), -1.0);
-  EXPECT_EQ(Find(scene.Mapper, "ray tracing tree").bytes, 0U);
-  EXPECT_EQ(Find(scene.Mapper, "traced picture").bytes, 0U);
-  scene.Mapper->SetIsoValue(0);
-  scene.Mapper->SetInputData(image(12));
-  EXPECT_NEAR(depth(), 12, 0.1);
-}
-
-TEST_F(TracedCells, LiveInTwoWindowsAndLeaveNothingBehind)
-{
-  GyroidScene first;
-  first.Mapper->SetRendererToTrace();
-  auto second = std::make_unique<GyroidScene>();
-  second->Mapper = first.Mapper;
-  second->Actor->SetMapper(first.Mapper);
-  for (int n = 0; n < 2; ++n)
-  {
-    first.Draw();
-    second->Draw();
-    for (const GyroidScene* scene : { &first, second.get() })
-      EXPECT_TRUE(scene->Point(PixelsX / 2, PixelsY / 2).has_value());
-  }
-  const double tree = Find(first.Mapper, "ray tracing tree").milliseconds;
-  second.reset();
-  first.Draw();
-  EXPECT_TRUE(first.Point(PixelsX / 2, PixelsY / 2).has_value());
-  EXPECT_EQ(Find(first.Mapper, "ray tracing tree").milliseconds, tree) << "it was made anew";
-  first.Window->MakeCurrent();
-  const auto textures = []
-  {
-    int count = 0;
-    for (GLuint name = 1; name < 1000; ++name)
-      count += glIsTexture(name);
-    return count;
-  };
-  const int with = textures();
-  first.Actor->SetMapper(nullptr);
-  first.Mapper = nullptr;
-  EXPECT_EQ(textures(), with - 1);
-}
-
-TEST_F(TracedCells, AreChosenByMeasurementWhereOpenGLIsSoftware)
-{
-  GyroidScene scene;
-  scene.Draw();
-  scene.Mapper->SetRendererToAutomatic();
-  const std::string driver = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (driver.find("llvmpipe") == std::string::npos)
-    GTEST_SKIP() << "OpenGL by " << driver;
-  scene.Draw();
-  EXPECT_EQ(scene.Mapper->GetRendererChoice().rfind("being measured: traced in ", 0), 0U);
-  for (int n = 0; n < 6; ++n)
-    scene.Draw();
-  const std::string choice = scene.Mapper->GetRendererChoice();
-  EXPECT_NE(choice.find("ed: traced in "), std::string::npos) << choice;
-  EXPECT_NE(choice.find(" ms, rasterised in "), std::string::npos) << choice;
-  const bool traced = choice.rfind("traced", 0) == 0;
-  EXPECT_EQ(Find(scene.Mapper, "ray tracing tree").bytes > 0, traced);
-  EXPECT_EQ(Find(scene.Mapper, "active cells, GPU").bytes > 0, !traced);
-}
-
-TEST_F(TracedCells, AreMeasuredByOpaqueFramesAlone)
-{
-  GyroidScene scene;
-  scene.Mapper->SetRendererToAutomatic();
-  scene.Actor->GetProperty()->SetOpacity(0.5);
-  scene.Draw();
-  EXPECT_EQ(scene.Mapper->GetRendererChoice(), "rasterised: translucent surfaces always are");
-  scene.Actor->GetProperty()->SetOpacity(1.0);
-  const auto ids = scene.CellIds();
-  EXPECT_GT(*std::max_element(ids.begin(), ids.end()), 0);
-  const std::string driver = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (driver.find("llvmpipe") == std::string::npos)
-    GTEST_SKIP() << "OpenGL by " << driver;
-  EXPECT_EQ(scene.Mapper->GetRendererChoice(), "to be measured");
-  scene.Draw();
-  EXPECT_EQ(scene.Mapper->GetRendererChoice().rfind("being measured: traced in ", 0), 0U);
-}
-
-#else
-
-TEST_F(TracedCells, AreRefusedByName)
-{
-  GyroidScene scene;
-  scene.Mapper->SetGlobalWarningDisplay(false);
-  scene.Mapper->SetRendererToTrace();
-  scene.Mapper->SetGlobalWarningDisplay(true);
-  EXPECT_EQ(scene.Mapper->GetRenderer(), vtkHaspClusteredCellMapper::Rasterize);
-  scene.Mapper->SetRendererToAutomatic();
-  scene.Draw();
-  EXPECT_EQ(scene.Mapper->GetRendererChoice().rfind("rasterised: ", 0), 0U);
-  EXPECT_TRUE(scene.Point(PixelsX / 2, PixelsY / 2).has_value());
-}
+} // namespace
 
 #endif
-
-} // namespace

@@ -1,0 +1,75 @@
+#include "RenderFixture.h"
+
+#include <filesystem>
+
+namespace
+{
+
+using HaspRenderCells = RenderFixture;
+
+TEST_F(HaspRenderCells, ActiveCellsAreDrawnWithoutTheVolume)
+{
+  this->Phantom();
+  ASSERT_EQ(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "226", "--output",
+                      this->Path("head.hcells") })
+              .exitCode,
+    0);
+  ASSERT_EQ(this->Render({}, "volume.png").exitCode, 0);
+  std::filesystem::remove(this->Path("head.mha"));
+  const auto draw = [&](const Words& more)
+  {
+    Words words{ "render", this->Path("head.hcells"), "--resolution", "120,90", "--output",
+      this->Path("cells.png") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  };
+  for (const Words& words : { Words{ "--isovalue", "226" }, Words{ "--ignore-below", "5" },
+         Words{ "--mapper", "mesh" }, Words{ "--series", "1" } })
+    ExpectFailure(draw(words), 1, "for volumes");
+  ExpectFailure(draw({ "--surface", this->Path("head.hcells") }), 2, "isosurface, no triangles");
+  this->WriteText("named.mha", ReadBytes(this->Path("head.hcells")));
+  ExpectFailure(RunHasp({ "render", this->Path("named.mha"), "--output", this->Path("x.png") }), 2,
+    "isosurface, no volume: rename it");
+  const HaspRun run = draw({});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(ReadBytes(this->Path("cells.png")), ReadBytes(this->Path("volume.png")));
+  ExpectFailure(RunHasp({ "render", this->Path("none.mha"), "--output", this->Path("x.png") }), 1,
+    "--isovalue");
+}
+
+TEST_F(HaspRenderCells, BothRenderersDrawTheSameSurface)
+{
+  this->Phantom();
+  const HaspRun traced = this->Render({ "--renderer", "trace", "--explain" }, "trace.png");
+  if (!HASP_WITH_EMBREE)
+    return ExpectFailure(traced, 1, "HASP_ENABLE_EMBREE");
+  ASSERT_EQ(traced.exitCode, 0) << traced.err;
+  EXPECT_NE(traced.out.find("traced picture"), std::string::npos) << traced.out;
+  const HaspRun drawn = this->Render({ "--renderer", "rasterize", "--explain" }, "raster.png");
+  ASSERT_EQ(drawn.exitCode, 0) << drawn.err;
+  EXPECT_NE(drawn.out.find("active cells, GPU"), std::string::npos) << drawn.out;
+  const double ratio = double(ReadBytes(this->Path("trace.png")).size()) /
+                       double(ReadBytes(this->Path("raster.png")).size());
+  EXPECT_NEAR(ratio, 1.0, 0.02); // alike to a few pixels; the mapper's own tests compare them
+  ExpectFailure(this->Render({ "--renderer", "magic" }), 1, "one of");
+}
+
+TEST_F(HaspRenderCells, CompactCellsAreSmallerAndOnlyForCells)
+{
+  this->Phantom();
+  const auto bytesOfCells = [&](const HaspRun& run)
+  {
+    const std::size_t at = run.out.find("active cells, host");
+    return at == std::string::npos ? 0 : std::stol(run.out.substr(at + 18));
+  };
+  const HaspRun exact = this->Render({ "--explain" }, "exact.png");
+  const HaspRun compact = this->Render({ "--compact", "--explain" }, "compact.png");
+  ASSERT_EQ(compact.exitCode, 0) << compact.err;
+  EXPECT_GT(bytesOfCells(compact), 0);
+  EXPECT_LT(bytesOfCells(compact), bytesOfCells(exact));
+  ExpectFailure(this->Render({ "--compact", "--mapper", "mesh" }), 1, "--mapper cells");
+  ExpectFailure(
+    this->Render({ "--renderer", "rasterize", "--mapper", "mesh" }), 1, "--mapper cells");
+}
+
+} // namespace
