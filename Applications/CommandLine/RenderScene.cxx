@@ -21,6 +21,7 @@
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace hasp
@@ -40,6 +41,10 @@ void Shade(vtkActor* actor, const std::array<double, 3>& color)
   property->SetSpecularPower(20);
 }
 
+// Frames that a picture is refined for, and how many may find nothing new before it is taken to be
+// complete.
+constexpr int MostFrames = 1000, QuietFrames = 16;
+
 } // namespace
 
 struct RenderScene::Parts
@@ -55,6 +60,16 @@ struct RenderScene::Parts
     Shade(surface.actor, color);
     this->renderer->AddActor(surface.actor);
     this->surfaces.push_back(std::move(surface));
+  }
+  bool MayRefine() const
+  {
+    return std::any_of(this->surfaces.begin(), this->surfaces.end(),
+      [](const SurfaceActor& surface) { return bool(surface.refining); });
+  }
+  bool Refining() const
+  {
+    return std::any_of(this->surfaces.begin(), this->surfaces.end(),
+      [](const SurfaceActor& surface) { return surface.refining && surface.refining(); });
   }
   void OpenWindow(const RenderOptions& options)
   {
@@ -103,7 +118,13 @@ std::string RenderScene::DrawPng()
   Parts& self = *this->Self;
   self.session->progress.Step("drawing");
   const auto start = std::chrono::steady_clock::now();
-  const vtkSmartPointer<vtkImageData> picture = self.picture->Render();
+  vtkSmartPointer<vtkImageData> picture = self.picture->Render();
+  for (int quiet = 0, frame = 1; quiet < QuietFrames && frame < MostFrames && self.MayRefine();
+       ++frame)
+  {
+    picture = self.picture->Render();
+    quiet = self.Refining() ? 0 : quiet + 1;
+  }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::CannotDraw, "cannot draw");
   if (!picture)

@@ -8,6 +8,7 @@
 
 #if HASP_WITH_CELLS
 #include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspRayCachingMapper.h"
 #endif
 #include "vtkActor.h"
 #include "vtkFlyingEdges3D.h"
@@ -46,7 +47,7 @@ SurfaceActor MakeMeshActor(vtkPolyData* mesh, const ResourceUse& use)
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  return { actor.Get(), [use](ResourceList& list) { list.push_back(use); } };
+  return { actor.Get(), [use](ResourceList& list) { list.push_back(use); }, {} };
 }
 
 SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& session)
@@ -86,11 +87,31 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const CellDraw
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkSmartPointer<vtkHaspClusteredCellMapper> kept = mapper.Get();
-  return { actor.Get(), [kept](ResourceList& list)
+  return { actor.Get(),
+    [kept](ResourceList& list)
     {
       kept->ListResources(list);
       list.push_back({ "mesh", 0, 0.0, "active cells are drawn without one" });
-    } };
+    },
+    {} };
+}
+
+/// mode: of vtkHaspRayCachingMapper::Modes. Nothing is extracted before the first frame.
+SurfaceActor MakeCachingActor(vtkImageData* image, double isoValue, int mode)
+{
+  auto mapper = vtkSmartPointer<vtkHaspRayCachingMapper>::New();
+  mapper->SetInputData(image);
+  mapper->SetIsoValue(isoValue);
+  mapper->SetMode(mode);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  return { actor.Get(),
+    [mapper](ResourceList& list)
+    {
+      mapper->ListResources(list);
+      list.push_back({ "mesh", 0, 0.0, "rays need none" });
+    },
+    [mapper] { return mapper->IsRefining(); } };
 }
 #endif
 
@@ -99,7 +120,7 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const CellDraw
 const std::vector<std::string>& SurfaceMappers()
 {
 #if HASP_WITH_CELLS
-  static const std::vector<std::string> names{ "cells", "mesh" };
+  static const std::vector<std::string> names{ "cells", "raycaching", "raycast", "mesh" };
 #else
   static const std::vector<std::string> names{ "mesh" };
 #endif
@@ -121,6 +142,10 @@ SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::str
     session.progress.Step("extracting active cells");
     return MakeCellActor(image, isoValue, drawing);
   }
+  if (mapper == "raycaching")
+    return MakeCachingActor(image, isoValue, vtkHaspRayCachingMapper::Cache);
+  if (mapper == "raycast")
+    return MakeCachingActor(image, isoValue, vtkHaspRayCachingMapper::RaycastSkipping);
 #endif
   if (mapper == "mesh")
     return MakeMeshIsosurface(image, isoValue, session);

@@ -21,10 +21,12 @@ struct SurfaceActor
 {
   vtkSmartPointer<vtkActor> actor;
   std::function<void(ResourceList&)> listResources;
+  std::function<bool()> refining; ///< will the next frame show more? Empty: never
 };
 
 /// The names that --mapper takes in this build, the default first: "cells" (active cells, exact),
-/// "mesh" (vtkFlyingEdges3D).
+/// "raycaching" (vtkHaspRayCachingMapper), "raycast" (a ray a pixel on the GPU), "mesh"
+/// (vtkFlyingEdges3D).
 const std::vector<std::string>& SurfaceMappers();
 
 /// How active cells are made and drawn.

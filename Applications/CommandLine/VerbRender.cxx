@@ -44,10 +44,10 @@ void RunOnCells(const Choices& choices, Session& session)
 {
   const VolumeChoices& volume = choices.volume;
   if (choices.isoValue || choices.ignoreBelowMm3 > 0.0 || volume.series != 0 || volume.resample ||
-      choices.render.mapper == "mesh" || choices.render.cells.compact)
+      choices.render.mapper != SurfaceMappers().front() || choices.render.cells.compact)
     throw Failure(ExitCode::WrongUse,
-      "--isovalue, --ignore-below, --series, --resample, --compact and --mapper mesh are for "
-      "volumes; leave them out for active cells");
+      "--isovalue, --ignore-below, --series, --resample, --compact and other mappers than cells "
+      "are for volumes; leave them out for active cells");
   vtkNew<vtkHaspClusteredCells> cells;
   cells->SetCells(ReadCells(volume.input, session));
   if (cells->GetNumberOfCells() == 0)
@@ -64,7 +64,7 @@ void Run(Choices choices, Session& session)
   RefuseCells(choices.volume.input, "volume"); // before their lack of an isovalue is a fault
   if (!choices.isoValue)
     throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
-  if (choices.render.mapper == "mesh" &&
+  if (choices.render.mapper != "cells" &&
       (choices.render.cells.renderer != "automatic" || choices.render.cells.compact))
     throw Failure(
       ExitCode::WrongUse, "--renderer and --compact are for --mapper cells; leave them out");
@@ -141,7 +141,10 @@ void AddRenderVerb(CLI::App& app, Session& session)
       "Leave out connected pieces smaller than this, mm3: specks, head-rests")
     ->check(Within(0.0, 1e9));
   choices->render.mapper = SurfaceMappers().front();
-  verb->add_option("--mapper", choices->render.mapper, "cells: exact, no mesh; mesh: Flying Edges")
+  verb
+    ->add_option("--mapper", choices->render.mapper,
+      "cells: exact, no mesh; raycaching: what rays find, frame by frame, until nothing is new; "
+      "raycast: a ray a pixel on the GPU; mesh: Flying Edges")
     ->check(CLI::IsMember(SurfaceMappers()))
     ->capture_default_str();
   verb
