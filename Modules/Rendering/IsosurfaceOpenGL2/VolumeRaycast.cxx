@@ -33,7 +33,7 @@
 namespace
 {
 
-/// What the driver makes of the largest sample is 1; and the digits that its numbers have there.
+/// The sample that the driver's normalisation makes 1, and how far its numbers are off there.
 struct Normalization
 {
   double largest, rounding;
@@ -41,14 +41,14 @@ struct Normalization
 
 Normalization NormalizationOf(const hasp::AnyGridView& grid, double isovalue)
 {
+  constexpr double digits = 4.0 * std::numeric_limits<float>::epsilon();
   return std::visit(
     [&]<typename T>(const hasp::GridView<const T>&) -> Normalization
     {
-      if constexpr (std::is_same_v<T, float>)
-        return { 1.0, 4.0 * std::numeric_limits<float>::epsilon() * std::abs(isovalue) };
-      else
-        return { double{ std::numeric_limits<T>::max() },
-          4.0 * std::numeric_limits<float>::epsilon() * std::numeric_limits<T>::max() };
+      if (std::is_same_v<T, float>)
+        return { 1.0, digits * std::abs(isovalue) };
+      const double largest = std::is_signed_v<T> ? 32767.0 : 65535.0; // uint8 is kept as uint16
+      return { largest, digits * largest };
     },
     grid);
 }

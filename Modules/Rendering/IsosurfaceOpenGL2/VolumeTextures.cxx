@@ -26,7 +26,7 @@ Format FormatOf()
   else if constexpr (std::is_same_v<T, std::uint16_t>)
     return { GL_R16UI, GL_R16, GL_RED_INTEGER, GL_UNSIGNED_SHORT };
   else if constexpr (std::is_same_v<T, std::uint8_t>)
-    return { GL_R8UI, GL_R8, GL_RED_INTEGER, GL_UNSIGNED_BYTE };
+    return { GL_R16UI, GL_R16, GL_RED_INTEGER, GL_UNSIGNED_BYTE }; // 8 bits are interpolated to 8
   else
     return { GL_R32F, GL_R32F, GL_RED, GL_FLOAT };
 }
@@ -113,8 +113,7 @@ void VolumeTextures::UploadSamples(const hasp::AnyGridView& grid, int longestSid
     return; // no cells
   const Format format =
     std::visit([]<typename T>(const hasp::GridView<const T>&) { return FormatOf<T>(); }, grid);
-  const std::size_t sampleBytes =
-    std::visit([](const auto& view) { return sizeof(*view.data); }, grid);
+  const std::size_t sampleBytes = format.exact == GL_R32F ? 4 : 2;
   const int step = longestSide - 1; // neighbours share the samples between them
   for (int z = 0; z < size.z - 1; z += step)
     for (int y = 0; y < size.y - 1; y += step)

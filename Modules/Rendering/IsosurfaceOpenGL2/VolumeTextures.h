@@ -7,10 +7,10 @@
 #include <vector>
 
 /// A volume in an OpenGL context: its samples as 3D textures, as many as OpenGL's longest side asks
-/// for, and its min-max blocks as another one. Samples are kept as they are; a second view of the
-/// same memory lets the driver interpolate. Not released with the object: its context may be gone
-/// by then. Threads: RENDER, with the context current; the binding of the active texture unit
-/// changes.
+/// for, and its min-max blocks as another one. Samples are kept as they are, 8 bits
+/// as 16; a second view of the same memory lets the driver interpolate. Not released with the
+/// object: its context may be gone by then. Threads: RENDER, with the context current; the binding
+/// of the active texture unit changes.
 class VolumeTextures
 {
 public:

@@ -80,45 +80,75 @@ float TimeOf(float number)
 // In texture coordinates, so that the loop has the least to do.
 vec3 textureStart, textureDirection;
 
-bool InsideAt(float t)
+bool IsOtherSide(float number, bool inside)
 {
-  return textureLod(filtered, textureStart + t * textureDirection, 0.0).x >= threshold;
+  return (textureLod(filtered, textureStart + TimeOf(number) * textureDirection, 0.0).x >= threshold) != inside;
+}
+
+// The first sample in [number, end] that is on the other side than `inside`. If there is none, a number beyond
+// end, up to which none is. Four at a time: a loop's turn costs as much as a sample.
+float FindChangeUntil(float number, float end, bool inside)
+{
+  while (number <= end)
+  {
+    bvec4 other = bvec4(IsOtherSide(number, inside), IsOtherSide(number + 1.0, inside),
+      IsOtherSide(number + 2.0, inside), IsOtherSide(number + 3.0, inside));
+    if (any(other))
+      return number + (other.x ? 0.0 : other.y ? 1.0 : other.z ? 2.0 : 3.0);
+    number += 4.0;
+  }
+  return number;
 }
 
 #ifdef HASP_SKIPPING
-// The first sample from `number` on that is on the other side than `inside`; beyond `last` if there is none.
-// A block without surface has one side and is passed in one step. The samples are those of the ray without
-// skipping.
+// The block in which the ray is, from where on, and where it leaves it along each axis.
+ivec3 block;
+float blockEnter;
+vec3 blockWall;
+
+void EnterBlocks()
+{
+  block = clamp(ivec3(start + enter * direction), ivec3(0), ivec3(cellCount) - 1) >> 3;
+  blockEnter = enter;
+  blockWall = (vec3((block + ivec3(greaterThan(inverse, vec3(0.0)))) << 3) - start) * inverse;
+}
+
+void NextBlock(float blockLeave)
+{
+  bvec3 crossed = lessThanEqual(blockWall, vec3(blockLeave));
+  blockWall += 8.0 * abs(inverse) * vec3(crossed);
+  block = clamp(block + ivec3(sign(inverse)) * ivec3(crossed), ivec3(0), (ivec3(cellCount) - 1) >> 3);
+  blockEnter = blockLeave;
+}
+
+// FindChangeUntil the last sample, but a block without surface has one side and is passed in one step.
 float FindChange(float number, float last, bool inside)
 {
   while (number <= last)
   {
-    float end = last; // of the samples in the block
-    while (number <= last)
+    float blockLeave;
+    while (true)
     {
-      ivec3 block = clamp(ivec3(start + TimeOf(number) * direction), ivec3(0), ivec3(cellCount) - 1) >> 3;
       vec2 range = texelFetch(blocks, block, 0).xy;
-      vec3 wall = (vec3((block + ivec3(greaterThan(inverse, vec3(0.0)))) << 3) - start) * inverse;
-      end = clamp(floor((min(min(wall.x, wall.y), wall.z) - enter) / stepSize), number, last);
+      blockLeave = min(min(blockWall.x, blockWall.y), blockWall.z);
       if (isovalue > range.x ? isovalue <= range.y || inside : !inside)
         break;
-      number = end + 1.0;
+      if (blockLeave >= leave)
+        return last + 1.0;
+      NextBlock(blockLeave);
     }
-    while (number <= end)
-    {
-      if (InsideAt(TimeOf(number)) != inside)
-        return number;
-      number += 1.0;
-    }
+    float end = blockLeave >= leave ? last : floor((blockLeave - enter) / stepSize);
+    number = FindChangeUntil(max(number, floor((blockEnter - enter) / stepSize) + 1.0), end, inside);
+    if (number <= end)
+      break;
+    NextBlock(blockLeave);
   }
   return number;
 }
 #else
 float FindChange(float number, float last, bool inside)
 {
-  while (number <= last && InsideAt(TimeOf(number)) == inside)
-    number += 1.0;
-  return number;
+  return FindChangeUntil(number, last, inside);
 }
 #endif
 
@@ -134,44 +164,55 @@ struct Hit
   vec3 place;     // in it
 };
 
-// The first root between two points of the ray, cell by cell.
+void ReadCell(ivec3 cell, out Hit hit)
+{
+  hit.cell = cell;
+  hit.low = vec4(Corner(cell), Corner(cell + ivec3(1, 0, 0)), Corner(cell + ivec3(0, 1, 0)),
+    Corner(cell + ivec3(1, 1, 0)));
+  hit.high = vec4(Corner(cell + ivec3(0, 0, 1)), Corner(cell + ivec3(1, 0, 1)), Corner(cell + ivec3(0, 1, 1)),
+    Corner(cell + ivec3(1, 1, 1)));
+}
+
+// The first root between two points of the ray, cell by cell. Its cell is found first and the cubic solved then,
+// outside of the loop: not every pixel needs as many cells.
 bool FindRoot(float from, float to, out Hit hit)
 {
-  ivec3 first = ivec3(boxLow), last = ivec3(boxHigh) - 1;
-  hit.cell = clamp(ivec3(floor(start + from * direction)), first, last);
-  bool inside = false, found = false;
-  for (bool began = false; from <= to; began = true)
+  ivec3 first = ivec3(boxLow), last = ivec3(boxHigh) - 1, up = ivec3(greaterThan(inverse, vec3(0.0)));
+  ivec3 cell = clamp(ivec3(floor(start + from * direction)), first, last);
+  bool began = false, inside = false, over = false;
+  while (!over)
   {
-    vec3 wall = (vec3(hit.cell + ivec3(greaterThan(inverse, vec3(0.0)))) - start) * inverse;
-    float end = min(min(wall.x, wall.y), wall.z);
-    hit.low = vec4(Corner(hit.cell), Corner(hit.cell + ivec3(1, 0, 0)), Corner(hit.cell + ivec3(0, 1, 0)),
-      Corner(hit.cell + ivec3(1, 1, 0)));
-    hit.high = vec4(Corner(hit.cell + ivec3(0, 0, 1)), Corner(hit.cell + ivec3(1, 0, 1)),
-      Corner(hit.cell + ivec3(0, 1, 1)), Corner(hit.cell + ivec3(1, 1, 1)));
-    vec3 a = start + from * direction - vec3(hit.cell), b = start + min(end, to) * direction - vec3(hit.cell);
-    vec4 c = HaspRayBernstein(hit.low, hit.high, a, b);
-    float s;
-    found = HaspFirstRoot(c, s);
-    if (began && (c.x >= 0.0) != inside) // by rounding, the root lies between this cell and the last
+    bool changes = false; // the coefficients, or by rounding the value between this cell and the last
+    vec3 a, b;
+    vec4 c;
+    while (!changes && !over)
     {
-      found = true;
-      s = 0.0;
-    }
+      ReadCell(cell, hit);
+      vec3 wall = (vec3(cell + up) - start) * inverse;
+      float end = min(min(wall.x, wall.y), wall.z);
+      a = start + from * direction - vec3(cell);
+      b = start + min(end, to) * direction - vec3(cell);
+      c = HaspRayBernstein(hit.low, hit.high, a, b);
+      inside = began ? inside : c.x >= 0.0;
+      began = true;
+      bvec4 side = greaterThanEqual(c, vec4(0.0));
+      changes = inside ? !all(side) : any(side);
 #ifdef HASP_FLOAT_CORNERS
-    if (any(isnan(hit.low)) || any(isnan(hit.high)) || any(isinf(hit.low)) || any(isinf(hit.high)))
-      found = false;
+      began = !any(isnan(c)) && !any(isinf(c)); // cells of what are no numbers are empty
+      changes = changes && began;
 #endif
-    hit.place = mix(a, b, s);
-    if (found)
-      break;
-    inside = c.w >= 0.0;
-    from = end;
-    ivec3 next = hit.cell + ivec3(sign(inverse)) * ivec3(lessThanEqual(wall, vec3(end)));
-    if (next == hit.cell || any(lessThan(next, first)) || any(greaterThan(next, last)))
-      break;
-    hit.cell = next;
+      cell += (2 * up - 1) * ivec3(lessThanEqual(wall, vec3(end)));
+      from = end;
+      over = end >= to || any(lessThan(cell, first)) || any(greaterThan(cell, last));
+    }
+    float s = 0.0;
+    if (changes && ((c.x >= 0.0) != inside || HaspFirstRoot(c, s)))
+    {
+      hit.place = mix(a, b, s);
+      return true;
+    }
   }
-  return found;
+  return false;
 }
 
 bool FindHit(out Hit hit)
@@ -179,8 +220,11 @@ bool FindHit(out Hit hit)
   vec3 texels = boxHigh - boxLow + 1.0;
   textureStart = (start - boxLow + 0.5) / texels;
   textureDirection = direction / texels;
+#ifdef HASP_SKIPPING
+  EnterBlocks();
+#endif
   float number = 1.0, last = ceil((leave - enter) / stepSize);
-  bool inside = InsideAt(enter);
+  bool inside = IsOtherSide(0.0, false);
   // Each loop has little in it that not all pixels do: a processor runs several of them in step.
   while (number <= last)
   {
