@@ -101,8 +101,9 @@ struct RaycastScene : CellTestScene
 
   Judgement Judge(const std::vector<std::optional<TrilinearHit>>& truth) const
   {
-    const glm::dvec3 spacing = GeometryOf(ViewImage(this->Raycaster->GetImage())).spacing;
-    const double voxel = std::min({ spacing.x, spacing.y, spacing.z });
+    const GridGeometry g = GeometryOf(ViewImage(this->Raycaster->GetImage()));
+    const auto inVoxels = [&](const glm::dvec3& way)
+    { return glm::transpose(g.direction) * way / g.spacing; };
     Judgement result;
     for (int pixel = 0; pixel < PixelsX * PixelsY; ++pixel)
     {
@@ -112,13 +113,16 @@ struct RaycastScene : CellTestScene
       result.surface += met.has_value();
       if (!met && !shown)
         continue;
-      const glm::dvec3 direction = this->Ray(x, y).second;
+      const glm::dvec3 direction = glm::normalize(inVoxels(this->Ray(x, y).second));
       double behind = shown ? -1e9 : 1e9;
       if (met && shown)
-        behind = glm::dot(*shown - met->position, direction) / voxel;
-      const bool grazes = met && std::abs(glm::dot(glm::normalize(met->gradient), direction)) < 0.1;
-      // Where a ray grazes, root and rounding are far apart; half a voxel is another sheet.
-      if (std::abs(behind) > 0.5)
+        behind = glm::dot(inVoxels(*shown - met->position), direction);
+      const bool grazes =
+        met &&
+        std::abs(glm::dot(glm::normalize(g.spacing * (glm::transpose(g.direction) * met->gradient)),
+          direction)) < 0.1;
+      // Where a ray grazes, root and rounding are far apart; a fiftieth voxel is another root.
+      if (std::abs(behind) > 0.02)
         ++(behind > 0.0 ? result.missed : result.invented);
       else if (!grazes)
         result.error = std::max(result.error, std::abs(behind));
