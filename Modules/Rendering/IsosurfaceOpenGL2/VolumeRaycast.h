@@ -1,15 +1,10 @@
 #ifndef VolumeRaycast_h
 #define VolumeRaycast_h
 
-#include "Grid/ResourceUse.h"
 #include "VolumeTextures.h"
 #include "WindowContext.h"
 
 #include "vtkType.h"
-
-#include <memory>
-#include <string>
-#include <vector>
 
 struct CellScene;
 class vtkActor;
@@ -69,23 +64,6 @@ private:
   vtkMTimeType HeldTime = 0; ///< of the volume
   glm::ivec3 ChangedLow{ 0 }, ChangedHigh{ -1 };
   unsigned int VertexArray = 0;
-};
-
-/// The raycasts of a mapper, one a window that drew it. Threads: RENDER.
-class VolumeRaycasts
-{
-public:
-  /// True if it was drawn. Throws std::runtime_error the first time it says why it was not.
-  bool Draw(const RaycastVolume& volume, const RaycastSettings& settings, vtkMapper* mapper,
-    vtkRenderer* renderer, vtkActor* actor);
-  void MarkModified(const glm::ivec3& low, const glm::ivec3& high);
-  void Release(vtkOpenGLRenderWindow* window);
-  void Clear();
-  void ListResources(hasp::ResourceList& list) const;
-
-private:
-  std::vector<std::unique_ptr<VolumeRaycast>> Contexts;
-  std::string Refusal; ///< what was said last
 };
 
 #endif

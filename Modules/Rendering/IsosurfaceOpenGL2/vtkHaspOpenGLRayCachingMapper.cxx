@@ -8,7 +8,7 @@
 #include "Isosurface/RayCache.h"
 #include "MappedVolume.h"
 #include "ViewerEyes.h"
-#include "VolumeRaycast.h"
+#include "VolumeRaycasts.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspVolumeView.h"
 

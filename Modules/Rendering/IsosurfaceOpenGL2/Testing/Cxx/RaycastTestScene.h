@@ -5,6 +5,7 @@
 #include "vtkHaspRayCachingMapper.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,14 @@ struct RaycastScene : CellTestScene
     for (int pixel = 0; pixel < PixelsX * PixelsY; ++pixel)
       points.push_back(this->Point(pixel % PixelsX, pixel / PixelsX));
     return points;
+  }
+
+  std::vector<unsigned char> Colors()
+  {
+    this->Draw();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    this->Window->GetPixelData(0, 0, PixelsX - 1, PixelsY - 1, 0, rgb);
+    return { rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues() };
   }
 
   /// What the rays of all pixels meet first; they start on the near plane, or so far along as

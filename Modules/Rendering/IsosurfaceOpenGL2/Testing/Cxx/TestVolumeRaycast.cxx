@@ -1,13 +1,7 @@
 // Isosurfaces by a ray a pixel on the GPU: what they show is what rays in long double meet.
 #include "RaycastTestScene.h"
 
-#include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkPlane.h"
-#include "vtkPointData.h"
-#include "vtkProperty.h"
-#include "vtkTransform.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <iostream>
 #include <limits>
@@ -175,62 +169,6 @@ TEST_F(VolumeRaycast, CutsAtPlanesAndAtTheNearAndFarOne)
   }
 }
 
-TEST_F(VolumeRaycast, FollowsTurnedStretchedAndMirroredActors)
-{
-  RaycastScene scene;
-  const auto sphere = hasp::AnalyticSphere({ 1, 2, 3 }, 14);
-  scene.Show<float>(sphere, ObliqueGrid(44, { 1.0, 0.8, 1.3 }));
-  vtkNew<vtkTransform> turn;
-  turn->Translate(3, -5, 7);
-  turn->RotateWXYZ(33, 1, 2, 3);
-  turn->Scale(-1.5, 1, 1.2);
-  scene.Actor->SetUserTransform(turn);
-  const glm::dmat4 back =
-    glm::inverse(glm::transpose(glm::dmat4(glm::make_mat4(turn->GetMatrix()->GetData()))));
-  for (const int mode : RaycastModes)
-  {
-    scene.Raycaster->SetMode(mode);
-    int shown = 0;
-    double error = 0.0;
-    for (const auto& point : scene.Points())
-    {
-      shown += point.has_value();
-      if (point)
-        error = std::max(error, std::abs(sphere.value(glm::dvec3(back * glm::dvec4(*point, 1)))));
-    }
-    EXPECT_GT(shown, 2000);
-    EXPECT_LT(error, 0.03); // trilinear interpolation of a sphere: spacing^2 / (8 radius) an axis
-  }
-}
-
-TEST_F(VolumeRaycast, SkippingShowsTheSamePicture)
-{
-  RaycastScene scene;
-  scene.Actor->GetProperty()->SetSpecular(0.5);
-  for (const double step : { 0.3, 1.0, 4.0 })
-    for (const double isovalue : { 0.0, 250.0, -300.0 })
-    {
-      scene.Show<std::int16_t>(Gyroid, ObliqueGrid(51, { 1.0, 0.8, 1.3 }));
-      scene.Raycaster->SetStepSize(step);
-      scene.Raycaster->SetIsoValue(isovalue);
-      std::vector<unsigned char> colors[2];
-      std::vector<std::optional<glm::dvec3>> points[2];
-      for (const bool skipping : { false, true })
-      {
-        scene.Raycaster->SetMode(RaycastModes[skipping]);
-        points[skipping] = scene.Points();
-        vtkNew<vtkUnsignedCharArray> rgb;
-        scene.Window->GetPixelData(
-          0, 0, RaycastScene::PixelsX - 1, RaycastScene::PixelsY - 1, 0, rgb);
-        colors[skipping].assign(rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues());
-      }
-      EXPECT_EQ(points[0], points[1]) << step << " " << isovalue;
-      EXPECT_EQ(colors[0], colors[1]) << step << " " << isovalue;
-      EXPECT_NE(std::count(points[0].begin(), points[0].end(), std::nullopt),
-        std::ptrdiff_t(points[0].size()));
-    }
-}
-
 // A sheet 0.2 voxels thick: a step of one voxel falls into it as often as its chord is long, for
 // the first sample lies anywhere. No step of 0.2 voxels misses it.
 TEST_F(VolumeRaycast, MissesWhatIsThinnerThanAStep)
@@ -283,41 +221,6 @@ TEST_F(VolumeRaycast, OfLongAxesIsDrawnInParts)
   scene.Look({ 20, -50, 20 }, { 0, 0, 0 }, 20, 120);
   Hold(scene, "two textures", 0.001); // at 2047 floats have 1.2e-4 left, tenfold where a ray grazes
   EXPECT_EQ(Find(scene.Raycaster, "raycast samples, GPU").reason.substr(0, 2), "2 ");
-}
-
-TEST_F(VolumeRaycast, GivesTheImagesCellsToSelections)
-{
-  RaycastScene scene;
-  const hasp::GridGeometry g = ObliqueGrid(44, { 1.0, 0.8, 1.3 });
-  scene.Show<std::int16_t>(Gyroid, g);
-  const hasp::AnyGridView grid = hasp::ViewImage(scene.Raycaster->GetImage());
-  for (const int mode : RaycastModes)
-  {
-    scene.Raycaster->SetMode(mode);
-    scene.Draw();
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(scene.Renderer);
-    selector->SetArea(0, 0, RaycastScene::PixelsX - 1, RaycastScene::PixelsY - 1);
-    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-    ASSERT_TRUE(selector->CaptureBuffers());
-    int picked = 0, other = 0;
-    for (unsigned y = 0; y < RaycastScene::PixelsY; ++y)
-      for (unsigned x = 0; x < RaycastScene::PixelsX; ++x)
-      {
-        const unsigned pixel[2] = { x, y };
-        const auto found = selector->GetPixelInformation(pixel);
-        const auto [origin, direction] = scene.Ray(int(x), int(y));
-        const auto truth = hasp::FirstTrilinearHit(grid, 0.0, origin, direction);
-        if (!found.Valid || !truth)
-          continue;
-        const glm::ivec3 cells = g.dims - 1, cell = truth->cell;
-        ++picked;
-        other += found.AttributeID != cell.x + cells.x * (cell.y + vtkIdType{ cells.y } * cell.z);
-        EXPECT_EQ(found.Prop, scene.Actor.GetPointer());
-      }
-    EXPECT_GT(picked, 3000);
-    EXPECT_LE(other, picked / 100); // rims that are missed, and faces between two cells
-  }
 }
 
 } // namespace
