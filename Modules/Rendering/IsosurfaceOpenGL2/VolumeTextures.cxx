@@ -37,23 +37,29 @@ class UnpackScope
 public:
   UnpackScope(const glm::ivec3& size, const glm::ivec3& low)
   {
+    const GLint values[] = { 1, size.x, size.y, low.x, low.y, low.z };
+    for (int n = 0; n < Count; ++n)
+    {
+      glGetIntegerv(Names[n], &this->Before[n]);
+      glPixelStorei(Names[n], values[n]);
+    }
+    glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->BufferBefore);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    Set(1, size.x, size.y, low);
   }
-  ~UnpackScope() { Set(4, 0, 0, glm::ivec3(0)); } // as OpenGL begins, and VTK expects
+  ~UnpackScope()
+  {
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(this->BufferBefore));
+    for (int n = 0; n < Count; ++n)
+      glPixelStorei(Names[n], this->Before[n]);
+  }
   UnpackScope(const UnpackScope&) = delete;
   UnpackScope& operator=(const UnpackScope&) = delete;
 
 private:
-  static void Set(int alignment, int row, int slice, const glm::ivec3& skip)
-  {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, row);
-    glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, slice);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, skip.x);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, skip.y);
-    glPixelStorei(GL_UNPACK_SKIP_IMAGES, skip.z);
-  }
+  static constexpr int Count = 6;
+  static constexpr GLenum Names[Count] = { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_IMAGES };
+  GLint Before[Count], BufferBefore;
 };
 
 void ForgetErrors()

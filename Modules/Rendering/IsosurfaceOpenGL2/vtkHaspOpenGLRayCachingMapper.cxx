@@ -15,6 +15,7 @@
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -196,6 +197,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawRaycast(vtkRenderer* renderer, vtkActor*
               { skipping, this->StepSize }, this, renderer, actor)
               ? skipping ? "raycast with skipping: asked for" : "raycast: asked for"
               : "nothing drawn";
+  vtkOpenGLCheckErrorMacro("after raycasting");
 }
 
 void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* actor)
