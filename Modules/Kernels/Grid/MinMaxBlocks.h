@@ -38,6 +38,13 @@ public:
   std::size_t Count() const { return this->Ranges.size(); }
   std::size_t Bytes() const { return this->Ranges.size() * sizeof(Range); }
 
+  struct Range
+  {
+    float min, max;
+  };
+  /// Of all blocks, x fastest; none if there are none.
+  const Range* Data() const { return this->Ranges.data(); }
+
   bool Active(const glm::ivec3& block, double isovalue) const
   {
     const Range& r = this->Ranges[this->Index(block)];
@@ -50,10 +57,6 @@ public:
   ///@}
 
 private:
-  struct Range
-  {
-    float min, max;
-  };
   void ReadAll(const AnyGridView& grid, const glm::ivec3& from, const glm::ivec3& to);
   std::size_t Index(const glm::ivec3& b) const
   {

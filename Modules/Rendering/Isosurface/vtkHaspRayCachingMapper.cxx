@@ -108,6 +108,7 @@ void vtkHaspRayCachingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue
      << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
   os << indent << "Mode: " << this->Mode << " (" << this->GetModeChoice() << ")\n";
+  os << indent << "StepSize: " << this->StepSize << "\n";
   os << indent << "RaysPerTile: " << this->RaysPerTile << "\n";
   os << indent << "FrameBudget: " << this->FrameBudget << "\n";
   os << indent << "Prediction: " << this->Prediction << "\n";

@@ -3,7 +3,6 @@
 #include "HaspGL.h"
 
 #include "vtkCommand.h"
-#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 #include <array>
@@ -31,8 +30,7 @@ bool IsSoftwareOpenGL()
 
 CellContext::CellContext(vtkOpenGLRenderWindow* window)
   : SoftwareOpenGL(IsSoftwareOpenGL()),
-    Window(window),
-    CreationTime(window->GetContextCreationTime()),
+    Home(window),
     FrameObserver(window->AddObserver(vtkCommand::StartEvent, this, &CellContext::BeginFrame))
 {
   this->Frame.Modified();
@@ -40,9 +38,9 @@ CellContext::CellContext(vtkOpenGLRenderWindow* window)
 
 CellContext::~CellContext()
 {
-  this->Free(this->Window);
-  if (this->Window)
-    this->Window->RemoveObserver(this->FrameObserver);
+  this->Free(nullptr);
+  if (vtkOpenGLRenderWindow* window = this->Home.Window())
+    window->RemoveObserver(this->FrameObserver);
 }
 
 void CellContext::BeginFrame()
@@ -51,32 +49,22 @@ void CellContext::BeginFrame()
   this->Frame.Modified();
 }
 
-bool CellContext::IsOf(vtkOpenGLRenderWindow* window) const
-{
-  return window && window->GetContextCreationTime() == this->CreationTime;
-}
-
 void CellContext::Free(vtkOpenGLRenderWindow* window)
 {
-  if (this->IsOf(window))
-  {
-    window->PushContext();
-    if (window->IsCurrent())
+  this->Home.Leave(window,
+    [this]
     {
       this->Buffers.Release();
       this->Attributes.Release();
       this->Blending.Release();
       this->Culling.Release();
       this->Traced.Release();
-    }
-    window->PopContext();
-  }
+    });
   this->Buffers = {};
   this->Attributes = {};
   this->Blending = {};
   this->Culling = {};
   this->Traced = {};
-  this->CreationTime = 0;
 }
 
 void CellContext::Upload(

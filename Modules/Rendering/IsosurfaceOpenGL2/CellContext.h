@@ -7,14 +7,12 @@
 #include "NormalBlending.h"
 #include "OcclusionCulling.h"
 #include "TracedCells.h"
+#include "WindowContext.h"
 
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
-#include "vtkWeakPointer.h"
 
 #include <string>
-
-class vtkOpenGLRenderWindow;
 
 /// What a mapper holds in the OpenGL context of one window. It is made when the window first draws
 /// the mapper. Threads: RENDER.
@@ -29,9 +27,9 @@ public:
   CellContext& operator=(const CellContext&) = delete;
 
   /// Is this the context the window has now?
-  bool IsOf(vtkOpenGLRenderWindow* window) const;
+  bool IsOf(vtkOpenGLRenderWindow* window) const { return this->Home.IsOf(window); }
   /// The window is gone, or has another context by now.
-  bool IsLost() const { return !this->IsOf(this->Window); }
+  bool IsLost() const { return this->Home.IsLost(); }
   /// To be called for a window that is being deleted: it is no longer behind the weak pointer.
   void Free(vtkOpenGLRenderWindow* window);
 
@@ -55,8 +53,7 @@ public:
   std::string Complaint; ///< why the last drawing failed; empty if it did not
 
 private:
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkMTimeType CreationTime;  ///< of the context; unique
+  WindowContext Home;
   vtkMTimeType CellsTime = 0; ///< of what is uploaded
   vtkTimeStamp BuffersUsed;
   vtkTimeStamp Frame, FrameBefore; ///< when they began

@@ -9,6 +9,7 @@
 #include "CellShading.h"
 #include "CellSplat.h"
 #include "RayRoot.h"
+#include "SelectionScope.h"
 #include "ShaderSlots.h"
 #include "vtkHaspClusteredCellFS.h"
 #include "vtkHaspClusteredCellMapper.h"
@@ -17,7 +18,6 @@
 #include "vtkHaspTracedCellVS.h"
 
 #include "vtkActor.h"
-#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
@@ -92,22 +92,6 @@ std::string NameOutputs(std::string& fragment)
       declarations += "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";\n";
   }
   return declarations;
-}
-
-/// What is to be written in this pass; see vtkHardwareSelector::PassTypes.
-void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* selector)
-{
-  const int pass = selector->GetCurrentPass();
-  int shift = -1;
-  if (pass == vtkHardwareSelector::CELL_ID_LOW24)
-    shift = 0;
-  if (pass == vtkHardwareSelector::CELL_ID_HIGH24)
-    shift = 24;
-  float color[3] = { 0, 0, 0 }; // no id: there are no points
-  if (pass != vtkHardwareSelector::POINT_ID_LOW24 && pass != vtkHardwareSelector::POINT_ID_HIGH24)
-    selector->GetPropColorValue(color);
-  program->SetUniformi("selectionShift", shift);
-  program->SetUniform3f("selectionColor", color);
 }
 
 } // namespace

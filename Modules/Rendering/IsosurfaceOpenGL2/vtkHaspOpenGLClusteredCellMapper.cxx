@@ -3,9 +3,9 @@
 #include "CellScene.h"
 #include "HaspGL.h"
 #include "OpenGLClusteredCells.h"
+#include "SelectionScope.h"
 
 #include "vtkActor.h"
-#include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -23,31 +23,6 @@ vtkStandardNewMacro(vtkHaspOpenGLClusteredCellMapper);
 
 namespace
 {
-
-/// While one lives, VTK's selector knows which actor is drawn and has blending off.
-class SelectionScope
-{
-public:
-  SelectionScope(vtkHardwareSelector* selector, std::size_t cells) : Selector(selector)
-  {
-    if (!selector)
-      return;
-    selector->UpdateMaximumCellId(static_cast<vtkIdType>(cells)); // decides if high bits get a pass
-    selector->BeginRenderProp();
-    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
-      selector->RenderCompositeIndex(1);
-  }
-  ~SelectionScope()
-  {
-    if (this->Selector)
-      this->Selector->EndRenderProp();
-  }
-  SelectionScope(const SelectionScope&) = delete;
-  SelectionScope& operator=(const SelectionScope&) = delete;
-
-private:
-  vtkHardwareSelector* Selector;
-};
 
 /// In pixels; one less than OpenGL's limit, for the shader rounds up.
 double LargestPoint()
@@ -238,7 +213,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   const CellScene scene(this, this->GetCells().geometry, this->GetCells().isovalue, renderer, actor,
     this->GetColoring().uniform);
   vtkHardwareSelector* selector = renderer->GetSelector();
-  const SelectionScope selection(selector, this->GetCells().Count());
+  const SelectionScope selection(selector, static_cast<vtkIdType>(this->GetCells().Count()));
   // A pick has several passes, each a frame of its own, and follows one that was looked at.
   tracing.Trace(scene, this->GL->Switch.Measures() ? VTK_MTIME_MAX
                        : selector                  ? 0
@@ -272,7 +247,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
   if (attributes.Labelled())
     attributes.UpdateFrames(scene);
   vtkHardwareSelector* selector = renderer->GetSelector();
-  const SelectionScope selection(selector, this->GetCells().Count());
+  const SelectionScope selection(selector, static_cast<vtkIdType>(this->GetCells().Count()));
   const Pass pass{ context, window, renderer, actor, scene, selector };
   const PointSizeScope sizes;
   const CellDraws draws = this->InView(pass, 0.0);

@@ -8,12 +8,14 @@
 #include "Isosurface/RayCache.h"
 #include "MappedVolume.h"
 #include "ViewerEyes.h"
+#include "VolumeRaycasts.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -71,6 +73,7 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
 
   vtkSmartPointer<vtkHaspClusteredCellMapper> Whole; ///< all active cells
   DrawingChoice Choice;
+  VolumeRaycasts Raycasts;
   std::string Drew = "nothing drawn";
 
   /// Rays a tile that fit into the budget beside the drawing, by what the last frame took.
@@ -92,6 +95,7 @@ void vtkHaspOpenGLRayCachingMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->GL->Levels.Release(window);
   if (this->GL->Whole)
     this->GL->Whole->ReleaseGraphicsResources(window);
+  this->GL->Raycasts.Release(vtkOpenGLRenderWindow::SafeDownCast(window));
 }
 
 std::string vtkHaspOpenGLRayCachingMapper::GetModeChoice() const
@@ -125,6 +129,7 @@ void vtkHaspOpenGLRayCachingMapper::UpdateCache()
     volume.Blocks.Update(grid, volume.ChangedLow(), volume.ChangedHigh());
     if (gl.Cache)
       gl.Cache->MarkModified(volume.ChangedLow(), volume.ChangedHigh());
+    gl.Raycasts.MarkModified(volume.ChangedLow(), volume.ChangedHigh());
     volume.ForgetChanges();
   }
   if (gl.Cache)
@@ -141,6 +146,9 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
   try
   {
     this->UpdateCache();
+    if (this->Mode == Raycast || this->Mode == RaycastSkipping)
+      return this->DrawRaycast(renderer, actor);
+    gl.Raycasts.Clear();
     const bool changed = gl.Changed;
     const DrawingChoice::Frame frame =
       this->Mode == Cache ? DrawingChoice::Frame{ true, false } : gl.Choice.Next(changed);
@@ -171,6 +179,25 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
   {
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
   }
+}
+
+/// Nothing of the other modes is kept.
+void vtkHaspOpenGLRayCachingMapper::DrawRaycast(vtkRenderer* renderer, vtkActor* actor)
+{
+  OpenGL& gl = *this->GL;
+  gl.Cache.reset();
+  gl.Last = {};
+  gl.Levels.Clear();
+  gl.Eyes.Clear();
+  gl.Whole = nullptr;
+  gl.Choice = {};
+  const bool skipping = this->Mode == RaycastSkipping;
+  gl.Drew = gl.Raycasts.Draw({ hasp::ViewImage(this->GetImage()), this->GetVolume().Blocks,
+                               this->GetVolumeTime(), this->GetIsoValue() },
+              { skipping, this->StepSize }, this, renderer, actor)
+              ? skipping ? "raycast with skipping: asked for" : "raycast: asked for"
+              : "nothing drawn";
+  vtkOpenGLCheckErrorMacro("after raycasting");
 }
 
 void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* actor)
@@ -230,6 +257,7 @@ void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) cons
     std::to_string(gl.Last.rays) + " rays in the last frame" });
   list.push_back(
     { "depth of the last pictures", gl.Eyes.Bytes(), 0.0, "rays look for holes in it" });
+  gl.Raycasts.ListResources(list);
   if (gl.Whole)
     gl.Whole->ListResources(list);
   else

@@ -38,6 +38,7 @@ private:
   void UpdateCache();
   void DrawCache(vtkRenderer* renderer, vtkActor* actor);
   void DrawWhole(vtkRenderer* renderer, vtkActor* actor);
+  void DrawRaycast(vtkRenderer* renderer, vtkActor* actor);
 
   struct OpenGL;
   std::unique_ptr<OpenGL> GL;

@@ -38,6 +38,8 @@ TEST(MinMaxBlocks, MatchBruteForceOnUnevenSizes)
       EXPECT_TRUE(blocks.Active({ x, 0, z }, low + 1));
       EXPECT_TRUE(blocks.Active({ x, 0, z }, high));
       EXPECT_FALSE(blocks.Active({ x, 0, z }, high + 1));
+      EXPECT_EQ(blocks.Data()[3 * z + x].min, low);
+      EXPECT_EQ(blocks.Data()[3 * z + x].max, high);
     }
 }
 

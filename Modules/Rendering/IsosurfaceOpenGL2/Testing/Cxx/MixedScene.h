@@ -18,6 +18,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <type_traits>
+
 namespace hasp::testing
 {
 
@@ -32,12 +34,12 @@ inline vtkSmartPointer<vtkActor> MakeActor(
 }
 
 /// configure(mapper) says how it is drawn.
-template <typename Configure>
+template <typename Mapper, typename Configure>
 vtkSmartPointer<vtkActor> Isosurface(
   const AnalyticVolume& shape, double opacity, const Configure& configure)
 {
   const GridGeometry geometry{ { 50, 50, 50 }, glm::dvec3(-24.5), { 1, 1, 1 }, glm::dmat3(1) };
-  vtkNew<vtkHaspClusteredCellMapper> mapper;
+  vtkNew<Mapper> mapper;
   mapper->SetInputData(MakeImage(geometry, SampleAnalytic<std::int16_t>(shape, geometry, 100, 0)));
   mapper->SetIsoValue(0);
   configure(mapper.GetPointer());
@@ -55,13 +57,14 @@ inline vtkSmartPointer<vtkActor> Plane(double y, double r, double g, double b, d
   return MakeActor(mapper, r, g, b, opacity);
 }
 
-/// Draws the scene and compares it with the baseline.
-template <typename Configure>
+/// Draws the scene and compares it with the baseline. A mapper that is not for clustered cells
+/// draws the opaque ones.
+template <typename Mapper = vtkHaspClusteredCellMapper, typename Configure>
 int CheckMixedScene(int argc, char* argv[], const Configure& configure)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.1, 0.15, 0.2);
-  renderer->AddActor(Isosurface(AnalyticSphere({ 0, 0, 0 }, 20), 1.0, configure));
+  renderer->AddActor(Isosurface<Mapper>(AnalyticSphere({ 0, 0, 0 }, 20), 1.0, configure));
   renderer->AddActor(Plane(-30, 1, 0.2, 0.2, 0.4)); // before
   renderer->AddActor(Plane(30, 0.2, 0.4, 1, 0.5));  // behind
 
@@ -73,7 +76,7 @@ int CheckMixedScene(int argc, char* argv[], const Configure& configure)
   coneMapper->SetInputConnection(cone->GetOutputPort());
   renderer->AddActor(MakeActor(coneMapper, 0.3, 0.7, 0.4, 1.0));
 
-  auto cut = Isosurface(AnalyticTorus({ 0, 0, 0 }, { 0, 1, 0 }, 15, 7), 1.0, configure);
+  auto cut = Isosurface<Mapper>(AnalyticTorus({ 0, 0, 0 }, { 0, 1, 0 }, 15, 7), 1.0, configure);
   cut->SetPosition(-45, 0, 25);
   cut->GetProperty()->SetSpecular(0.5);
   cut->GetProperty()->SetSpecularPower(30);
@@ -83,7 +86,12 @@ int CheckMixedScene(int argc, char* argv[], const Configure& configure)
   cut->GetMapper()->AddClippingPlane(plane);
   renderer->AddActor(cut);
 
-  auto ghost = Isosurface(AnalyticGyroid(25), 0.5, configure);
+  auto ghost = Isosurface<vtkHaspClusteredCellMapper>(AnalyticGyroid(25), 0.5,
+    [&](auto* mapper)
+    {
+      if constexpr (std::is_same_v<Mapper, vtkHaspClusteredCellMapper>)
+        configure(mapper);
+    });
   ghost->SetPosition(40, 20, 30);
   ghost->SetScale(0.8);
   renderer->AddActor(ghost);
