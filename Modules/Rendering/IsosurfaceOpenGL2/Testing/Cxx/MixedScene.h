@@ -58,9 +58,9 @@ inline vtkSmartPointer<vtkActor> Plane(double y, double r, double g, double b, d
 }
 
 /// Draws the scene and compares it with the baseline. A mapper that is not for clustered cells
-/// draws the opaque ones.
+/// draws the opaque ones. frames: until it is complete.
 template <typename Mapper = vtkHaspClusteredCellMapper, typename Configure>
-int CheckMixedScene(int argc, char* argv[], const Configure& configure)
+int CheckMixedScene(int argc, char* argv[], const Configure& configure, int frames = 1)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.1, 0.15, 0.2);
@@ -104,7 +104,8 @@ int CheckMixedScene(int argc, char* argv[], const Configure& configure)
   window->SetSize(480, 360);
   window->SetMultiSamples(0);
   window->AddRenderer(renderer);
-  window->Render();
+  for (int frame = 0; frame < frames; ++frame)
+    window->Render();
   return CheckPicture(window, argc, argv);
 }
 

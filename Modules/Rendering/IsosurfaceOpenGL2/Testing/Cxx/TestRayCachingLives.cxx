@@ -1,0 +1,164 @@
+// What a ray cache holds comes when it is asked for and goes with it; and what Automatic does.
+#include "DrawingChoice.h"
+#include "HaspGL.h"
+#include "RaycastTestScene.h"
+
+#include <array>
+
+namespace
+{
+
+using hasp::testing::Find;
+using hasp::testing::ObliqueGrid;
+using hasp::testing::RaycastScene;
+
+class RayCachingLives : public ::testing::Test
+{
+protected:
+  static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
+};
+
+struct Ball : RaycastScene
+{
+  explicit Ball(int mode)
+  {
+    this->Raycaster->SetMode(mode);
+    this->Show<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
+  }
+};
+
+std::array<int, 3> Names(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  std::array<int, 3> count{};
+  for (GLuint name = 1; name < 1000; ++name)
+  {
+    count[0] += glIsBuffer(name);
+    count[1] += glIsTexture(name);
+    count[2] += glIsVertexArray(name);
+  }
+  return count;
+}
+
+TEST_F(RayCachingLives, NothingIsMadeBeforeItIsDrawn)
+{
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  for (const char* name :
+    { "ray cache", "cached cells, host and GPU", "depth of the last pictures" })
+    EXPECT_EQ(Find(ball.Raycaster, name).bytes, 0U) << name;
+  ball.Draw();
+  for (const char* name :
+    { "ray cache", "cached cells, host and GPU", "depth of the last pictures" })
+    EXPECT_GT(Find(ball.Raycaster, name).bytes, 0U) << name;
+  EXPECT_EQ(Find(ball.Raycaster, "active cells, host").bytes, 0U);
+}
+
+TEST_F(RayCachingLives, MemoryOfTheCacheIsFixed)
+{
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  ball.Draw();
+  const std::size_t bytes = Find(ball.Raycaster, "ray cache").bytes;
+  for (int frame = 0; frame < 100; ++frame)
+  {
+    ball.Renderer->GetActiveCamera()->Azimuth(3.6);
+    ball.Raycaster->SetIsoValue(frame % 10 * 30.0);
+    ball.Draw();
+    ASSERT_EQ(Find(ball.Raycaster, "ray cache").bytes, bytes);
+  }
+}
+
+TEST_F(RayCachingLives, MappersComeAndGo)
+{
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  ball.Draw();
+  std::array<int, 3> names{};
+  for (int n = 0; n < 100; ++n)
+  {
+    vtkNew<vtkHaspRayCachingMapper> mapper;
+    mapper->SetInputData(ball.Raycaster->GetImage());
+    mapper->SetIsoValue(0.0);
+    mapper->SetModeToCache();
+    ball.Actor->SetMapper(mapper);
+    ASSERT_TRUE(ball.Shows());
+    ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    mapper->ReleaseGraphicsResources(ball.Window);
+    if (n == 1)
+      names = Names(ball.Window);
+  }
+  EXPECT_EQ(Names(ball.Window), names);
+}
+
+TEST_F(RayCachingLives, OneCacheServesTwoWindows)
+{
+  Ball first(vtkHaspRayCachingMapper::Cache);
+  for (int frame = 0; frame < 30; ++frame)
+    first.Draw();
+  const std::size_t bytes = Find(first.Raycaster, "ray cache").bytes;
+  {
+    Ball second(vtkHaspRayCachingMapper::Cache);
+    second.Actor->SetMapper(first.Raycaster);
+    EXPECT_TRUE(second.Shows()); // complete in the first frame
+    EXPECT_FALSE(first.Raycaster->IsRefining());
+    EXPECT_EQ(Find(first.Raycaster, "ray cache").bytes, bytes);
+  }
+  EXPECT_TRUE(first.Shows());
+  EXPECT_TRUE(first.Errors.empty());
+}
+
+TEST_F(RayCachingLives, AnotherImageStartsAnew)
+{
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  EXPECT_TRUE(ball.Shows());
+  const hasp::GridGeometry small{ { 10, 10, 10 }, { 100, 100, 100 }, { 1, 1, 1 }, glm::dmat3(1) };
+  ball.Raycaster->SetInputData(hasp::MakeImage(small, std::vector<float>(small.Size(), 1.0F)));
+  EXPECT_FALSE(ball.Shows());
+  vtkNew<vtkImageData> doubles;
+  doubles->SetDimensions(9, 9, 9);
+  doubles->AllocateScalars(VTK_DOUBLE, 1);
+  ball.Raycaster->SetInputData(doubles);
+  ball.Draw();
+  ball.Draw();
+  EXPECT_EQ(ball.Errors.size(), 1U); // said once
+}
+
+/// All of the surface in every frame, while it tries what is faster, and afterwards.
+TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
+{
+  Ball ball(vtkHaspRayCachingMapper::Automatic);
+  ball.Draw();
+  const auto truth = ball.Truth();
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    ball.Draw();
+    const auto judged = ball.Judge(truth);
+    ASSERT_GT(judged.surface, 1000);
+    ASSERT_LE(judged.missed + judged.invented, 1) << "frame " << frame;
+  }
+  EXPECT_NE(ball.Raycaster->GetModeChoice().find(" ms"), std::string::npos);
+}
+
+TEST_F(RayCachingLives, TheFasterWayIsChosen)
+{
+  for (const bool cacheIsFaster : { false, true })
+    for (const bool changed : { false, true })
+    {
+      DrawingChoice choice;
+      for (int n = 0; n < 2; ++n)
+      {
+        EXPECT_FALSE(choice.Next(changed).cache);
+        EXPECT_TRUE(choice.Next(changed).whole);
+        choice.WholeTook(changed, n == 0 ? 500 : 50); // the first frame compiles shaders
+      }
+      for (int n = 0; n < 2; ++n)
+      {
+        EXPECT_TRUE(choice.Next(changed).cache);
+        EXPECT_TRUE(choice.Next(changed).whole) << "the picture must be complete";
+        choice.CacheTook(changed, n == 0 ? 500 : cacheIsFaster ? 49 : 51);
+      }
+      EXPECT_EQ(choice.Next(changed).cache, cacheIsFaster);
+      EXPECT_EQ(choice.Next(changed).whole, !cacheIsFaster);
+      EXPECT_TRUE(choice.Next(!changed).whole) << "frames of the other kind are measured apart";
+    }
+}
+
+} // namespace
