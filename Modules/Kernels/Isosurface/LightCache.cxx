@@ -152,20 +152,20 @@ LightCache::LightCache(const LightCacheSettings& settings) : Settings(settings)
     settings.pixelsACorner, "above 0, finite");
   Require(settings.raysAPixel > 0.0 && settings.raysAPixel <= 4.0, "rays a pixel",
     settings.raysAPixel, "above 0, at most 4");
-  this->Blocks = std::make_unique<LightBlocks>(settings.blocks);
 }
 
 LightCache::~LightCache() = default;
 
 void LightCache::Forget()
 {
-  this->Blocks->Forget();
+  if (this->Blocks)
+    this->Blocks->Forget();
 }
 
 void LightCache::Forget(const glm::ivec3& low, const glm::ivec3& high)
 {
-  if (this->Distance == 0.0)
-    return; // nothing is known
+  if (!this->Blocks)
+    return;
   // A sample shapes the cells at both sides of it.
   const double unit = LightView::UnitOf(this->Geometry);
   const glm::dvec3& spacing = this->Geometry.spacing;
@@ -175,11 +175,13 @@ void LightCache::Forget(const glm::ivec3& low, const glm::ivec3& high)
 
 std::size_t LightCache::Bytes() const
 {
-  return this->Blocks->Bytes();
+  return this->Blocks ? this->Blocks->Bytes() : 0;
 }
 
 void LightCache::Watch(const ClusteredCells& cells, double distance)
 {
+  if (!this->Blocks)
+    this->Blocks = std::make_unique<LightBlocks>(this->Settings.blocks);
   const GridGeometry &now = cells.geometry, &then = this->Geometry;
   if (cells.isovalue == this->Isovalue && distance == this->Distance && now.dims == then.dims &&
       now.spacing == then.spacing)

@@ -72,7 +72,8 @@ public:
   /// Forgets what the samples [low, high] can have darkened or lit: after they have changed.
   void Forget(const glm::ivec3& low, const glm::ivec3& high);
 
-  /// Of the table; fixed. The system hands the memory out as it is used.
+  /// Of the table: fixed, and 0 until ambient occlusion is first asked for. The system hands the
+  /// memory out as it is used.
   std::size_t Bytes() const;
   /// For ambient occlusion, in the last picture.
   std::int64_t Rays() const { return this->RayCount; }

@@ -112,7 +112,7 @@ int main(int argc, char** argv)
     const double spent = CpuMilliseconds() - t0;
     if ((f & (f - 1)) != 0 && f != frames)
       continue;
-    const hasp::PixelRays rays(view);
+    const hasp::PictureRays rays(view);
     std::vector<std::size_t> pixels;
     std::vector<hasp::CellHit> hits;
     for (std::size_t pixel = 0; pixel < picture.cells.size(); ++pixel)

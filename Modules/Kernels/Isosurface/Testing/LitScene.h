@@ -62,7 +62,7 @@ LitPicture LightOf(LightCache& cache, const TracedVolume<T>& scene, const Pictur
   scene.tracer.TracePicture(view, picture);
   PictureLight light;
   cache.Light(scene.tracer, view, picture, settings, light);
-  const PixelRays rays(view);
+  const PictureRays rays(view);
   LitPicture result;
   EXPECT_EQ(light.size(), picture.cells.size());
   for (std::size_t pixel = 0; pixel < light.size(); ++pixel)
