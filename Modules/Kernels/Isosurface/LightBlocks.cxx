@@ -93,14 +93,14 @@ std::uint32_t LightBlocks::Find(Key key) const
   return None;
 }
 
-std::uint32_t LightBlocks::Finder::operator()(Key key)
+std::uint32_t LightBlockFinder::operator()(LightBlocks::Key key)
 {
   const std::size_t slot = (key * 0x9E3779B97F4A7C15U) >> 59U;
   if (this->Keys[slot] != key)
   {
     this->Keys[slot] = key;
     this->Found[slot] = this->Blocks->Find(key);
-    if (this->Found[slot] != None)
+    if (this->Found[slot] != LightBlocks::None)
       std::atomic_ref(this->Blocks->Used[this->Found[slot]])
         .store(this->Blocks->Now, std::memory_order_relaxed);
   }

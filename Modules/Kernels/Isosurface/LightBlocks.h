@@ -30,6 +30,8 @@ struct LightMean
   float samples = 0.0F; ///< weights included
 };
 
+class LightBlockFinder;
+
 /// Sums at lattice corners in blocks of 4^3, in a table of fixed size: 8 ways a bucket. What was
 /// used longest ago goes first.
 ///
@@ -46,19 +48,7 @@ public:
   explicit LightBlocks(std::size_t count);
   std::size_t Bytes() const;
 
-  /// Remembers what it found last, for places that lie close together. One a thread.
-  class Finder
-  {
-  public:
-    explicit Finder(LightBlocks& blocks) : Blocks(&blocks) {}
-    std::uint32_t operator()(Key key);
-
-  private:
-    static constexpr int Slots = 32;
-    LightBlocks* Blocks;
-    Key Keys[Slots] = {};
-    std::uint32_t Found[Slots] = {};
-  };
+  using Finder = LightBlockFinder;
 
   LightMean Mean(Finder& finder, const LightPlace& place) const;
   /// Adds rays of which so many were open; what has no block is left out.
@@ -76,6 +66,7 @@ public:
   void Forget(const glm::dvec3& low, const glm::dvec3& high);
 
 private:
+  friend class LightBlockFinder;
   std::uint32_t Find(Key key) const;
 
   std::size_t Count;
@@ -83,6 +74,21 @@ private:
   std::vector<std::uint32_t> Used;       ///< when
   std::unique_ptr<std::uint64_t[]> Sums; ///< open samples << 32 | samples, in 1/128
   std::uint32_t Now = 1;
+};
+
+/// Finds blocks, and remembers those it found last, for places that lie close together. One a
+/// thread, until the next Make or Forget.
+class LightBlockFinder
+{
+public:
+  explicit LightBlockFinder(LightBlocks* blocks) : Blocks(blocks) {}
+  std::uint32_t operator()(LightBlocks::Key key);
+
+private:
+  static constexpr int Slots = 32;
+  LightBlocks* Blocks;
+  LightBlocks::Key Keys[Slots] = {};
+  std::uint32_t Found[Slots] = {};
 };
 
 } // namespace hasp

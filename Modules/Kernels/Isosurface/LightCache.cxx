@@ -94,29 +94,19 @@ LightMean Known(const LightBlocks& blocks, LightBlocks::Finder& finder, const Li
     std::max(fine.samples, 1e-6F) };
 }
 
-void CastShadows(const LightView& view, const CellTracer& tracer, const TracedPicture& picture,
-  const glm::dvec4& light, PictureLight& result)
+/// Does the light reach the hit?
+bool Reaches(const CellTracer& tracer, const CellHit& hit, const glm::dvec4& light)
 {
-  EachTile(picture,
-    [&](std::int64_t tile)
-    {
-      std::size_t cluster = 0;
-      EachHit(picture, tile,
-        [&](std::size_t pixel)
-        {
-          const CellHit hit = view.HitOf(pixel, cluster);
-          ShadowSettings shadow;
-          shadow.towardsLight = glm::dvec3(light);
-          if (light.w != 0.0)
-          {
-            shadow.towardsLight -= tracer.Cells().geometry.IndexToWorld(hit.Position());
-            shadow.distanceMm = glm::length(shadow.towardsLight);
-            if (shadow.distanceMm == 0.0)
-              return; // the light lies on the surface
-          }
-          result[pixel].y = ToByte(tracer.Light(hit, shadow));
-        });
-    });
+  ShadowSettings shadow;
+  shadow.towardsLight = glm::dvec3(light);
+  if (light.w != 0.0)
+  {
+    shadow.towardsLight -= tracer.Cells().geometry.IndexToWorld(hit.Position());
+    shadow.distanceMm = glm::length(shadow.towardsLight);
+    if (shadow.distanceMm == 0.0)
+      return true; // the light lies on the surface
+  }
+  return tracer.Light(hit, shadow) > 0.0F;
 }
 
 } // namespace
@@ -138,9 +128,28 @@ struct LightCache::Tile
   std::vector<Doubtful> doubtful; ///< whose light is looked up once the frame's rays are added
   std::vector<LightBlocks::Key> missing;
   std::int64_t rays = 0;
-  EvenPoints directions{ 0 };
-  bool fresh = true;
-  double due = 0.0;
+  /// Both go on from frame to frame: what a place gathers is even over its hemisphere.
+  std::optional<EvenPoints> directions;
+  double due = 0.0; ///< rays; the whole part is cast
+
+  void Begin(std::uint32_t number)
+  {
+    this->samples.clear();
+    this->doubtful.clear();
+    this->missing.clear();
+    this->rays = 0;
+    if (!this->directions)
+      this->directions.emplace(number);
+  }
+};
+
+/// A call of Light.
+struct LightCache::Picture
+{
+  const LightView& view;
+  const CellTracer& tracer;
+  const TracedPicture& picture;
+  const PictureLightSettings& settings;
 };
 
 LightCache::LightCache(const LightCacheSettings& settings) : Settings(settings)
@@ -192,53 +201,55 @@ void LightCache::Watch(const ClusteredCells& cells, double distance)
   this->Distance = distance;
 }
 
-void LightCache::CastRays(const LightView& view, const CellTracer& tracer,
-  const TracedPicture& picture, std::int64_t number, PictureLight& light)
+/// The light of a tile's pixels, as far as it is known before the frame's rays are added.
+void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight& light)
 {
-  Tile& tile = this->Tiles[number];
-  tile.samples.clear();
-  tile.doubtful.clear();
-  tile.missing.clear();
-  tile.rays = 0;
-  LightBlocks::Finder finder(*this->Blocks);
-  // Goes on from frame to frame: what a place gathers is even over its hemisphere.
-  EvenPoints& directions = tile.directions;
-  if (tile.fresh)
-    directions = EvenPoints(static_cast<std::uint32_t>(number));
-  tile.fresh = false;
-  double& due = tile.due;
+  const PictureLightSettings& settings = seen.settings;
+  Tile* tile = settings.ambientDistanceMm ? &this->Tiles[number] : nullptr;
+  if (tile)
+    tile->Begin(static_cast<std::uint32_t>(number));
+  LightBlocks::Finder finder(this->Blocks.get());
   std::size_t cluster = 0;
-  EachHit(picture, number,
+  EachHit(seen.picture, number,
     [&](std::size_t pixel)
     {
-      const CellHit hit = view.HitOf(pixel, cluster);
-      const LightPlace place = view.PlaceOf(hit);
-      const LightMean known = Known(*this->Blocks, finder, place);
-      light[pixel].x = ToByte(known.open);
-      if (known.samples < Few)
-        tile.doubtful.push_back({ pixel, place });
-      due += known.samples < Few      ? FirstRays
-             : known.samples < Plenty ? this->Settings.raysAPixel
-                                      : 0.0;
-      const int rays = static_cast<int>(due);
-      due -= rays;
-      if (rays == 0)
-        return;
-      int open = 0;
-      for (int n = 0; n < rays; ++n)
-        open += tracer.Open(hit, directions.Next(), this->Distance);
-      tile.rays += rays;
-      tile.samples.push_back({ place, rays, open });
-      this->Blocks->ListMissing(finder, place, tile.missing);
-      this->Blocks->ListMissing(finder, place.Coarser(), tile.missing);
+      const CellHit hit = seen.view.HitOf(pixel, cluster);
+      if (settings.light)
+        light[pixel].y = Reaches(seen.tracer, hit, *settings.light) ? 255 : 0;
+      if (tile)
+        light[pixel].x = ToByte(this->Gather(seen, hit, pixel, *tile, finder));
     });
 }
 
-/// The light of the pixels that knew too little before this frame.
-void LightCache::Settle(
-  const LightView& view, const CellTracer& tracer, const Tile& tile, PictureLight& light)
+/// What is known of a hit's openness, and rays to know more.
+float LightCache::Gather(const Picture& seen, const CellHit& hit, std::size_t pixel, Tile& tile,
+  LightBlocks::Finder& finder)
 {
-  LightBlocks::Finder finder(*this->Blocks);
+  const LightPlace place = seen.view.PlaceOf(hit);
+  const LightMean known = Known(*this->Blocks, finder, place);
+  if (known.samples < Few)
+    tile.doubtful.push_back({ pixel, place });
+  tile.due += known.samples < Few      ? FirstRays
+              : known.samples < Plenty ? this->Settings.raysAPixel
+                                       : 0.0;
+  const int rays = static_cast<int>(tile.due);
+  tile.due -= rays;
+  if (rays == 0)
+    return known.open;
+  int open = 0;
+  for (int n = 0; n < rays; ++n)
+    open += seen.tracer.Open(hit, tile.directions->Next(), this->Distance);
+  tile.rays += rays;
+  tile.samples.push_back({ place, rays, open });
+  this->Blocks->ListMissing(finder, place, tile.missing);
+  this->Blocks->ListMissing(finder, place.Coarser(), tile.missing);
+  return known.open;
+}
+
+/// The light of the pixels that knew too little before this frame.
+void LightCache::Settle(const Picture& seen, const Tile& tile, PictureLight& light)
+{
+  LightBlocks::Finder finder(this->Blocks.get());
   std::size_t cluster = 0;
   for (const Tile::Doubtful& one : tile.doubtful)
   {
@@ -246,7 +257,7 @@ void LightCache::Settle(
     // Nothing after all: the table is too small for this picture.
     const float open = known.samples > 0.0F
                          ? known.open
-                         : tracer.AmbientOcclusion(view.HitOf(one.pixel, cluster),
+                         : seen.tracer.AmbientOcclusion(seen.view.HitOf(one.pixel, cluster),
                              { static_cast<int>(FirstRays), this->Distance },
                              static_cast<std::uint32_t>(one.pixel) + 0x9E3779B9U * this->Now);
     light[one.pixel].x = ToByte(open);
@@ -260,28 +271,31 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
     throw std::invalid_argument("LightCache: a picture of " + std::to_string(picture.size.x) +
                                 " x " + std::to_string(picture.size.y) + " pixels for a view of " +
                                 std::to_string(view.size.x) + " x " + std::to_string(view.size.y));
+  if (settings.light)
+  {
+    const double length = glm::length(*settings.light);
+    Require(length > 0.0 && std::isfinite(length), "length of the light's direction or place",
+      length, "above 0, finite");
+  }
+  if (settings.ambientDistanceMm)
+    Require(
+      *settings.ambientDistanceMm > 0.0, "distance", *settings.ambientDistanceMm, "above 0 mm");
   light.assign(picture.cells.size(), glm::u8vec2(255));
   this->RayCount = 0;
   if (tracer.Cells().clusters.empty())
     return;
-  const LightView seen(tracer, view, picture, this->Settings.pixelsACorner);
-  if (settings.light)
-  {
-    const glm::dvec4& from = *settings.light;
-    Require(std::isfinite(glm::length(from)) && (from.w != 0.0 || glm::length(from) > 0.0),
-      "length of the light's direction or place", glm::length(from), "finite, a direction not 0");
-    CastShadows(seen, tracer, picture, from, light);
-  }
+  const LightView from(tracer, view, picture, this->Settings.pixelsACorner);
+  const Picture seen{ from, tracer, picture, settings };
+  const auto cast = [&](std::int64_t tile) { this->CastRays(seen, tile, light); };
   if (!settings.ambientDistanceMm)
-    return;
-  Require(*settings.ambientDistanceMm > 0.0, "distance", *settings.ambientDistanceMm, "above 0 mm");
-  this->Watch(tracer.Cells(), *settings.ambientDistanceMm);
+    return EachTile(picture, cast);
 
+  this->Watch(tracer.Cells(), *settings.ambientDistanceMm);
   const glm::ivec2 tiles = (view.size + TileSide - 1) / TileSide;
   this->Tiles.resize(static_cast<std::size_t>(tiles.x) * tiles.y);
   ++this->Now;
   this->Blocks->Advance();
-  EachTile(picture, [&](std::int64_t tile) { this->CastRays(seen, tracer, picture, tile, light); });
+  EachTile(picture, cast);
   for (const Tile& tile : this->Tiles) // in order, so that the table is the same with any threads
   {
     this->RayCount += tile.rays;
@@ -291,15 +305,14 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
   EachTile(picture,
     [&](std::int64_t tile)
     {
-      LightBlocks::Finder finder(*this->Blocks);
+      LightBlocks::Finder finder(this->Blocks.get());
       for (const Tile::Sample& sample : this->Tiles[tile].samples)
       {
         this->Blocks->Add(finder, sample.place, sample.rays, sample.open);
         this->Blocks->Add(finder, sample.place.Coarser(), sample.rays, sample.open);
       }
     });
-  EachTile(
-    picture, [&](std::int64_t tile) { this->Settle(seen, tracer, this->Tiles[tile], light); });
+  EachTile(picture, [&](std::int64_t tile) { this->Settle(seen, this->Tiles[tile], light); });
 }
 
 } // namespace hasp

@@ -7,7 +7,7 @@ namespace hasp
 {
 
 class LightBlocks;
-class LightView;
+class LightBlockFinder;
 
 struct LightCacheSettings
 {
@@ -80,11 +80,12 @@ public:
 
 private:
   struct Tile;
+  struct Picture;
   void Watch(const ClusteredCells& cells, double distance);
-  void CastRays(const LightView& view, const CellTracer& tracer, const TracedPicture& picture,
-    std::int64_t number, PictureLight& light);
-  void Settle(
-    const LightView& view, const CellTracer& tracer, const Tile& tile, PictureLight& light);
+  void CastRays(const Picture& seen, std::int64_t number, PictureLight& light);
+  float Gather(const Picture& seen, const CellHit& hit, std::size_t pixel, Tile& tile,
+    LightBlockFinder& finder);
+  void Settle(const Picture& seen, const Tile& tile, PictureLight& light);
 
   LightCacheSettings Settings;
   std::unique_ptr<LightBlocks> Blocks;
