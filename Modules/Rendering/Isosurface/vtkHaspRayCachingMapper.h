@@ -90,8 +90,8 @@ public:
   ///@}
 
   ///@{
-  /// As vtkHaspClusteredCellMapper has them. Automatic draws all active cells then, for the cache
-  /// knows no light: in mode Cache it is drawn without, with an error that is said once.
+  /// As vtkHaspClusteredCellMapper has them. Automatic then draws all active cells; the other modes
+  /// know no light and draw without, with an error that is said once.
   vtkSetMacro(AmbientOcclusion, bool);
   vtkGetMacro(AmbientOcclusion, bool);
   vtkBooleanMacro(AmbientOcclusion, bool);

@@ -147,14 +147,15 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
   try
   {
     this->UpdateCache();
+    const bool lit = this->AmbientOcclusion || this->Shadows;
+    if (lit && this->Mode != Automatic && !gl.Unlit)
+      vtkErrorMacro("Ambient occlusion and shadows are not drawn, for they take traced rays: set "
+                    "the mode to Automatic.");
+    gl.Unlit = lit && this->Mode != Automatic;
     if (this->Mode == Raycast || this->Mode == RaycastSkipping)
       return this->DrawRaycast(renderer, actor);
     gl.Raycasts.Clear();
     const bool changed = gl.Changed;
-    const bool lit = this->AmbientOcclusion || this->Shadows;
-    if (lit && this->Mode == Cache && !gl.Unlit)
-      vtkErrorMacro("Ambient occlusion and shadows are not drawn: the cache was asked for.");
-    gl.Unlit = lit && this->Mode == Cache;
     const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, false }
                                        : lit               ? DrawingChoice::Frame{ false, true }
                                                            : gl.Choice.Next(changed);
