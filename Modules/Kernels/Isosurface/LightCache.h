@@ -39,7 +39,7 @@ using PictureLight = std::vector<glm::u8vec2>;
 /// the light is smooth over the surface. The lattice is the one whose corners lie about
 /// pixelsACorner apart in the picture; the next coarser one helps where that knows little, and is
 /// ready when the viewer steps back. Where nothing is known three rays a pixel are cast at once, so
-/// the first picture is as good as one of 16 rays each; later a quarter.
+/// the first picture is about as good as one of 16 rays each; later a quarter.
 ///
 /// Error against 1024 rays: on a noisy head of 256^3 samples, 512^2 pixels, 0.037 in the first
 /// frame, 0.032 in the eighth of an orbit; 16 rays a pixel give 0.037. Noise falls with about

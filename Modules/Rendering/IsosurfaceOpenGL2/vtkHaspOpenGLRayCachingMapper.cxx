@@ -131,6 +131,17 @@ void vtkHaspOpenGLRayCachingMapper::UpdateCache()
     if (gl.Cache)
       gl.Cache->MarkModified(volume.ChangedLow(), volume.ChangedHigh());
     gl.Raycasts.MarkModified(volume.ChangedLow(), volume.ChangedHigh());
+    if (gl.Whole)
+    {
+      const int* extent = this->GetImage()->GetExtent();
+      int box[6];
+      for (int a = 0; a < 3; ++a)
+      {
+        box[2 * a] = extent[2 * a] + volume.ChangedLow()[a];
+        box[2 * a + 1] = extent[2 * a] + volume.ChangedHigh()[a];
+      }
+      gl.Whole->MarkModified(box);
+    }
     volume.ForgetChanges();
   }
   if (gl.Cache)

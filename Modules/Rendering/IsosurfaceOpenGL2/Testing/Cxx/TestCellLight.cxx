@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -261,13 +262,32 @@ TEST_F(CellLight, OfTheRayCachingMapperIsThatOfAllActiveCells)
   scene.Mapper->ShadowsOn();
   const auto expected = scene.Colors(3);
   vtkNew<vtkHaspRayCachingMapper> caching;
-  caching->SetInputData(Gyroid());
+  const auto image = Gyroid();
+  caching->SetInputData(image);
   caching->SetIsoValue(0);
   caching->AmbientOcclusionOn();
   caching->ShadowsOn();
   Paint(scene, caching.GetPointer());
   EXPECT_EQ(scene.Colors(3), expected);
   EXPECT_EQ(caching->GetModeChoice().find("all active cells: "), 0) << caching->GetModeChoice();
+  // Edits reach it. Without ambient occlusion, so that there is no noise.
+  caching->AmbientOcclusionOff();
+  scene.Colors();
+  auto* values = static_cast<std::int16_t*>(image->GetPointData()->GetScalars()->GetVoidPointer(0));
+  const int* dims = image->GetDimensions();
+  for (int k = 10; k < 34; ++k)
+    for (int j = 10; j < 30; ++j)
+      std::fill_n(values + (k * dims[1] + j) * dims[0] + 10, 24, std::int16_t(-100));
+  const int box[6] = { 10, 33, 10, 29, 10, 33 };
+  caching->MarkModified(box);
+  const auto edited = scene.Colors();
+  scene.Mapper->SetInputData(image);
+  image->Modified();
+  scene.Mapper->AmbientOcclusionOff();
+  Paint(scene, scene.Mapper.Get());
+  EXPECT_EQ(edited, scene.Colors());
+  Paint(scene, caching.GetPointer());
+
   caching->SetModeToCache();
   vtkNew<ErrorCounter> errors;
   caching->AddObserver(vtkCommand::ErrorEvent, errors);
