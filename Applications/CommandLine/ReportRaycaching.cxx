@@ -3,6 +3,7 @@
 #include "CellRows.h"
 #include "RaycachingScene.h"
 #include "ReportRegistry.h"
+#include "ReportVolume.h"
 #include "Windows.h"
 
 #include <filesystem>
@@ -25,13 +26,17 @@ void Measure(ReportContext& context, const CellScene& cells, int pixels)
 void ReportRaycaching(ReportContext& context)
 {
   const bool quick = context.settings.quick;
+  RequireReportVolume(context.settings.volume);
   ChooseWindows();
   context.report.machine.gl = OpenGLName();
   const int pixels = quick ? 160 : 512;
   Measure(context, HeadScene(quick ? 96 : 256, context.settings.seed, true), pixels);
   const std::string& path = context.settings.volume;
   if (std::filesystem::exists(path))
-    Measure(context, VolumeScene(path), pixels);
+  {
+    const ReportVolume volume = ReadReportVolume(path);
+    Measure(context, { "@" + volume.name, volume.data, volume.image, volume.isovalue }, pixels);
+  }
   else
     context.report.rows.push_back(AbsentRow("raycaching.psnr@cranium", "a real CT",
       "no real CT there: give --volume the path that Utilities/Scripts/cranium prints"));

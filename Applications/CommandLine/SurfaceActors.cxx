@@ -80,6 +80,10 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const CellDraw
   ThrowVtkError(ExitCode::WrongUse, "--renderer " + drawing.renderer);
   if (drawing.compact)
     mapper->SetPrecisionToCompact();
+  mapper->SetAmbientOcclusion(drawing.ambientOcclusionMm.has_value());
+  if (drawing.ambientOcclusionMm)
+    mapper->SetAmbientOcclusionDistance(*drawing.ambientOcclusionMm);
+  mapper->SetShadows(drawing.shadows);
   mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();

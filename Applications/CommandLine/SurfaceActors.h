@@ -4,6 +4,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,11 @@ const std::vector<std::string>& SurfaceMappers();
 /// How active cells are made and drawn.
 struct CellDrawing
 {
-  std::string renderer = "automatic"; ///< a name of CellRendererNames()
-  bool compact = false;               ///< 8 bits a corner; of a volume's cells only
+  std::string renderer = "automatic";       ///< a name of CellRendererNames()
+  bool compact = false;                     ///< 8 bits a corner; of a volume's cells only
+  std::optional<double> ambientOcclusionMm; ///< how far what darkens may be
+  bool shadows = false;                     ///< of the scene's first light
+  bool Lit() const { return this->ambientOcclusionMm || this->shadows; }
 };
 
 /// The names that --renderer takes, the default first: what draws active cells.

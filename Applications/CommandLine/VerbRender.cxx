@@ -59,15 +59,20 @@ void RunOnCells(const Choices& choices, Session& session)
 void Run(Choices choices, Session& session)
 {
   RequireWritable(choices.output, { ".png" });
+  if (choices.render.cells.Lit() && choices.render.cells.renderer == "rasterize")
+    throw Failure(ExitCode::WrongUse,
+      "--ambient-occlusion and --shadows take traced rays; leave out --renderer rasterize");
   if (IsCellFileName(choices.volume.input))
     return RunOnCells(choices, session);
   RefuseCells(choices.volume.input, "volume"); // before their lack of an isovalue is a fault
   if (!choices.isoValue)
     throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
   if (choices.render.mapper != "cells" &&
-      (choices.render.cells.renderer != "automatic" || choices.render.cells.compact))
-    throw Failure(
-      ExitCode::WrongUse, "--renderer and --compact are for --mapper cells; leave them out");
+      (choices.render.cells.renderer != "automatic" || choices.render.cells.compact ||
+        choices.render.cells.Lit()))
+    throw Failure(ExitCode::WrongUse,
+      "--renderer, --compact, --ambient-occlusion and --shadows are for --mapper cells; leave them "
+      "out");
   choices.render.isoValue = *choices.isoValue;
   const LoadedVolume volume = ReadVolume(choices.volume, session);
   SayWarnings(volume.passport, session);
@@ -155,6 +160,13 @@ void AddRenderVerb(CLI::App& app, Session& session)
     ->capture_default_str();
   verb->add_flag("--compact", choices->render.cells.compact,
     "Active cells of 8 bits a corner: the surface moves by 0.004 voxel RMS");
+  verb
+    ->add_option("--ambient-occlusion", choices->render.cells.ambientOcclusionMm,
+      "Darken what stands close to other bone: within so many mm, say 25. Rays on the CPU; of "
+      "active cells")
+    ->check(Within(1e-3, 1e6));
+  verb->add_flag("--shadows", choices->render.cells.shadows,
+    "A lamp up to the left of the viewer; active cells cast its shadow on each other");
   verb
     ->add_option("--surface", choices->render.surfaces,
       ".stl, .ply, .obj or .vtp file drawn with it; repeatable")

@@ -54,6 +54,24 @@ TEST_F(HaspRenderCells, BothRenderersDrawTheSameSurface)
   ExpectFailure(this->Render({ "--renderer", "magic" }), 1, "one of");
 }
 
+TEST_F(HaspRenderCells, LightTakesRaysAndChangesThePicture)
+{
+  this->Phantom();
+  ExpectFailure(this->Render({ "--shadows", "--renderer", "rasterize" }), 1,
+    "--ambient-occlusion and --shadows");
+  ExpectFailure(this->Render({ "--ambient-occlusion", "9", "--mapper", "mesh" }), 1, "leave them");
+  ExpectFailure(this->Render({ "--ambient-occlusion", "0" }), 1, "--ambient-occlusion");
+  const HaspRun plain = this->Render({ "--explain" }, "plain.png");
+  ASSERT_EQ(plain.exitCode, 0) << plain.err;
+  const HaspRun lit =
+    this->Render({ "--ambient-occlusion", "9", "--shadows", "--explain" }, "lit.png");
+  if (!HASP_WITH_EMBREE)
+    return ExpectFailure(lit, 4, "Embree");
+  ASSERT_EQ(lit.exitCode, 0) << lit.err;
+  EXPECT_NE(lit.out.find("light cache"), std::string::npos) << lit.out;
+  EXPECT_NE(ReadBytes(this->Path("lit.png")), ReadBytes(this->Path("plain.png")));
+}
+
 TEST_F(HaspRenderCells, CompactCellsAreSmallerAndOnlyForCells)
 {
   this->Phantom();

@@ -93,6 +93,10 @@ public:
   float AmbientOcclusion(
     const CellHit& hit, const AmbientOcclusionSettings& settings, std::uint32_t seed = 0) const;
 
+  /// One of those rays: does it leave the hit without meeting the surface within so many
+  /// millimetres? sample: in the unit square; even samples make cosine-weighted directions.
+  bool Open(const CellHit& hit, const glm::dvec2& sample, double distanceMm) const;
+
   /// The share of the light that reaches the hit, on the side the ray came from: 0 or 1 for a
   /// point, between them in the half shadow of a disc. Cosines are the shading's business. seed and
   /// throws as above.

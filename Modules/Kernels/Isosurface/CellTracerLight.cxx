@@ -1,5 +1,6 @@
 #include "Isosurface/CellTracer.h"
 #include "Isosurface/CellTracerScene.h"
+#include "Isosurface/EvenPoints.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -14,29 +15,6 @@ namespace hasp
 
 namespace
 {
-
-/// Points of the unit square that fill it evenly, shifted by the seed: Roberts' R2 sequence, whose
-/// steps are the inverse powers of the plastic number.
-class EvenPoints
-{
-public:
-  explicit EvenPoints(std::uint32_t seed) : At{ Hash(2 * seed), Hash(2 * seed + 1) } {}
-  glm::dvec2 Next()
-  {
-    this->At += glm::uvec2(3242174889U, 2447445414U); // 2^32 times 0.7549 and 0.5698; wraps
-    return (glm::dvec2(this->At) + 0.5) / 4294967296.0;
-  }
-
-private:
-  static std::uint32_t Hash(
-    std::uint32_t v) // neighbouring pixels get unlike shifts (Wellons' lowbias32)
-  {
-    v = (v ^ v >> 16U) * 0x7FEB352DU;
-    v = (v ^ v >> 15U) * 0x846CA68BU;
-    return v ^ v >> 16U;
-  }
-  glm::uvec2 At;
-};
 
 /// Columns: two unit vectors across `axis`, and axis itself, unit. Duff et al. 2017, without a
 /// branch.
@@ -58,6 +36,14 @@ glm::dvec3 Outwards(const ClusteredCells& cells, const CellHit& hit)
   const glm::dvec3 inwards = cells.geometry.GradientToWorld(scaled);
   const double length = glm::length(inwards);
   return length > 0.0 ? (hit.fromInside ? inwards : -inwards) / length : glm::dvec3(0.0);
+}
+
+/// A direction of the cosine-weighted hemisphere around z; even over it where p is over the unit
+/// square.
+glm::dvec3 CosineWeighted(const glm::dvec2& p)
+{
+  const double turn = glm::two_pi<double>() * p.x, r = std::sqrt(p.y);
+  return { r * std::cos(turn), r * std::sin(turn), std::sqrt(1.0 - p.y) };
 }
 
 void Require(bool condition, const char* what, double value, const char* range)
@@ -92,13 +78,14 @@ float CellTracer::AmbientOcclusion(
   EvenPoints points(seed);
   int open = 0;
   for (int n = 0; n < settings.rays; ++n)
-  {
-    const glm::dvec2 p = points.Next();
-    const double turn = glm::two_pi<double>() * p.x, r = std::sqrt(p.y);
-    const glm::dvec3 d(r * std::cos(turn), r * std::sin(turn), std::sqrt(1.0 - p.y));
-    open += !this->LeavesBlocked(hit, frame * d, settings.distanceMm);
-  }
+    open += !this->LeavesBlocked(hit, frame * CosineWeighted(points.Next()), settings.distanceMm);
   return static_cast<float>(open) / static_cast<float>(settings.rays);
+}
+
+bool CellTracer::Open(const CellHit& hit, const glm::dvec2& sample, double distanceMm) const
+{
+  const glm::dmat3 frame = FrameAround(Outwards(this->Cells(), hit));
+  return !this->LeavesBlocked(hit, frame * CosineWeighted(sample), distanceMm);
 }
 
 float CellTracer::Light(

@@ -52,6 +52,9 @@ struct vtkHaspClusteredCellMapper::Internals
   vtkTimeStamp CellsTime;
   double CellsMilliseconds = 0.0;
 
+  vtkMTimeType EditedTime = 0; ///< CellsTime before the last update, if it was an edit's
+  glm::ivec3 EditLow{ 0 }, EditHigh{ 0 };
+
   FailedUpdate Failed;
 
   /// Cells that somebody else made are drawn as they are, and nothing else is kept.
@@ -86,6 +89,9 @@ struct vtkHaspClusteredCellMapper::Internals
       return;
     const hasp::Stopwatch watch;
     const hasp::AnyGridView grid = hasp::ViewImage(image);
+    this->EditedTime = sameSurface ? this->CellsTime.GetMTime() : 0;
+    this->EditLow = this->Volume.ChangedLow();
+    this->EditHigh = this->Volume.ChangedHigh();
     if (sameSurface)
       UpdateActiveCells(this->Cells, grid, this->Volume.Blocks, this->Volume.ChangedLow(),
         this->Volume.ChangedHigh());
@@ -210,6 +216,28 @@ vtkMTimeType vtkHaspClusteredCellMapper::GetCellsTime() const
   return this->Internal->CellsTime.GetMTime();
 }
 
+vtkMTimeType vtkHaspClusteredCellMapper::GetLastEdit(int low[3], int high[3]) const
+{
+  const Internals& in = *this->Internal;
+  for (int a = 0; a < 3; ++a)
+  {
+    low[a] = in.EditLow[a];
+    high[a] = in.EditHigh[a];
+  }
+  return in.EditedTime;
+}
+
+void vtkHaspClusteredCellMapper::SetAmbientOcclusionDistance(double mm)
+{
+  if (!(mm > 0.0))
+    vtkErrorMacro("A distance of ambient occlusion of " << mm << " mm; it must be above 0.");
+  else if (this->AmbientOcclusionDistance != mm)
+  {
+    this->AmbientOcclusionDistance = mm;
+    this->Modified();
+  }
+}
+
 void vtkHaspClusteredCellMapper::ListResources(hasp::ResourceList& list) const
 {
   const Internals& in = *this->Internal;
@@ -282,6 +310,9 @@ void vtkHaspClusteredCellMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BlendNormals: " << this->BlendNormals << "\n";
   os << indent << "Renderer: " << this->Renderer << " (" << this->GetRendererChoice() << ")\n";
   os << indent << "Precision: " << this->Precision << "\n";
+  os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << " within "
+     << this->AmbientOcclusionDistance << " mm\n";
+  os << indent << "Shadows: " << this->Shadows << "\n";
   os << indent << "OcclusionCulling: " << this->OcclusionCulling << "\n";
   os << indent << "Active cells: " << this->GetCells().Count() << "\n";
 }

@@ -84,6 +84,17 @@ void vtkHaspRayCachingMapper::MarkModified(const int extent[6])
     this->Modified();
 }
 
+void vtkHaspRayCachingMapper::SetAmbientOcclusionDistance(double mm)
+{
+  if (!(mm > 0.0))
+    vtkErrorMacro("A distance of ambient occlusion of " << mm << " mm; it must be above 0.");
+  else if (this->AmbientOcclusionDistance != mm)
+  {
+    this->AmbientOcclusionDistance = mm;
+    this->Modified();
+  }
+}
+
 void vtkHaspRayCachingMapper::ListResources(hasp::ResourceList& list) const
 {
   list.push_back({ "min-max blocks", this->Volume->Blocks.Bytes(), this->Volume->BlocksMilliseconds,

@@ -90,6 +90,19 @@ public:
   ///@}
 
   ///@{
+  /// As vtkHaspClusteredCellMapper has them. Automatic then draws all active cells; the other modes
+  /// know no light and draw without, with an error that is said once.
+  vtkSetMacro(AmbientOcclusion, bool);
+  vtkGetMacro(AmbientOcclusion, bool);
+  vtkBooleanMacro(AmbientOcclusion, bool);
+  void SetAmbientOcclusionDistance(double mm);
+  vtkGetMacro(AmbientOcclusionDistance, double);
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
   /// Rays in a tile of 16x16 pixels, a frame and an eye: more make a picture complete in fewer
   /// frames. 1 to 256, default 8. Not used where a frame budget is set.
   vtkSetClampMacro(RaysPerTile, int, 1, 256);
@@ -145,6 +158,9 @@ protected:
   int RaysPerTile = 8;
   double FrameBudget = 0.0;
   bool Prediction = true;
+  bool AmbientOcclusion = false;
+  double AmbientOcclusionDistance = 25.0;
+  bool Shadows = false;
 
 private:
   vtkHaspRayCachingMapper(const vtkHaspRayCachingMapper&) = delete;

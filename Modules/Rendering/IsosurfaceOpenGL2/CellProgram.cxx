@@ -160,10 +160,12 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
 
 vtkShaderProgram* CellProgram::ReadyTraced(vtkOpenGLRenderWindow* window,
   vtkHaspClusteredCellMapper* mapper, vtkActor* actor, const CellScene& scene,
-  vtkHardwareSelector* selector)
+  vtkHardwareSelector* selector, bool lit)
 {
   Variant variant{ CellPass::Traced, vtkHaspTracedCellVS, vtkHaspTracedCellFS,
-    selector ? "#define HASP_SELECTION\n" : "" };
+    selector ? "#define HASP_SELECTION\n"
+    : lit    ? "#define HASP_TRACED_LIGHT\n"
+             : "" };
   FillSlot(variant.fragment, "CellShading", CellShading);
   FillSlot(variant.fragment, "CellSelection", CellSelection);
   return this->Ready(variant, window, mapper, actor, scene, selector);

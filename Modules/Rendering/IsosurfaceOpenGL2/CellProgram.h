@@ -33,9 +33,9 @@ public:
     vtkActor* actor, const CellScene& scene, const AttributeBuffers& attributes,
     vtkHardwareSelector* selector, CellPass pass);
 
-  /// The program that shades a traced picture, likewise.
+  /// The program that shades a traced picture, likewise; lit: with its light.
   vtkShaderProgram* ReadyTraced(vtkOpenGLRenderWindow* window, vtkHaspClusteredCellMapper* mapper,
-    vtkActor* actor, const CellScene& scene, vtkHardwareSelector* selector);
+    vtkActor* actor, const CellScene& scene, vtkHardwareSelector* selector, bool lit);
 
   /// Time of the first compilation; 0 if that variant was never asked for.
   double CompileMilliseconds(CellPass pass) const

@@ -29,6 +29,10 @@ public:
   double TreeMilliseconds() const { return this->Milliseconds; }
   double PictureMilliseconds() const { return this->TraceMilliseconds; }
 
+  /// There while Ready().
+  const hasp::CellTracer& GetTracer() const { return *this->Tracer; }
+  const hasp::PictureView& GetView() const { return this->View; } ///< of the last picture
+
   /// Of the last picture; gradients have the depth as their fourth number, over 1 where nothing is.
   const hasp::TracedPicture& Picture() const { return this->Traced; }
   /// When it was traced; no two pictures have the same.

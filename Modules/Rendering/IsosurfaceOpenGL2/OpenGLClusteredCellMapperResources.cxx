@@ -17,6 +17,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(),
     tracing.PictureMilliseconds(),
     tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
+  std::size_t lightTextures = 0;
   double shade = 0.0, select = 0.0, traced = 0.0;
   for (const auto& context : this->GL->Contexts)
   {
@@ -37,6 +38,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
     blending.milliseconds += context->Program.CompileMilliseconds(CellPass::Hits) +
                              context->Program.CompileMilliseconds(CellPass::Splats);
     picture.bytes += context->Traced.Bytes();
+    lightTextures += context->Traced.LightBytes();
     picture.milliseconds += context->Traced.UploadMilliseconds();
     traced += context->Program.CompileMilliseconds(CellPass::Traced);
     shade += context->Program.CompileMilliseconds(CellPass::Shade);
@@ -56,6 +58,13 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   list.push_back({ "ray tracing tree", tracing.TreeBytes(), tracing.TreeMilliseconds(),
     this->GetRendererChoice() });
   list.push_back(picture);
+  const CellLight& light = this->GL->Light;
+  const char* lit = this->AmbientOcclusion ? "of fixed size"
+                    : this->Shadows        ? "shadows are traced anew; nothing is kept"
+                                           : "switched off";
+  list.push_back({ "light cache", light.CacheBytes(), 0.0, lit });
+  list.push_back({ "light of pixels", light.PictureBytes() + lightTextures, light.Milliseconds(),
+    light.PictureBytes() > 0 ? "of the last traced picture" : lit });
   list.push_back({ "shader: shaded cells", 0, shade,
     shade > 0 ? "compiled at the first frame" : "nothing rasterised" });
   list.push_back({ "shader: traced cells", 0, traced,

@@ -3,6 +3,7 @@
 // Private to vtkHaspOpenGLClusteredCellMapper.
 
 #include "CellContext.h"
+#include "CellLight.h"
 #include "CellTracing.h"
 #include "RendererSwitch.h"
 #include "vtkHaspOpenGLClusteredCellMapper.h"
@@ -17,6 +18,8 @@ struct vtkHaspOpenGLClusteredCellMapper::OpenGL
 {
   std::vector<std::unique_ptr<CellContext>> Contexts; ///< of windows that drew this mapper
   CellTracing Tracing;
+  CellLight Light;
+  bool Unlit = false; ///< the last frame lacked the light that was asked for
   RendererSwitch Switch;
 
   /// The context of the window, which is current.

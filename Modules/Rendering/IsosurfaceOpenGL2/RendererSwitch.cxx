@@ -24,10 +24,12 @@ bool RendererSwitch::IsTraced(const Frame& frame)
     return because(false, "translucent surfaces always are");
   if (frame.wanted == vtkHaspClusteredCellMapper::Trace)
     return because(true, "as asked for");
-  if (!frame.softwareOpenGL)
-    return because(false, "OpenGL is not software");
   if (!CellTracing::Available())
     return because(false, "this build has no ray tracing (Embree)");
+  if (frame.lit)
+    return because(true, "ambient occlusion and shadows take rays");
+  if (!frame.softwareOpenGL)
+    return because(false, "OpenGL is not software");
 
   std::erase_if(this->Viewers, [](const Viewer& viewer) { return !viewer.renderer; });
   auto found = std::find_if(this->Viewers.begin(), this->Viewers.end(),

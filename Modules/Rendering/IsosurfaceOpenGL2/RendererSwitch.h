@@ -23,6 +23,7 @@ public:
     bool hides; ///< the pass is opaque and writes depth
     bool softwareOpenGL;
     std::size_t cells;
+    bool lit = false; ///< light is asked for that takes rays
   };
   bool IsTraced(const Frame& frame);
   /// The answer of the last IsTraced, and why.

@@ -1,5 +1,6 @@
 #include "TracedCells.h"
 
+#include "CellLight.h"
 #include "CellScene.h"
 #include "CellTracing.h"
 #include "HaspGL.h"
@@ -38,11 +39,35 @@ TracedCells::TracedCells() = default;
 TracedCells::~TracedCells() = default;
 TracedCells& TracedCells::operator=(TracedCells&&) = default;
 
-void TracedCells::Upload(vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection)
+void TracedCells::UploadLight(
+  vtkOpenGLRenderWindow* window, const CellTracing& tracing, const CellLight* light)
+{
+  if (!light)
+  {
+    this->Light = nullptr;
+    this->LightByteCount = 0;
+    this->LightTime = 0;
+  }
+  else if (light->PictureTime() != this->LightTime)
+  {
+    const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
+    this->LightTime = 0;
+    Fill(
+      this->Light, window, tracing.Picture().size, 2, VTK_UNSIGNED_CHAR, light->Picture().data());
+    this->LightByteCount = light->PictureBytes();
+    this->LightTime = light->PictureTime();
+  }
+}
+
+void TracedCells::Upload(
+  vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection, const CellLight* light)
 {
   const hasp::TracedPicture& picture = tracing.Picture();
   const bool there = this->PictureTime == tracing.PictureTime();
-  if (picture.cells.empty() || (there && (this->Numbers || !selection)))
+  if (picture.cells.empty())
+    return;
+  this->UploadLight(window, tracing, light);
+  if (there && (this->Numbers || !selection))
     return;
   const auto start = std::chrono::steady_clock::now();
   vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
@@ -87,12 +112,19 @@ void TracedCells::Draw(
     this->Numbers->Activate();
     program->SetUniformi("numbers", this->Numbers->GetTextureUnit());
   }
+  if (this->Light)
+  {
+    this->Light->Activate();
+    program->SetUniformi("light", this->Light->GetTextureUnit());
+  }
   glBindVertexArray(this->VertexArray);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glBindVertexArray(0);
   this->Gradients->Deactivate();
   if (this->Numbers)
     this->Numbers->Deactivate();
+  if (this->Light)
+    this->Light->Deactivate();
 }
 
 void TracedCells::Release()

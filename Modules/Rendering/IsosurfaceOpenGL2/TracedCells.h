@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+class CellLight;
 class CellTracing;
 struct CellScene;
 class vtkOpenGLRenderWindow;
@@ -21,20 +22,25 @@ public:
   ~TracedCells();
   TracedCells& operator=(TracedCells&&);
 
-  /// Nothing if the picture is there. selection: cell numbers are needed, too. Throws
-  /// std::runtime_error.
-  void Upload(vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection);
+  /// Nothing if the picture is there. selection: cell numbers are needed, too. light: of the
+  /// picture, or null. Throws std::runtime_error.
+  void Upload(vtkOpenGLRenderWindow* window, const CellTracing& tracing, bool selection,
+    const CellLight* light);
   void Draw(vtkShaderProgram* program, const CellTracing& tracing, const CellScene& scene) const;
   void Release();
-  std::size_t Bytes() const { return this->ByteCount; }
+  std::size_t Bytes() const { return this->ByteCount; } ///< without light
+  std::size_t LightBytes() const { return this->LightByteCount; }
   double UploadMilliseconds() const { return this->Milliseconds; } ///< of the picture there
 
 private:
-  vtkSmartPointer<vtkTextureObject> Gradients, Numbers;
+  vtkSmartPointer<vtkTextureObject> Gradients, Numbers, Light;
   unsigned int VertexArray = 0;
-  std::size_t ByteCount = 0;
+  void UploadLight(
+    vtkOpenGLRenderWindow* window, const CellTracing& tracing, const CellLight* light);
+
+  std::size_t ByteCount = 0, LightByteCount = 0;
   double Milliseconds = 0.0;
-  vtkMTimeType PictureTime = 0;
+  vtkMTimeType PictureTime = 0, LightTime = 0;
 };
 
 #endif

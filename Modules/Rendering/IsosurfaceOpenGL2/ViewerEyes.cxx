@@ -92,7 +92,7 @@ void ViewerEye::ReadDepth(const glm::ivec2& origin, const glm::ivec2& size)
   this->DepthSize = size;
   this->DepthPixels.resize(std::size_t(size.x) * size.y);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1); // as VTK leaves it, and reads its own pictures by
   glReadPixels(
     origin.x, origin.y, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, this->DepthPixels.data());
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));

@@ -114,15 +114,19 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   {
     RendererSwitch& renderers = this->GL->Switch;
     const bool traceable = !this->NeedsRasterizer();
+    const bool lit = this->AmbientOcclusion || this->Shadows;
     const bool traced = renderers.IsTraced({ this->Renderer, traceable, renderer,
-      HidesWhatIsBehind(actor), context.SoftwareOpenGL, this->GetCells().Count() });
+      HidesWhatIsBehind(actor), context.SoftwareOpenGL, this->GetCells().Count(), lit });
+    this->NoteLight(lit && !traced);
     if (traced)
       this->DrawTraced(context, renderer, actor);
     else
       this->DrawRasterized(context, renderer, actor);
-    if (!traceable || !renderers.MayTrace(this->Renderer) || this->GetCells().Count() == 0)
+    const bool mayTrace = (lit && traced) || renderers.MayTrace(this->Renderer);
+    if (!traceable || !mayTrace || this->GetCells().Count() == 0)
     {
       this->GL->Tracing.Release();
+      this->GL->Light.Release();
       context.Traced.Release();
     }
     vtkOpenGLCheckErrorMacro("after drawing active cells");
@@ -134,6 +138,33 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
       vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     context.Complaint = e.what();
   }
+}
+
+/// Says once that a picture lacks light.
+void vtkHaspOpenGLClusteredCellMapper::NoteLight(bool lacking)
+{
+  if (lacking && !this->GL->Unlit)
+    vtkErrorMacro("Ambient occlusion and shadows are not drawn, for they take traced rays; this "
+                  "surface is "
+                  << this->GL->Switch.Text() << ".");
+  this->GL->Unlit = lacking;
+}
+
+/// The light of the picture at hand; null if none is asked for.
+const CellLight* vtkHaspOpenGLClusteredCellMapper::UpdateLight(
+  const CellScene& scene, vtkHardwareSelector* selector)
+{
+  CellLight& light = this->GL->Light;
+  const CellLight::Wanted wanted{ this->AmbientOcclusion, this->Shadows,
+    this->AmbientOcclusionDistance };
+  if (!wanted.Any())
+    light.Release();
+  if (!wanted.Any() || selector)
+    return nullptr;
+  CellLight::Edit edit{};
+  edit.time = this->GetLastEdit(&edit.low.x, &edit.high.x);
+  light.Update(this->GL->Tracing, scene, wanted, this->GetCellsTime(), edit);
+  return &light;
 }
 
 /// One frame's worth of what the passes share.
@@ -218,8 +249,10 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   tracing.Trace(scene, this->GL->Switch.Measures() ? VTK_MTIME_MAX
                        : selector                  ? 0
                                                    : context.GetFrameTime());
-  context.Traced.Upload(window, tracing, selector != nullptr);
-  vtkShaderProgram* program = context.Program.ReadyTraced(window, this, actor, scene, selector);
+  const CellLight* light = this->UpdateLight(scene, selector);
+  context.Traced.Upload(window, tracing, selector != nullptr, light);
+  vtkShaderProgram* program =
+    context.Program.ReadyTraced(window, this, actor, scene, selector, light != nullptr);
   if (!program)
     throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
   context.Traced.Draw(program, tracing, scene);

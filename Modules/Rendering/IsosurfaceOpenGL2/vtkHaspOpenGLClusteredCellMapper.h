@@ -21,8 +21,11 @@
 #include "vtkHaspRenderingIsosurfaceOpenGL2Module.h" // for export macro
 
 class CellContext;
+class CellLight;
 struct CellDraws;
+struct CellScene;
 enum class CellPass;
+class vtkHardwareSelector;
 class vtkShaderProgram;
 
 class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLClusteredCellMapper :
@@ -57,6 +60,8 @@ private:
   void DrawCells(
     const Pass& pass, vtkShaderProgram* program, const CellDraws& draws, bool occlusion);
   bool NeedsRasterizer() const;
+  void NoteLight(bool lacking);
+  const CellLight* UpdateLight(const CellScene& scene, vtkHardwareSelector* selector);
   void DrawTraced(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
   void DrawRasterized(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
 

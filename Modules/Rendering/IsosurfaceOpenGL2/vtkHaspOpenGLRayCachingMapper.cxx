@@ -61,6 +61,7 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
 {
   vtkMTimeType VolumeTime = 0; ///< of the image that all of this was made from
   double IsoValue = std::numeric_limits<double>::quiet_NaN();
+  bool Unlit = false;   ///< the last frame lacked the light that was asked for
   bool Changed = false; ///< volume or isovalue, since the last frame
 
   std::unique_ptr<hasp::RayCache> Cache;
@@ -130,6 +131,17 @@ void vtkHaspOpenGLRayCachingMapper::UpdateCache()
     if (gl.Cache)
       gl.Cache->MarkModified(volume.ChangedLow(), volume.ChangedHigh());
     gl.Raycasts.MarkModified(volume.ChangedLow(), volume.ChangedHigh());
+    if (gl.Whole)
+    {
+      const int* extent = this->GetImage()->GetExtent();
+      int box[6];
+      for (int a = 0; a < 3; ++a)
+      {
+        box[2 * a] = extent[2 * a] + volume.ChangedLow()[a];
+        box[2 * a + 1] = extent[2 * a] + volume.ChangedHigh()[a];
+      }
+      gl.Whole->MarkModified(box);
+    }
     volume.ForgetChanges();
   }
   if (gl.Cache)
@@ -146,12 +158,18 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
   try
   {
     this->UpdateCache();
+    const bool lit = this->AmbientOcclusion || this->Shadows;
+    if (lit && this->Mode != Automatic && !gl.Unlit)
+      vtkErrorMacro("Ambient occlusion and shadows are not drawn, for they take traced rays: set "
+                    "the mode to Automatic.");
+    gl.Unlit = lit && this->Mode != Automatic;
     if (this->Mode == Raycast || this->Mode == RaycastSkipping)
       return this->DrawRaycast(renderer, actor);
     gl.Raycasts.Clear();
     const bool changed = gl.Changed;
-    const DrawingChoice::Frame frame =
-      this->Mode == Cache ? DrawingChoice::Frame{ true, false } : gl.Choice.Next(changed);
+    const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, false }
+                                       : lit               ? DrawingChoice::Frame{ false, true }
+                                                           : gl.Choice.Next(changed);
     if (frame.cache)
     {
       const hasp::Stopwatch watch;
@@ -167,13 +185,14 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
       const hasp::Stopwatch watch;
       this->DrawWhole(renderer, actor);
       glFinish();
-      gl.Choice.WholeTook(changed, watch.Milliseconds());
+      if (!lit)
+        gl.Choice.WholeTook(changed, watch.Milliseconds());
     }
     else if (this->Mode == Cache)
       gl.Whole = nullptr;
-    gl.Drew = this->Mode == Cache
-                ? "cache: asked for"
-                : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
+    gl.Drew = this->Mode == Cache ? "cache: asked for"
+              : lit ? "all active cells: ambient occlusion and shadows take traced rays"
+                    : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
   }
   catch (const std::exception& e)
   {
@@ -209,6 +228,9 @@ void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* a
     gl.Whole->SetInputData(this->GetImage());
   gl.Whole->SetIsoValue(this->GetIsoValue());
   gl.Whole->SetClippingPlanes(this->GetClippingPlanes());
+  gl.Whole->SetAmbientOcclusion(this->AmbientOcclusion);
+  gl.Whole->SetAmbientOcclusionDistance(this->AmbientOcclusionDistance);
+  gl.Whole->SetShadows(this->Shadows);
   gl.Whole->Render(renderer, actor);
 }
 

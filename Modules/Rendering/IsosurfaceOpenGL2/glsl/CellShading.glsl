@@ -22,6 +22,10 @@ uniform float specularPower;
 uniform float opacity;
 uniform vec2 colorShares; // ambient and diffuse of a colour that takes the place of the property's
 
+#ifdef HASP_TRACED_LIGHT
+float firstLightShare = 1.0; // of the first light; less where something stands before it
+#endif
+
 struct Material
 {
   vec3 ambient;
@@ -56,6 +60,10 @@ vec4 Shade(vec3 position, vec3 normal, Material material)
   {
     vec3 direction = lightDirection[n];
     vec3 light = lightColor[n];
+#ifdef HASP_TRACED_LIGHT
+    if (n == 0)
+      light *= firstLightShare;
+#endif
 #ifdef HASP_POSITIONAL_LIGHTS
     if (lightCone[n].z > 0.5)
     {

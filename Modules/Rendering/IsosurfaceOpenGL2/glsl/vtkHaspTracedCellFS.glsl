@@ -3,6 +3,7 @@
 //
 // in   gradients    of the volume at the hit, per voxel; depth in [0,1], or more where nothing was met
 // in   numbers      of the cell met, for selection
+// in   light        HASP_TRACED_LIGHT: openness of its surroundings, share of the first light, [0,1]
 // in   firstPixel   of the picture, in the window
 // out  fragOutput0  colour, or what hardware selection asks for
 //Hasp::Defines
@@ -12,6 +13,9 @@
 uniform sampler2D gradients;
 #ifdef HASP_SELECTION
 uniform usampler2D numbers;
+#endif
+#ifdef HASP_TRACED_LIGHT
+uniform sampler2D light;
 #endif
 uniform ivec2 firstPixel;
 uniform mat4 clipToIndex;
@@ -39,7 +43,14 @@ void main()
   vec4 index = clipToIndex * vec4(device, 2.0 * met.w - 1.0, 1.0);
   vec3 position = (indexToView * (index / index.w)).xyz;
   vec3 normal = FaceEye(position, normalize(normalToView * -met.xyz));
-  fragOutput0 = Shade(position, normal, PropertyMaterial());
+  Material material = PropertyMaterial();
+#ifdef HASP_TRACED_LIGHT
+  vec2 seen = texelFetch(light, texel, 0).xy;
+  material.ambient *= seen.x;
+  material.diffuse *= seen.x;
+  firstLightShare = seen.y;
+#endif
+  fragOutput0 = Shade(position, normal, material);
 #endif
   //VTK::DepthPeeling::Impl
 }

@@ -1,0 +1,207 @@
+#include "Isosurface/LightBlocks.h"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace hasp
+{
+
+namespace
+{
+
+constexpr int Ways = 8;
+constexpr int PlaceBits = 18;   // of a block along an axis
+constexpr float Whole = 128.0F; // the weight of a sample: 2^25 of them fit into a sum
+
+/// Level, face and place of a block. A 1 on top, so that none is 0.
+LightBlocks::Key KeyOf(const LightPlace& place, const glm::ivec3& block)
+{
+  return std::uint64_t(1) << 63 | std::uint64_t(place.level) << 57 |
+         std::uint64_t(place.face) << 54 | std::uint64_t(block.z) << 2 * PlaceBits |
+         std::uint64_t(block.y) << PlaceBits | std::uint64_t(block.x);
+}
+
+/// Neighbouring keys fall into unlike buckets: Steele, Lea, Flood 2014.
+std::uint64_t Scramble(std::uint64_t v)
+{
+  v = (v ^ v >> 30U) * 0xBF58476D1CE4E5B9U;
+  v = (v ^ v >> 27U) * 0x94D049BB133111EBU;
+  return v ^ v >> 31U;
+}
+
+/// The lattice corners around a place, x fastest.
+struct Corners
+{
+  LightBlocks::Key first;  ///< of the block of the lowest corner
+  std::uint32_t blocks[8]; ///< how many blocks on from there, a bit an axis
+  int entries[8];          ///< in that block
+  float weights[8];        ///< trilinear, whole numbers, about Whole together
+
+  explicit Corners(const LightPlace& place) : first(KeyOf(place, place.corner >> 2))
+  {
+    const glm::ivec3 in = place.corner & (LightBlocks::Side - 1);
+    const glm::vec3 high = place.within, low = 1.0F - high;
+    for (int c = 0; c < 8; ++c)
+    {
+      const int x = in.x + (c & 1), y = in.y + (c >> 1 & 1), z = in.z + (c >> 2);
+      this->blocks[c] = static_cast<std::uint32_t>(x >> 2 | y >> 2 << 1 | z >> 2 << 2);
+      this->entries[c] = (z & 3) << 4 | (y & 3) << 2 | (x & 3);
+      const float share =
+        (c & 1 ? high.x : low.x) * (c & 2 ? high.y : low.y) * (c & 4 ? high.z : low.z);
+      this->weights[c] = static_cast<float>(static_cast<int>(Whole * share + 0.5F));
+    }
+  }
+
+  LightBlocks::Key KeyOfBlock(std::uint32_t steps) const
+  {
+    return this->first + (steps & 1U) + (std::uint64_t(steps >> 1U & 1U) << PlaceBits) +
+           (std::uint64_t(steps >> 2U) << 2 * PlaceBits);
+  }
+};
+
+} // namespace
+
+LightPlace LightPlace::Coarser() const
+{
+  const glm::vec3 odd(this->corner & 1);
+  return { this->corner >> 1, 0.5F * (odd + this->within), this->level + 1, this->face };
+}
+
+LightBlocks::LightBlocks(std::size_t count)
+  : Count(count),
+    Keys(count, 0),
+    Used(count, 0),
+    Sums(new std::uint64_t[count * Entries]) // cleared when it is used
+{
+}
+
+std::size_t LightBlocks::Bytes() const
+{
+  return this->Count * (sizeof(Key) + sizeof(std::uint32_t) + Entries * sizeof(std::uint64_t));
+}
+
+std::uint32_t LightBlocks::Find(Key key) const
+{
+  const std::size_t bucket = Scramble(key) & (this->Count / Ways - 1);
+  for (std::size_t way = bucket * Ways; way < (bucket + 1) * Ways; ++way)
+    if (this->Keys[way] == key)
+      return static_cast<std::uint32_t>(way);
+  return None;
+}
+
+std::uint32_t LightBlockFinder::operator()(LightBlocks::Key key)
+{
+  const std::size_t slot = (key * 0x9E3779B97F4A7C15U) >> 59U;
+  if (this->Keys[slot] != key)
+  {
+    this->Keys[slot] = key;
+    this->Found[slot] = this->Blocks->Find(key);
+    if (this->Found[slot] != LightBlocks::None)
+      std::atomic_ref(this->Blocks->Used[this->Found[slot]])
+        .store(this->Blocks->Now, std::memory_order_relaxed);
+  }
+  return this->Found[slot];
+}
+
+LightMean LightBlocks::Mean(Finder& finder, const LightPlace& place) const
+{
+  static constexpr std::uint64_t nothing[Entries] = {};
+  const Corners corners(place);
+  const std::uint64_t* sums[8] = {};
+  float open = 0.0F, samples = 0.0F;
+  for (int c = 0; c < 8; ++c)
+  {
+    const std::uint64_t*& block = sums[corners.blocks[c]];
+    if (!block)
+    {
+      const std::uint32_t found = finder(corners.KeyOfBlock(corners.blocks[c]));
+      block = found == None ? nothing : this->Sums.get() + std::size_t(found) * Entries;
+    }
+    const std::uint64_t sum = block[corners.entries[c]];
+    open += corners.weights[c] * static_cast<float>(static_cast<std::uint32_t>(sum >> 32U));
+    samples += corners.weights[c] * static_cast<float>(static_cast<std::uint32_t>(sum));
+  }
+  if (samples == 0.0F)
+    return {};
+  return { open / samples, samples / (Whole * Whole) };
+}
+
+void LightBlocks::Add(Finder& finder, const LightPlace& place, int rays, int open)
+{
+  const Corners corners(place);
+  const std::uint64_t sample = std::uint64_t(open) << 32U | std::uint64_t(rays);
+  for (int c = 0; c < 8; ++c)
+  {
+    const std::uint32_t block = finder(corners.KeyOfBlock(corners.blocks[c]));
+    if (block != None)
+      std::atomic_ref(this->Sums[std::size_t(block) * Entries + corners.entries[c]])
+        .fetch_add(
+          sample * static_cast<std::uint64_t>(corners.weights[c]), std::memory_order_relaxed);
+  }
+}
+
+void LightBlocks::ListMissing(
+  Finder& finder, const LightPlace& place, std::vector<Key>& missing) const
+{
+  const Corners corners(place);
+  std::uint32_t seen = 0; // blocks
+  for (const std::uint32_t steps : corners.blocks)
+  {
+    if (seen >> steps & 1U)
+      continue;
+    seen |= 1U << steps;
+    const Key key = corners.KeyOfBlock(steps);
+    if (finder(key) == None)
+      missing.push_back(key);
+  }
+}
+
+void LightBlocks::Make(Key key)
+{
+  if (this->Find(key) != None)
+    return;
+  const std::size_t bucket = Scramble(key) & (this->Count / Ways - 1);
+  std::size_t oldest = bucket * Ways;
+  for (std::size_t way = bucket * Ways; way < (bucket + 1) * Ways; ++way)
+    if (this->Used[way] < this->Used[oldest])
+      oldest = way;
+  if (this->Used[oldest] == this->Now)
+    return;
+  this->Keys[oldest] = key;
+  this->Used[oldest] = this->Now;
+  std::fill_n(this->Sums.get() + oldest * Entries, Entries, 0);
+}
+
+void LightBlocks::Forget()
+{
+  std::fill(this->Keys.begin(), this->Keys.end(), 0);
+  std::fill(this->Used.begin(), this->Used.end(), 0);
+}
+
+void LightBlocks::Forget(const glm::dvec3& low, const glm::dvec3& high)
+{
+  for (std::size_t n = 0; n < this->Count; ++n)
+  {
+    const Key key = this->Keys[n];
+    if (key == 0)
+      continue;
+    const auto part = [&](int shift)
+    { return static_cast<double>(key >> shift & ((1U << PlaceBits) - 1)); };
+    const double side = std::ldexp(1.0, static_cast<int>(key >> 57 & 63));
+    const glm::dvec3 first =
+      side * Side * glm::dvec3(part(0), part(PlaceBits), part(2 * PlaceBits));
+    // Samples reach one step beyond the corners that they are added to.
+    const glm::dvec3 from = first - side, to = first + side * Side;
+    if (glm::all(glm::lessThanEqual(from, high)) && glm::all(glm::greaterThanEqual(to, low)))
+    {
+      this->Keys[n] = 0;
+      this->Used[n] = 0;
+    }
+  }
+}
+
+} // namespace hasp
