@@ -73,7 +73,7 @@ void Shade(vtkActor* actor, const std::array<double, 3>& color)
 
 // Frames that a picture is refined for, and how many may find nothing new before it is taken to be
 // complete.
-constexpr int MostFrames = 1000, QuietFrames = 16;
+constexpr int MostFrames = 200, QuietFrames = 4;
 
 } // namespace
 

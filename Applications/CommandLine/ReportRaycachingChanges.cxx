@@ -112,7 +112,7 @@ void AddFirst95(ReportContext& context, const RaycachingScene& scene, const std:
     row.value = courses[n].mostlyMs / mesh;
     row.q1 = row.q3 = row.value;
     row.n = 1;
-    row.unit = "ratio";
+    row.unit = "of the first frame with a new mesh"; // one course, no pairs
     row.rival = "first frame of vtkFlyingEdges3D and its mesh after the same change";
     row.error = courses[n].firstPsnr;
     row.errorUnit = "dB in the first frame";

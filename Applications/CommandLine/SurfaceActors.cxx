@@ -107,6 +107,7 @@ SurfaceActor MakeCachingActor(vtkImageData* image, double isoValue, int mode)
   mapper->SetInputData(image);
   mapper->SetIsoValue(isoValue);
   mapper->SetMode(mode);
+  mapper->SetRaysPerTile(256); // one picture, complete soon
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   return { actor.Get(),
