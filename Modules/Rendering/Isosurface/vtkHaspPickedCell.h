@@ -1,6 +1,6 @@
 /**
  * @class   vtkHaspPickedCell
- * @brief   What a pick of a vtkHaspClusteredCellMapper gives: a point of the surface.
+ * @brief   What a pick of a mapper of isosurfaces gives: a point of the surface.
  *
  *   vtkNew<vtkHaspPickedCell> picked;
  *   if (mapper->PickFirstCell(from, to, picked))
@@ -21,7 +21,8 @@ public:
   vtkTypeMacro(vtkHaspPickedCell, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Number of the active cell, as hardware selection gives it; -1 before the first pick.
+  /// Number of the active cell, as hardware selection gives it; of vtkHaspRayCachingMapper that of
+  /// the image's cell. -1 before the first pick.
   vtkGetMacro(CellId, vtkIdType);
   /// Voxel: the cell's first corner sample, counted from the image's first.
   vtkGetVector3Macro(IJK, int);
@@ -45,7 +46,8 @@ protected:
 private:
   vtkHaspPickedCell(const vtkHaspPickedCell&) = delete;
   void operator=(const vtkHaspPickedCell&) = delete;
-  friend class vtkHaspClusteredCellMapper; // fills it
+  friend class vtkHaspClusteredCellMapper; // they fill it
+  friend class vtkHaspRayCachingMapper;
 
   vtkIdType CellId = -1;
   int IJK[3] = { 0, 0, 0 };

@@ -1,7 +1,10 @@
 #include "vtkHaspRayCachingMapper.h"
 
 #include "FailedUpdate.h"
+#include "Isosurface/RayCaster.h"
 #include "MappedVolume.h"
+#include "vtkHaspPickedCell.h"
+#include "vtkHaspVolumeView.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkImageData.h"
@@ -9,6 +12,10 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
 #include <stdexcept>
 
 vtkAbstractObjectFactoryNewMacro(vtkHaspRayCachingMapper);
@@ -93,6 +100,40 @@ void vtkHaspRayCachingMapper::SetAmbientOcclusionDistance(double mm)
     this->AmbientOcclusionDistance = mm;
     this->Modified();
   }
+}
+
+bool vtkHaspRayCachingMapper::PickFirstCell(
+  const double from[3], const double to[3], vtkHaspPickedCell* result)
+{
+  if (!this->UpdateVolume())
+    return false;
+  vtkImageData* image = this->GetImage();
+  MappedVolume& volume = *this->Volume;
+  const hasp::AnyGridView grid = hasp::ViewImage(image);
+  if (volume.Changed()) // the next frame still has to hear of it
+    volume.Blocks.Update(grid, volume.ChangedLow(), volume.ChangedHigh());
+  const hasp::RayCaster caster(grid, volume.Blocks, this->IsoValue);
+  const glm::dvec3 origin = glm::make_vec3(from);
+  const auto hit = caster.Cast(origin, glm::make_vec3(to) - origin, 0.0, 1.0);
+  if (!hit || !result)
+    return hit.has_value();
+  const glm::dvec3 inCell =
+    hasp::GeometryOf(grid).WorldToIndex(hit->position) - glm::dvec3(hit->cell);
+  const glm::dvec3 normal = -glm::normalize(hit->gradient);
+  for (int a = 0; a < 3; ++a)
+  {
+    result->IJK[a] = hit->cell[a];
+    result->PCoords[a] = std::clamp(inCell[a], 0.0, 1.0);
+    result->Position[a] = hit->position[a];
+    result->Normal[a] = normal[a];
+  }
+  const glm::ivec3 cells = hasp::GeometryOf(grid).dims - 1;
+  result->CellId = (vtkIdType{ hit->cell.z } * cells.y + hit->cell.y) * cells.x + hit->cell.x;
+  result->T = hit->t;
+  result->Value = this->IsoValue;
+  result->Label = 0;
+  result->Modified();
+  return true;
 }
 
 void vtkHaspRayCachingMapper::ListResources(hasp::ResourceList& list) const

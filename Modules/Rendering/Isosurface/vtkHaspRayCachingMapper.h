@@ -20,8 +20,9 @@
  * cheaper one of Cache and all active cells, by measurement.
  *
  * Honoured: as vtkHaspClusteredCellMapper honours them, the actor's matrix and property, lights,
- * clipping planes, hardware selection (cell ids hold until the next frame; PickCell gives the
- * point), stereo and off-axis cameras. Scalar colours and labels: use vtkHaspClusteredCellMapper.
+ * clipping planes, hardware selection (cell ids hold until the next frame; PickFirstCell gives
+ * the point of a line), stereo and off-axis cameras. Scalar colours and labels: use
+ * vtkHaspClusteredCellMapper.
  *
  * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
  * Threads: RENDER only; rays use all cores inside the call.
@@ -39,6 +40,7 @@
 
 class FailedUpdate;
 class MappedVolume;
+class vtkHaspPickedCell;
 class vtkImageData;
 
 class VTKHASPRENDERINGISOSURFACE_EXPORT vtkHaspRayCachingMapper : public vtkMapper
@@ -132,6 +134,12 @@ public:
   /// that touch it (sculpting). Call it after the change, and after Modified() of the image if that
   /// is called at all. Several boxes before an update become the box around them.
   void MarkModified(const int extent[6]);
+
+  /// Where the line from `from` to `to` first meets the surface, in any mode, drawn or not: the
+  /// exact root. In the actor's data coordinates, like the result: where the actor has a matrix,
+  /// take both points through its inverse first. False, and the result untouched, if the line
+  /// misses it. Clipping planes are not asked. A ray: about a microsecond.
+  bool PickFirstCell(const double from[3], const double to[3], vtkHaspPickedCell* result);
 
   /// Appends what this mapper holds and what it skipped, with bytes and milliseconds.
   virtual void ListResources(hasp::ResourceList& list) const;

@@ -1,5 +1,6 @@
 // What the ray cache shows once it is complete, what it follows, and hard cases.
 #include "RaycastTestScene.h"
+#include "vtkHaspPickedCell.h"
 
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -139,6 +140,32 @@ TEST_F(RayCaching, FollowsAnEdit)
   scene.Draw();
   EXPECT_EQ(scene.Judge(scene.Truth()).invented, 0);
   ExpectExact(scene.JudgeConverged(), 500);
+}
+
+TEST_F(RayCaching, PicksTheExactPoint)
+{
+  CacheScene scene;
+  scene.Show<std::int16_t>(hasp::AnalyticGyroid(20), ObliqueGrid(40, { 0.6, 0.9, 1.7 }));
+  scene.Draw();
+  const auto truth = scene.Truth();
+  vtkNew<vtkHaspPickedCell> picked;
+  int met = 0;
+  for (int pixel = 0; pixel < int(truth.size()); pixel += 7)
+  {
+    const auto [origin, direction] =
+      scene.Ray(pixel % RaycastScene::PixelsX, pixel / RaycastScene::PixelsX);
+    const glm::dvec3 to = origin + 300.0 * direction;
+    const bool hit = scene.Raycaster->PickFirstCell(&origin.x, &to.x, picked);
+    ASSERT_EQ(hit, truth[pixel].has_value());
+    if (!hit)
+      continue;
+    ++met;
+    const glm::dvec3 position = glm::make_vec3(picked->GetPosition());
+    EXPECT_LT(glm::length(position - truth[pixel]->position), 1e-4);
+    EXPECT_LT(glm::length(position - (origin + picked->GetT() * (to - origin))), 1e-4);
+    EXPECT_EQ(picked->GetValue(), 0.0);
+  }
+  EXPECT_GT(met, 500);
 }
 
 TEST_F(RayCaching, HonoursClippingPlanes)
