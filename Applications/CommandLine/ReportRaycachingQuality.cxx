@@ -74,9 +74,8 @@ void AddConvergence(ReportContext& context, const RaycachingScene& scene)
 }
 
 /// Share of the pixels with surface where nothing is shown.
-double HoleShare(const IsosurfaceView& view, IsosurfaceMethod& exact, IsosurfaceMethod& shown)
+double HoleShare(IsosurfaceMethod& exact, IsosurfaceMethod& shown)
 {
-  (void)view;
   exact.Draw();
   const SurfacePoints truth = exact.Points(), points = shown.Points();
   std::size_t surface = 0, holes = 0;
@@ -97,7 +96,6 @@ void AddHoles(ReportContext& context, const RaycachingScene& scene, bool predict
   const auto exact = MakeCellMethod(view);
   const int warmUp = 60, frames = context.settings.quick ? 20 : 60;
   double sum = 0.0, most = 0.0;
-  std::vector<double> times;
   Timing all;
   for (int frame = 0; frame < warmUp + frames; ++frame)
   {
@@ -107,7 +105,7 @@ void AddHoles(ReportContext& context, const RaycachingScene& scene, bool predict
       continue;
     all.wallS += time.wallS / frames;
     all.cpuS += time.cpuS / frames;
-    const double share = HoleShare(view, *exact, ours);
+    const double share = HoleShare(*exact, ours);
     sum += share / frames;
     most = std::max(most, share);
   }
@@ -117,6 +115,15 @@ void AddHoles(ReportContext& context, const RaycachingScene& scene, bool predict
     (prediction ? "raycaching.holes" : "raycaching.holes.unpredicted") + scene.cells.tag,
     { sum, "share of surface pixels" }, "all active cells", all,
     scene.data + ", head jitter 5 mm and 3 degrees" + worst));
+}
+
+/// As the kernel sees it.
+PictureView IndexView(const IsosurfaceView& view, const AnyGridView& grid)
+{
+  const GridGeometry& geometry = GeometryOf(grid);
+  glm::dmat4 indexToWorld(geometry.IndexToWorldMatrix());
+  indexToWorld[3] = glm::dvec4(geometry.origin, 1.0);
+  return { glm::inverse(view.clipToWorld) * indexToWorld, { view.width, view.height }, {} };
 }
 
 /// The kernel alone, on the orbit.
@@ -129,16 +136,11 @@ void AddUnique(ReportContext& context, const RaycachingScene& scene)
   RayCache cache(grid, blocks, scene.cells.isovalue);
   const std::size_t bytes = cache.Bytes();
   const int frames = context.settings.soak ? 10'000 : 100;
-  const GridGeometry& geometry = GeometryOf(grid);
-  glm::dmat4 indexToWorld(geometry.IndexToWorldMatrix());
-  indexToWorld[3] = glm::dvec4(geometry.origin, 1.0);
   Timing time;
   for (int frame = 0; frame < frames; ++frame)
   {
     path.Orbit(frame, 3.6);
-    const SampledEye eye{
-      { glm::inverse(view.clipToWorld) * indexToWorld, { scene.pixels, scene.pixels }, {} }, {}, 0
-    };
+    const SampledEye eye{ IndexView(view, grid), {}, 0 };
     const Timing one = TimeOf([&] { cache.Sample({ &eye, 1 }, {}, 8); });
     time.wallS += one.wallS / frames;
     time.cpuS += one.cpuS / frames;
@@ -158,6 +160,38 @@ void AddUnique(ReportContext& context, const RaycachingScene& scene)
       " after"));
 }
 
+/// How many clusters one eye needs, or two that look at the same from 4 degrees apart.
+std::size_t BricksOf(const RaycachingScene& scene, int eyes, Timing& time)
+{
+  const AnyGridView grid = ViewImage(scene.cells.image);
+  const MinMaxBlocks blocks(grid);
+  RayCache cache(grid, blocks, scene.cells.isovalue);
+  IsosurfaceView view = scene.View();
+  CameraPath path(view);
+  std::vector<SampledEye> seen;
+  for (int eye = 0; eye < eyes; ++eye)
+  {
+    path.Orbit(eye, 4.0);
+    seen.push_back({ IndexView(view, grid), {}, eye });
+  }
+  for (int frame = 0; frame < 100; ++frame)
+  {
+    const Timing one = TimeOf([&] { cache.Sample(seen, {}, 16); });
+    time.wallS += one.wallS / 100;
+    time.cpuS += one.cpuS / 100;
+  }
+  return cache.Live();
+}
+
+void AddStereo(ReportContext& context, const RaycachingScene& scene)
+{
+  Timing mono, stereo;
+  const std::size_t one = BricksOf(scene, 1, mono), two = BricksOf(scene, 2, stereo);
+  context.report.rows.push_back(ErrorFigure("raycaching.stereo.bricks" + scene.cells.tag,
+    { double(two) / double(one), "bricks of two eyes / of one" }, "two caches would hold 2", stereo,
+    scene.data + ", eyes 4 degrees apart, " + std::to_string(two) + " and " + std::to_string(one)));
+}
+
 } // namespace
 
 void ReportRaycachingQuality(ReportContext& context, const RaycachingScene& scene)
@@ -167,6 +201,7 @@ void ReportRaycachingQuality(ReportContext& context, const RaycachingScene& scen
   AddHoles(context, scene, true);
   AddHoles(context, scene, false);
   AddUnique(context, scene);
+  AddStereo(context, scene);
 }
 
 } // namespace hasp

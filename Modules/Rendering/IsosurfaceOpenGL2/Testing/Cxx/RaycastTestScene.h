@@ -2,6 +2,7 @@
 // An isosurface by a ray a pixel, and each pixel held against a ray in long double.
 #include "CellTestScene.h"
 #include "Evaluation/TrilinearTruth.h"
+#include "HaspGL.h"
 #include "vtkHaspRayCachingMapper.h"
 
 #include "vtkCallbackCommand.h"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -30,6 +32,20 @@ inline ResourceUse Find(vtkHaspRayCachingMapper* mapper, const std::string& name
       return use;
   ADD_FAILURE() << "no resource " << name;
   return {};
+}
+
+/// How many buffers, textures and vertex arrays there are in the window's context.
+inline std::array<int, 3> Names(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  std::array<int, 3> count{};
+  for (GLuint name = 1; name < 1000; ++name)
+  {
+    count[0] += glIsBuffer(name);
+    count[1] += glIsTexture(name);
+    count[2] += glIsVertexArray(name);
+  }
+  return count;
 }
 
 /// What a picture shows against what is true.

@@ -9,6 +9,7 @@ namespace
 {
 
 using hasp::testing::Find;
+using hasp::testing::Names;
 using hasp::testing::ObliqueGrid;
 using hasp::testing::RaycastScene;
 
@@ -26,19 +27,6 @@ struct Ball : RaycastScene
     this->Show<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
   }
 };
-
-std::array<int, 3> Names(vtkRenderWindow* window)
-{
-  window->MakeCurrent();
-  std::array<int, 3> count{};
-  for (GLuint name = 1; name < 1000; ++name)
-  {
-    count[0] += glIsBuffer(name);
-    count[1] += glIsTexture(name);
-    count[2] += glIsVertexArray(name);
-  }
-  return count;
-}
 
 TEST_F(RayCachingLives, NothingIsMadeBeforeItIsDrawn)
 {

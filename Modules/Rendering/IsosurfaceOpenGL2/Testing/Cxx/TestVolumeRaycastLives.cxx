@@ -17,6 +17,7 @@ namespace
 {
 
 using hasp::testing::Find;
+using hasp::testing::Names;
 using hasp::testing::RaycastModes;
 using hasp::testing::RaycastScene;
 
@@ -36,19 +37,6 @@ struct BallScene : RaycastScene
     return point ? point->y : 1e9;
   }
 };
-
-std::array<int, 3> Names(vtkRenderWindow* window)
-{
-  window->MakeCurrent();
-  std::array<int, 3> count{};
-  for (GLuint name = 1; name < 1000; ++name)
-  {
-    count[0] += glIsBuffer(name);
-    count[1] += glIsTexture(name);
-    count[2] += glIsVertexArray(name);
-  }
-  return count;
-}
 
 class RaycastLives : public ::testing::Test
 {
