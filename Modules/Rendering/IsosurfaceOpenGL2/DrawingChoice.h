@@ -17,7 +17,9 @@ public:
   {
     bool cache, whole;
   };
-  Frame Next(bool changed) const
+  /// filled: the cache has once held all that was in view; before that it is not left alone in a
+  /// frame at rest. After a change it is, for then it is chosen to save the extraction.
+  Frame Next(bool changed, bool filled) const
   {
     const Costs& costs = this->Measured[changed];
     if (costs.whole.times < Enough)
@@ -25,7 +27,7 @@ public:
     if (costs.cache.times < Enough)
       return { true, true };
     const bool cache = costs.cache.least < costs.whole.least;
-    return { cache, !cache };
+    return { cache, !cache || !(filled || changed) };
   }
   void CacheTook(bool changed, double ms) { this->Measured[changed].cache.Add(ms); }
   void WholeTook(bool changed, double ms) { this->Measured[changed].whole.Add(ms); }

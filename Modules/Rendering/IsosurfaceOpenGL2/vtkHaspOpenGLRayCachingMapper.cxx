@@ -31,7 +31,8 @@ vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
 namespace
 {
 
-constexpr int MostRays = 256; // a tile
+constexpr int MostRays = 256;   // a tile
+constexpr int FilledAfter = 16; // frames without a find
 
 } // namespace
 
@@ -69,6 +70,8 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
   hasp::RayCache::Frame Last;
   double SampleMilliseconds = 0.0;
   int Rays = 0; ///< a tile, in the last frame
+  /// In a row in which rays found nothing new; stays when the cache has once been filled.
+  int QuietFrames = 0;
   CachedLevels Levels;
   ViewerEyes Eyes;
 
@@ -121,6 +124,7 @@ void vtkHaspOpenGLRayCachingMapper::UpdateCache()
     gl.Cache.reset();
     gl.Levels.Clear();
     gl.Choice = {};
+    gl.QuietFrames = 0;
     gl.VolumeTime = this->GetVolumeTime();
   }
   gl.IsoValue = this->GetIsoValue();
@@ -168,8 +172,9 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
     gl.Raycasts.Clear();
     const bool changed = gl.Changed;
     const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, false }
-                                       : lit               ? DrawingChoice::Frame{ false, true }
-                                                           : gl.Choice.Next(changed);
+                                       : lit
+                                         ? DrawingChoice::Frame{ false, true }
+                                         : gl.Choice.Next(changed, gl.QuietFrames >= FilledAfter);
     if (frame.cache)
     {
       const hasp::Stopwatch watch;
@@ -210,6 +215,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawRaycast(vtkRenderer* renderer, vtkActor*
   gl.Eyes.Clear();
   gl.Whole = nullptr;
   gl.Choice = {};
+  gl.QuietFrames = 0;
   const bool skipping = this->Mode == RaycastSkipping;
   gl.Drew = gl.Raycasts.Draw({ hasp::ViewImage(this->GetImage()), this->GetVolume().Blocks,
                                this->GetVolumeTime(), this->GetIsoValue() },
@@ -258,6 +264,8 @@ void vtkHaspOpenGLRayCachingMapper::DrawCache(vtkRenderer* renderer, vtkActor* a
       predicted.push_back({ *next, scene.viewportSize, scene.planes });
     gl.Rays = gl.RaysFor(this->FrameBudget, this->RaysPerTile);
     gl.Last = gl.Cache->Sample({ &seen, 1 }, predicted, gl.Rays);
+    if (gl.QuietFrames < FilledAfter)
+      gl.QuietFrames = gl.Last.added > 0 ? 0 : gl.QuietFrames + 1;
     for (int level = 0; level < gl.Cache->Levels(); ++level)
       gl.Levels.Set(level, gl.Cache->Cells(level));
     eye.Moved(scene.indexToClip);

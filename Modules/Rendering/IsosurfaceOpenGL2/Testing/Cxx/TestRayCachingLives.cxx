@@ -133,19 +133,22 @@ TEST_F(RayCachingLives, TheFasterWayIsChosen)
       DrawingChoice choice;
       for (int n = 0; n < 2; ++n)
       {
-        EXPECT_FALSE(choice.Next(changed).cache);
-        EXPECT_TRUE(choice.Next(changed).whole);
+        EXPECT_FALSE(choice.Next(changed, true).cache);
+        EXPECT_TRUE(choice.Next(changed, true).whole);
         choice.WholeTook(changed, n == 0 ? 500 : 50); // the first frame compiles shaders
       }
       for (int n = 0; n < 2; ++n)
       {
-        EXPECT_TRUE(choice.Next(changed).cache);
-        EXPECT_TRUE(choice.Next(changed).whole) << "the picture must be complete";
+        EXPECT_TRUE(choice.Next(changed, true).cache);
+        EXPECT_TRUE(choice.Next(changed, true).whole) << "the picture must be complete";
         choice.CacheTook(changed, n == 0 ? 500 : cacheIsFaster ? 49 : 51);
       }
-      EXPECT_EQ(choice.Next(changed).cache, cacheIsFaster);
-      EXPECT_EQ(choice.Next(changed).whole, !cacheIsFaster);
-      EXPECT_TRUE(choice.Next(!changed).whole) << "frames of the other kind are measured apart";
+      EXPECT_EQ(choice.Next(changed, true).cache, cacheIsFaster);
+      EXPECT_EQ(choice.Next(changed, true).whole, !cacheIsFaster);
+      EXPECT_EQ(choice.Next(changed, false).whole, !cacheIsFaster || !changed)
+        << "at rest a cache that is still filling is not left alone";
+      EXPECT_TRUE(choice.Next(!changed, true).whole)
+        << "frames of the other kind are measured apart";
     }
 }
 
