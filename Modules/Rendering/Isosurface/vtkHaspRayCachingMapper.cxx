@@ -3,6 +3,7 @@
 #include "FailedUpdate.h"
 #include "Isosurface/RayCaster.h"
 #include "MappedVolume.h"
+#include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspPickedCell.h"
 #include "vtkHaspVolumeView.h"
 
@@ -21,7 +22,8 @@
 vtkAbstractObjectFactoryNewMacro(vtkHaspRayCachingMapper);
 
 vtkHaspRayCachingMapper::vtkHaspRayCachingMapper()
-  : Volume(new MappedVolume),
+  : Renderer(vtkHaspClusteredCellMapper::Automatic),
+    Volume(new MappedVolume),
     Failed(new FailedUpdate)
 {
   this->ScalarVisibility = false; // else VTK maps every voxel to a colour
@@ -45,6 +47,16 @@ vtkImageData* vtkHaspRayCachingMapper::GetImage()
   if (this->GetNumberOfInputConnections(0) == 0)
     return nullptr;
   return vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+}
+
+void vtkHaspRayCachingMapper::SetRenderer(int renderer)
+{
+  renderer = std::clamp<int>(
+    renderer, vtkHaspClusteredCellMapper::Automatic, vtkHaspClusteredCellMapper::Trace);
+  if (this->Renderer == renderer)
+    return;
+  this->Renderer = renderer;
+  this->Modified();
 }
 
 void vtkHaspRayCachingMapper::SetIsoValue(double value)
@@ -160,6 +172,7 @@ void vtkHaspRayCachingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue
      << (this->IsoValueIsSet ? "\n" : " (middle of the range)\n");
   os << indent << "Mode: " << this->Mode << " (" << this->GetModeChoice() << ")\n";
+  os << indent << "Renderer: " << this->Renderer << "\n";
   os << indent << "StepSize: " << this->StepSize << "\n";
   os << indent << "RaysPerTile: " << this->RaysPerTile << "\n";
   os << indent << "FrameBudget: " << this->FrameBudget << "\n";

@@ -80,6 +80,13 @@ public:
   void SetModeToRaycast() { this->SetMode(Raycast); }
   void SetModeToRaycastSkipping() { this->SetMode(RaycastSkipping); }
   ///@}
+  ///@{
+  /// What draws the cells, those of the cache and all active ones: one of
+  /// vtkHaspClusteredCellMapper::Renderers. Where rays are traced they meet what the cache holds,
+  /// and nothing else. Default Automatic; Trace, where it is not built in, is refused with an error.
+  virtual void SetRenderer(int renderer);
+  vtkGetMacro(Renderer, int);
+  ///@}
   /// What drew last, and why: "cache: 62.1 ms, all active cells 74.0 ms".
   virtual std::string GetModeChoice() const { return "nothing drawn"; }
 
@@ -162,6 +169,7 @@ protected:
   vtkMTimeType GetVolumeTime() const { return this->VolumeTime; }
 
   int Mode = Automatic;
+  int Renderer;
   double StepSize = 1.0;
   int RaysPerTile = 8;
   double FrameBudget = 0.0;

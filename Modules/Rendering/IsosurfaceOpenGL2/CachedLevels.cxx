@@ -3,6 +3,7 @@
 #include "Grid/Stopwatch.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspClusteredCells.h"
+#include "vtkHaspRayCachingMapper.h"
 
 #include "vtkNew.h"
 
@@ -31,20 +32,20 @@ void CachedLevels::Set(std::size_t n, std::shared_ptr<const hasp::ClusteredCells
   {
     level = std::make_unique<Level>();
     level->mapper->SetInputDataObject(level->cells);
-    level->mapper->SetRendererToRasterize();
     level->mapper->OcclusionCullingOff(); // rays met what is there: little of it is hidden
   }
   if (level->cells->GetCells() != cells)
     level->cells->SetCells(std::move(cells));
 }
 
-void CachedLevels::Draw(vtkMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+void CachedLevels::Draw(vtkHaspRayCachingMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
 {
   const hasp::Stopwatch watch;
   for (const auto& level : this->Levels)
     if (level)
     {
       level->mapper->SetClippingPlanes(mapper->GetClippingPlanes());
+      level->mapper->SetRenderer(mapper->GetRenderer());
       level->mapper->Render(renderer, actor);
     }
   this->DrawMilliseconds = watch.Milliseconds();
@@ -57,12 +58,30 @@ void CachedLevels::Release(vtkWindow* window)
       level->mapper->ReleaseGraphicsResources(window);
 }
 
-std::size_t CachedLevels::Clusters() const
+std::string CachedLevels::RendererText() const
 {
-  std::size_t count = 0;
+  std::size_t most = 0;
+  std::string text;
   for (const auto& level : this->Levels)
-    count += level ? level->cells->GetNumberOfClusters() : 0;
-  return count;
+    if (level && level->cells->GetCells()->Count() > most)
+    {
+      most = level->cells->GetCells()->Count();
+      text = level->mapper->GetRendererChoice();
+    }
+  return text;
+}
+
+std::size_t CachedLevels::DrawingBytes() const
+{
+  hasp::ResourceList all;
+  for (const auto& level : this->Levels)
+    if (level)
+      level->mapper->ListResources(all);
+  std::size_t bytes = 0;
+  for (const hasp::ResourceUse& use : all)
+    if (use.resource != "active cells, host" && use.resource != "min-max blocks")
+      bytes += use.bytes;
+  return bytes;
 }
 
 std::size_t CachedLevels::Bytes() const

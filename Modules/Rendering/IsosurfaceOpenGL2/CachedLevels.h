@@ -4,10 +4,11 @@
 #include "Isosurface/ClusteredCells.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
-class vtkMapper;
+class vtkHaspRayCachingMapper;
 class vtkRenderer;
 class vtkWindow;
 
@@ -21,13 +22,15 @@ public:
 
   /// What level n draws from now on; null: nothing, and its mapper goes at the next Draw.
   void Set(std::size_t n, std::shared_ptr<const hasp::ClusteredCells> cells);
-  /// As `mapper` would be drawn: with its clipping planes. The bytes go to the GPU if they are new.
-  void Draw(vtkMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
+  /// As `mapper` would be drawn: with its clipping planes and renderer.
+  void Draw(vtkHaspRayCachingMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
   void Release(vtkWindow* window);
   void Clear();
 
-  std::size_t Clusters() const;
-  std::size_t Bytes() const;     ///< of the copies; as many again on the GPU
+  /// What drew the level with the most cells, and why; empty if none has any.
+  std::string RendererText() const;
+  std::size_t Bytes() const;        ///< of the copies
+  std::size_t DrawingBytes() const; ///< of what draws them: buffers, or trees and pictures
   double DrawMilliseconds = 0.0; ///< of the last Draw, until OpenGL had taken the commands
 
 private:

@@ -239,8 +239,8 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   if (this->GetCells().Count() == 0)
     return;
   CellTracing& tracing = this->GL->Tracing;
+  this->GL->Switch.Start(); // new cells cost a tree, or an upload
   tracing.Update(this->GetCells(), this->GetCellsTime());
-  this->GL->Switch.Start();
   const CellScene scene(this, this->GetCells().geometry, this->GetCells().isovalue, renderer, actor,
     this->GetColoring().uniform);
   vtkHardwareSelector* selector = renderer->GetSelector();
@@ -264,6 +264,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   AttributeBuffers& attributes = context.Attributes;
+  this->GL->Switch.Start();
   context.Upload(this->GetCells(), this->GetCellsTime(), this->GetStorageBlockBytes());
   attributes.Update(this->GetCells(), this->GetColoring(), this->GetLabels(),
     this->ScalarVisibility,
@@ -274,7 +275,6 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
     context.Blending.Release();
   if (!context.Buffers.Uploaded())
     return; // no surface at this isovalue
-  this->GL->Switch.Start();
   const CellScene scene(this, this->GetCells().geometry, this->GetCells().isovalue, renderer, actor,
     this->GetColoring().uniform);
   if (attributes.Labelled())

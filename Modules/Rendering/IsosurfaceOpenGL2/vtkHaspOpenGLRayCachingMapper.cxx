@@ -2,6 +2,7 @@
 
 #include "CachedLevels.h"
 #include "CellScene.h"
+#include "CellTracing.h"
 #include "DrawingChoice.h"
 #include "Grid/Stopwatch.h"
 #include "HaspGL.h"
@@ -107,6 +108,15 @@ std::string vtkHaspOpenGLRayCachingMapper::GetModeChoice() const
   return this->GL->Drew;
 }
 
+void vtkHaspOpenGLRayCachingMapper::SetRenderer(int renderer)
+{
+  if (renderer == vtkHaspClusteredCellMapper::Trace && !CellTracing::Available())
+    vtkErrorMacro("Rays cannot be traced: this build of Hasp was made without Embree; configure it "
+                  "with HASP_ENABLE_EMBREE=ON (Debian: libembree-dev).");
+  else
+    this->Superclass::SetRenderer(renderer);
+}
+
 bool vtkHaspOpenGLRayCachingMapper::IsRefining() const
 {
   return this->GL->Cache && this->GL->Last.added > 0;
@@ -195,7 +205,7 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
     }
     else if (this->Mode == Cache)
       gl.Whole = nullptr;
-    gl.Drew = this->Mode == Cache ? "cache: asked for"
+    gl.Drew = this->Mode == Cache ? "cache: asked for; " + gl.Levels.RendererText()
               : lit ? "all active cells: ambient occlusion and shadows take traced rays"
                     : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
   }
@@ -234,6 +244,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* a
     gl.Whole->SetInputData(this->GetImage());
   gl.Whole->SetIsoValue(this->GetIsoValue());
   gl.Whole->SetClippingPlanes(this->GetClippingPlanes());
+  gl.Whole->SetRenderer(this->GetRenderer());
   gl.Whole->SetAmbientOcclusion(this->AmbientOcclusion);
   gl.Whole->SetAmbientOcclusionDistance(this->AmbientOcclusionDistance);
   gl.Whole->SetShadows(this->Shadows);
@@ -283,8 +294,10 @@ void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) cons
   list.push_back({ "ray cache", gl.Cache ? gl.Cache->Bytes() : 0, gl.CacheMilliseconds,
     gl.Cache ? std::to_string(gl.Cache->Live()) + " clusters; of fixed size"
              : "no frame was drawn from it" });
-  list.push_back({ "cached cells, host and GPU", 2 * gl.Levels.Bytes(), gl.SampleMilliseconds,
+  list.push_back({ "cached cells, host", gl.Levels.Bytes(), gl.SampleMilliseconds,
     std::to_string(gl.Last.rays) + " rays in the last frame" });
+  list.push_back({ "drawing of cached cells", gl.Levels.DrawingBytes(), gl.Levels.DrawMilliseconds,
+    gl.Cache ? gl.Levels.RendererText() : "no frame was drawn from it" });
   list.push_back(
     { "depth of the last pictures", gl.Eyes.Bytes(), 0.0, "rays look for holes in it" });
   gl.Raycasts.ListResources(list);

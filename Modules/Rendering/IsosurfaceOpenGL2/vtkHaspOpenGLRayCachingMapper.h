@@ -23,6 +23,7 @@ public:
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  void SetRenderer(int renderer) override;
   std::string GetModeChoice() const override;
   bool IsRefining() const override;
   void ListResources(hasp::ResourceList& list) const override;

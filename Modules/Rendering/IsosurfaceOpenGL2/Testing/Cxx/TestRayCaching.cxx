@@ -63,14 +63,47 @@ void ExpectExact(const Judgement& judged, int leastSurface)
   EXPECT_LT(judged.error, 2e-3);
 }
 
+/// What draws the cells is there for both.
+const std::vector<std::pair<int, std::string>> Renderers = {
+  { vtkHaspClusteredCellMapper::Rasterize, "rasterised: as asked for" },
+#if HASP_WITH_EMBREE
+  { vtkHaspClusteredCellMapper::Trace, "traced: as asked for" },
+#endif
+};
+
 TEST_F(RayCaching, ShowsTheExactSurface)
 {
-  for (const glm::dvec3& spacing : { glm::dvec3(1.0), glm::dvec3(0.6, 0.9, 1.7) })
+  for (const auto& [renderer, text] : Renderers)
+    for (const glm::dvec3& spacing : { glm::dvec3(1.0), glm::dvec3(0.6, 0.9, 1.7) })
+    {
+      SCOPED_TRACE(text);
+      CacheScene scene;
+      scene.Raycaster->SetRenderer(renderer);
+      scene.Show<std::int16_t>(hasp::AnalyticGyroid(20), ObliqueGrid(40, spacing));
+      ExpectExact(scene.JudgeConverged(), 3000);
+      EXPECT_EQ(scene.Raycaster->GetModeChoice(), "cache: asked for; " + text);
+      EXPECT_GT(Find(scene.Raycaster, "drawing of cached cells").bytes, 0U);
+    }
+}
+
+/// A cache that is traced holds no more than one that is rasterised: what no ray has met yet is a
+/// hole in both.
+TEST_F(RayCaching, TracesNothingButTheCache)
+{
+  std::vector<std::vector<unsigned char>> pictures;
+  for (const auto& [renderer, text] : Renderers)
   {
     CacheScene scene;
-    scene.Show<std::int16_t>(hasp::AnalyticGyroid(20), ObliqueGrid(40, spacing));
-    ExpectExact(scene.JudgeConverged(), 3000);
+    scene.Raycaster->SetRenderer(renderer);
+    scene.Raycaster->SetRaysPerTile(1);
+    scene.Show<std::int16_t>(hasp::AnalyticGyroid(20), ObliqueGrid(50, { 1, 1, 1 }));
+    pictures.push_back(scene.Colors());
+    EXPECT_TRUE(scene.Raycaster->IsRefining());
   }
+  std::size_t different = 0;
+  for (std::size_t n = 0; n < pictures.front().size(); ++n)
+    different += pictures.front()[n] != pictures.back()[n];
+  EXPECT_LE(different, pictures.front().size() / 1000); // edges of what was found
 }
 
 TEST_F(RayCaching, DrawsEverySampleType)
@@ -269,14 +302,14 @@ TEST_F(RayCaching, KeepsABudget)
   scene.Raycaster->SetRaysPerTile(3);
   scene.Raycaster->PredictionOff();
   scene.Draw();
-  EXPECT_EQ(scene.Count("cached cells, host and GPU"), 3 * tiles);
+  EXPECT_EQ(scene.Count("cached cells, host"), 3 * tiles);
   scene.Raycaster->SetFrameBudget(1e-3); // less than drawing takes
   scene.Draw();
   scene.Draw();
-  EXPECT_EQ(scene.Count("cached cells, host and GPU"), tiles);
+  EXPECT_EQ(scene.Count("cached cells, host"), tiles);
   scene.Raycaster->SetFrameBudget(1e6);
   scene.Draw();
-  EXPECT_EQ(scene.Count("cached cells, host and GPU"), 256 * tiles);
+  EXPECT_EQ(scene.Count("cached cells, host"), 256 * tiles);
 }
 
 /// One cache for both: the second eye finds little that the first has not.

@@ -32,11 +32,11 @@ TEST_F(RayCachingLives, NothingIsMadeBeforeItIsDrawn)
 {
   Ball ball(vtkHaspRayCachingMapper::Cache);
   for (const char* name :
-    { "ray cache", "cached cells, host and GPU", "depth of the last pictures" })
+    { "ray cache", "cached cells, host", "depth of the last pictures" })
     EXPECT_EQ(Find(ball.Raycaster, name).bytes, 0U) << name;
   ball.Draw();
   for (const char* name :
-    { "ray cache", "cached cells, host and GPU", "depth of the last pictures" })
+    { "ray cache", "cached cells, host", "depth of the last pictures" })
     EXPECT_GT(Find(ball.Raycaster, name).bytes, 0U) << name;
   EXPECT_EQ(Find(ball.Raycaster, "active cells, host").bytes, 0U);
 }

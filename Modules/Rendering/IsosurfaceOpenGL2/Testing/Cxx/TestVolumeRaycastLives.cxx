@@ -126,7 +126,7 @@ TEST_F(RaycastLives, IsNotThereUntilAskedForAndGoneAfterwards)
   EXPECT_EQ(scene.Raycaster->GetModeChoice(), "raycast with skipping: asked for");
   EXPECT_FALSE(scene.Raycaster->IsRefining());
   EXPECT_EQ(Find(scene.Raycaster, "ray cache").bytes, 0U);
-  EXPECT_EQ(Find(scene.Raycaster, "cached cells, host and GPU").bytes, 0U);
+  EXPECT_EQ(Find(scene.Raycaster, "cached cells, host").bytes, 0U);
   EXPECT_GT(Find(scene.Raycaster, "raycast min-max blocks, GPU").bytes, 0U);
   scene.Raycaster->SetModeToRaycast();
   EXPECT_TRUE(scene.Shows());
