@@ -31,8 +31,8 @@ public:
   std::optional<glm::dmat4> Predict(const glm::dmat4& indexToClip) const;
   void Moved(const glm::dmat4& indexToClip) { this->Last = indexToClip; }
 
-  /// Reads the depth of a part of the framebuffer that is drawn to; leaves none where it has
-  /// several samples a pixel.
+  /// Reads the depth of a part of the framebuffer that is drawn to, of one sample where a pixel has
+  /// several; leaves none where there is no depth.
   void ReadDepth(const glm::ivec2& origin, const glm::ivec2& size);
   /// Of the last frame; empty if its picture had another size.
   const std::vector<float>& Depth(const glm::ivec2& size);

@@ -4,7 +4,7 @@
  *
  * Rays are cast on the CPU; what the cache holds of each level of detail goes to the GPU when it
  * has changed and is drawn as clustered cells are. Where a pass hides what is behind it, the depth
- * of the picture is read back to find holes; not where a pixel has several samples.
+ * of the picture is read back to find holes.
  *
  * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn.
  */

@@ -293,6 +293,25 @@ TEST_F(RayCaching, TakesWindowsOfAnySize)
   EXPECT_TRUE(scene.Errors.empty());
 }
 
+/// VTK's windows have several samples a pixel unless told otherwise: rays look for holes there, too.
+TEST_F(RayCaching, FindsHolesInMultisampledPictures)
+{
+  std::vector<int> clusters;
+  for (const int samples : { 0, 4 })
+  {
+    CacheScene scene;
+    scene.Window->SetMultiSamples(samples);
+    scene.Raycaster->SetRaysPerTile(2);
+    scene.Show<std::int16_t>(hasp::AnalyticGyroid(20), ObliqueGrid(60, { 1, 1, 1 }));
+    for (int frame = 0; frame < 8; ++frame)
+      scene.Window->Render();
+    clusters.push_back(scene.Count("ray cache"));
+    EXPECT_EQ(Find(scene.Raycaster, "depth of the last pictures").bytes, 160U * 120 * 4);
+    EXPECT_TRUE(scene.Errors.empty()) << scene.Errors.front();
+  }
+  EXPECT_NEAR(clusters[1], clusters[0], 0.02 * clusters[0]); // the eye sees through other samples
+}
+
 /// The rays of the last frame follow the budget; the picture comes anyway.
 TEST_F(RayCaching, KeepsABudget)
 {
