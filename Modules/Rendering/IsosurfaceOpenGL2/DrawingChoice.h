@@ -26,8 +26,18 @@ public:
       return { false, true };
     if (costs.cache.times < Enough)
       return { true, true };
-    const bool cache = costs.cache.least < costs.whole.least;
-    return { cache, !cache || !(filled || changed) };
+    return { costs.CacheWins(), !costs.CacheWins() || !(filled || changed) };
+  }
+  /// What a later frame may ask for, as far as is known.
+  Frame MayDraw(bool filled) const
+  {
+    Frame may{ false, !filled };
+    for (const Costs& costs : this->Measured)
+    {
+      may.cache |= !costs.Known() || costs.CacheWins();
+      may.whole |= !costs.Known() || !costs.CacheWins();
+    }
+    return may;
   }
   void CacheTook(bool changed, double ms) { this->Measured[changed].cache.Add(ms); }
   void WholeTook(bool changed, double ms) { this->Measured[changed].whole.Add(ms); }
@@ -49,6 +59,8 @@ private:
   struct Costs
   {
     Cost cache, whole;
+    bool Known() const { return this->cache.times >= Enough && this->whole.times >= Enough; }
+    bool CacheWins() const { return this->cache.least < this->whole.least; }
   };
   Costs Measured[2]; ///< at rest, after a change
 };

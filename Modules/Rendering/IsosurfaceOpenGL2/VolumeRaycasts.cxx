@@ -26,34 +26,22 @@ void CheckOpenGL()
 
 } // namespace
 
-bool VolumeRaycasts::Draw(const RaycastVolume& volume, const RaycastSettings& settings,
+void VolumeRaycasts::Draw(const RaycastVolume& volume, const RaycastSettings& settings,
   vtkMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::erase_if(this->Contexts, [](const auto& context) { return context->IsLost(); });
-  try
-  {
-    CheckOpenGL();
-    if (std::isnan(volume.isovalue))
-      throw std::runtime_error("the isovalue is not a number");
-    if (actor->IsRenderingTranslucentPolygonalGeometry())
-      throw std::runtime_error("raycasting draws opaque surfaces; vtkHaspClusteredCellMapper draws "
-                               "translucent ones");
-    auto found = std::find_if(this->Contexts.begin(), this->Contexts.end(),
-      [&](const auto& context) { return context->IsOf(window); });
-    if (found == this->Contexts.end())
-      found = this->Contexts.insert(found, std::make_unique<VolumeRaycast>(window));
-    (*found)->Draw(volume, settings, mapper, renderer, actor);
-    this->Refusal.clear();
-    return true;
-  }
-  catch (const std::exception& e)
-  {
-    if (this->Refusal == e.what())
-      return false;
-    this->Refusal = e.what();
-    throw;
-  }
+  CheckOpenGL();
+  if (std::isnan(volume.isovalue))
+    throw std::runtime_error("the isovalue is not a number");
+  if (actor->IsRenderingTranslucentPolygonalGeometry())
+    throw std::runtime_error("raycasting draws opaque surfaces; vtkHaspClusteredCellMapper draws "
+                             "translucent ones");
+  auto found = std::find_if(this->Contexts.begin(), this->Contexts.end(),
+    [&](const auto& context) { return context->IsOf(window); });
+  if (found == this->Contexts.end())
+    found = this->Contexts.insert(found, std::make_unique<VolumeRaycast>(window));
+  (*found)->Draw(volume, settings, mapper, renderer, actor);
 }
 
 void VolumeRaycasts::MarkModified(const glm::ivec3& low, const glm::ivec3& high)
@@ -73,7 +61,6 @@ void VolumeRaycasts::Release(vtkOpenGLRenderWindow* window)
 void VolumeRaycasts::Clear()
 {
   this->Contexts.clear();
-  this->Refusal.clear();
 }
 
 void VolumeRaycasts::ListResources(hasp::ResourceList& list) const

@@ -80,6 +80,17 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
   DrawingChoice Choice;
   VolumeRaycasts Raycasts;
   std::string Drew = "nothing drawn";
+  std::string Complaint; ///< said last, and not again while it stays the same
+
+  bool Filled() const { return this->QuietFrames >= FilledAfter; }
+  void ForgetCache()
+  {
+    this->Cache.reset();
+    this->Last = {};
+    this->Levels.Clear();
+    this->Eyes.Clear();
+    this->QuietFrames = 0;
+  }
 
   /// Rays a tile that fit into the budget beside the drawing, by what the last frame took.
   int RaysFor(double budget, int fixed) const
@@ -131,10 +142,8 @@ void vtkHaspOpenGLRayCachingMapper::UpdateCache()
                volume.Changed();
   if (gl.VolumeTime != this->GetVolumeTime())
   {
-    gl.Cache.reset();
-    gl.Levels.Clear();
+    gl.ForgetCache();
     gl.Choice = {};
-    gl.QuietFrames = 0;
     gl.VolumeTime = this->GetVolumeTime();
   }
   gl.IsoValue = this->GetIsoValue();
@@ -172,66 +181,78 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
   try
   {
     this->UpdateCache();
-    const bool lit = this->AmbientOcclusion || this->Shadows;
-    if (lit && this->Mode != Automatic && !gl.Unlit)
+    const bool lit = this->AmbientOcclusion || this->Shadows,
+               unlit = lit && this->Mode != Automatic;
+    if (unlit && !gl.Unlit)
       vtkErrorMacro("Ambient occlusion and shadows are not drawn, for they take traced rays: set "
                     "the mode to Automatic.");
-    gl.Unlit = lit && this->Mode != Automatic;
+    gl.Unlit = unlit;
     if (this->Mode == Raycast || this->Mode == RaycastSkipping)
-      return this->DrawRaycast(renderer, actor);
-    gl.Raycasts.Clear();
-    const bool changed = gl.Changed;
-    const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, false }
-                                       : lit
-                                         ? DrawingChoice::Frame{ false, true }
-                                         : gl.Choice.Next(changed, gl.QuietFrames >= FilledAfter);
-    if (frame.cache)
-    {
-      const hasp::Stopwatch watch;
-      this->DrawCache(renderer, actor);
-      if (this->Mode == Automatic)
-      {
-        glFinish();
-        gl.Choice.CacheTook(changed, watch.Milliseconds());
-      }
-    }
-    if (frame.whole)
-    {
-      const hasp::Stopwatch watch;
-      this->DrawWhole(renderer, actor);
-      glFinish();
-      if (!lit)
-        gl.Choice.WholeTook(changed, watch.Milliseconds());
-    }
-    else if (this->Mode == Cache)
-      gl.Whole = nullptr;
-    gl.Drew = this->Mode == Cache ? "cache: asked for; " + gl.Levels.RendererText()
-              : lit ? "all active cells: ambient occlusion and shadows take traced rays"
-                    : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
+      this->DrawRaycast(renderer, actor);
+    else
+      this->DrawCells(renderer, actor, lit);
+    gl.Complaint.clear();
   }
   catch (const std::exception& e)
   {
-    vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+    gl.Drew = "nothing drawn";
+    if (gl.Complaint != e.what())
+      vtkErrorMacro("Cannot draw the isosurface: " << e.what());
+    gl.Complaint = e.what();
   }
+}
+
+/// Those of the cache, or all active ones, or both where they are to be compared. What no later
+/// frame can want is not kept.
+void vtkHaspOpenGLRayCachingMapper::DrawCells(vtkRenderer* renderer, vtkActor* actor, bool lit)
+{
+  OpenGL& gl = *this->GL;
+  gl.Raycasts.Clear();
+  const bool changed = gl.Changed;
+  const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, false }
+                                     : lit               ? DrawingChoice::Frame{ false, true }
+                                                         : gl.Choice.Next(changed, gl.Filled());
+  if (frame.cache)
+  {
+    const hasp::Stopwatch watch;
+    this->DrawCache(renderer, actor);
+    if (this->Mode == Automatic)
+    {
+      glFinish();
+      gl.Choice.CacheTook(changed, watch.Milliseconds());
+    }
+  }
+  if (frame.whole)
+  {
+    const hasp::Stopwatch watch;
+    this->DrawWhole(renderer, actor);
+    glFinish();
+    if (!lit)
+      gl.Choice.WholeTook(changed, watch.Milliseconds());
+  }
+  const DrawingChoice::Frame later =
+    this->Mode == Cache || lit ? frame : gl.Choice.MayDraw(gl.Filled());
+  if (!later.cache)
+    gl.ForgetCache();
+  if (!later.whole)
+    gl.Whole = nullptr;
+  gl.Drew = this->Mode == Cache ? "cache: asked for; " + gl.Levels.RendererText()
+            : lit               ? "all active cells: ambient occlusion and shadows take traced rays"
+                  : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
 }
 
 /// Nothing of the other modes is kept.
 void vtkHaspOpenGLRayCachingMapper::DrawRaycast(vtkRenderer* renderer, vtkActor* actor)
 {
   OpenGL& gl = *this->GL;
-  gl.Cache.reset();
-  gl.Last = {};
-  gl.Levels.Clear();
-  gl.Eyes.Clear();
+  gl.ForgetCache();
   gl.Whole = nullptr;
   gl.Choice = {};
-  gl.QuietFrames = 0;
   const bool skipping = this->Mode == RaycastSkipping;
-  gl.Drew = gl.Raycasts.Draw({ hasp::ViewImage(this->GetImage()), this->GetVolume().Blocks,
-                               this->GetVolumeTime(), this->GetIsoValue() },
-              { skipping, this->StepSize }, this, renderer, actor)
-              ? skipping ? "raycast with skipping: asked for" : "raycast: asked for"
-              : "nothing drawn";
+  gl.Raycasts.Draw({ hasp::ViewImage(this->GetImage()), this->GetVolume().Blocks,
+                     this->GetVolumeTime(), this->GetIsoValue() },
+    { skipping, this->StepSize }, this, renderer, actor);
+  gl.Drew = skipping ? "raycast with skipping: asked for" : "raycast: asked for";
   vtkOpenGLCheckErrorMacro("after raycasting");
 }
 

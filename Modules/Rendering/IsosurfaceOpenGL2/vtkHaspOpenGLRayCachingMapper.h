@@ -37,6 +37,7 @@ private:
   void operator=(const vtkHaspOpenGLRayCachingMapper&) = delete;
 
   void UpdateCache();
+  void DrawCells(vtkRenderer* renderer, vtkActor* actor, bool lit);
   void DrawCache(vtkRenderer* renderer, vtkActor* actor);
   void DrawWhole(vtkRenderer* renderer, vtkActor* actor);
   void DrawRaycast(vtkRenderer* renderer, vtkActor* actor);

@@ -31,12 +31,10 @@ struct Ball : RaycastScene
 TEST_F(RayCachingLives, NothingIsMadeBeforeItIsDrawn)
 {
   Ball ball(vtkHaspRayCachingMapper::Cache);
-  for (const char* name :
-    { "ray cache", "cached cells, host", "depth of the last pictures" })
+  for (const char* name : { "ray cache", "cached cells, host", "depth of the last pictures" })
     EXPECT_EQ(Find(ball.Raycaster, name).bytes, 0U) << name;
   ball.Draw();
-  for (const char* name :
-    { "ray cache", "cached cells, host", "depth of the last pictures" })
+  for (const char* name : { "ray cache", "cached cells, host", "depth of the last pictures" })
     EXPECT_GT(Find(ball.Raycaster, name).bytes, 0U) << name;
   EXPECT_EQ(Find(ball.Raycaster, "active cells, host").bytes, 0U);
 }
@@ -149,7 +147,41 @@ TEST_F(RayCachingLives, TheFasterWayIsChosen)
         << "at rest a cache that is still filling is not left alone";
       EXPECT_TRUE(choice.Next(!changed, true).whole)
         << "frames of the other kind are measured apart";
+      EXPECT_TRUE(choice.MayDraw(true).cache);
+      EXPECT_TRUE(choice.MayDraw(true).whole);
     }
 }
+
+TEST_F(RayCachingLives, WhatLosesAtRestAndAfterAChangeIsNotKept)
+{
+  for (const int wins : { 0, 1, 2 }) // of the cache
+  {
+    DrawingChoice choice;
+    for (const int n : { 0, 0, 1, 1 })
+    {
+      choice.WholeTook(n, 50);
+      choice.CacheTook(n, n < wins ? 40 : 60);
+    }
+    EXPECT_EQ(choice.MayDraw(true).cache, wins > 0);
+    EXPECT_EQ(choice.MayDraw(true).whole, wins < 2);
+    EXPECT_TRUE(choice.MayDraw(false).whole) << "until the cache is filled";
+  }
+}
+
+#if HASP_WITH_EMBREE
+TEST_F(RayCachingLives, LightLetsTheCacheGo)
+{
+  Ball ball(vtkHaspRayCachingMapper::Automatic);
+  for (int frame = 0; frame < 4; ++frame)
+    ball.Draw();
+  EXPECT_GT(Find(ball.Raycaster, "ray cache").bytes, 0U);
+  ball.Raycaster->ShadowsOn();
+  ball.Draw();
+  for (const char* name : { "ray cache", "cached cells, host", "depth of the last pictures" })
+    EXPECT_EQ(Find(ball.Raycaster, name).bytes, 0U) << name;
+  ball.Raycaster->ShadowsOff();
+  EXPECT_TRUE(ball.Shows());
+}
+#endif
 
 } // namespace
