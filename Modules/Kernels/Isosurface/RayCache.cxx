@@ -93,9 +93,9 @@ RayCache::Frame RayCache::Sample(
   ++this->Now;
   this->Follow(eyes);
   std::vector<Missing> missing;
-  for (const SampledHit& hit : sampled.hits)
-    this->Note(hit, missing);
   Frame frame;
+  for (const SampledHit& hit : sampled.hits)
+    frame.known += this->Note(hit, missing);
   frame.rays = sampled.rays;
   frame.hits = static_cast<std::int64_t>(sampled.hits.size());
   frame.checked = this->CheckShare();
@@ -119,8 +119,8 @@ void RayCache::Follow(std::span<const SampledEye> eyes)
         this->Remove(number);
 }
 
-/// Is the block of a hit there?
-void RayCache::Note(const SampledHit& hit, std::vector<Missing>& missing)
+/// Is the block of a hit there, at any level that would do?
+bool RayCache::Note(const SampledHit& hit, std::vector<Missing>& missing)
 {
   const double wanted = std::log2(this->Settings.pixelsACell / hit.pixelsAVoxel);
   int level =
@@ -131,14 +131,18 @@ void RayCache::Note(const SampledHit& hit, std::vector<Missing>& missing)
   {
     const BlockKey key = KeyOf(hit.cell, level);
     if (!this->Map.InWindow(key))
-      return;
+      return false;
     const std::uint32_t number = this->Map.Get(key);
     if (number == OccupancyClipmap::Empty)
-      return missing.push_back({ key, hit.cell });
+    {
+      missing.push_back({ key, hit.cell });
+      return false;
+    }
     this->Ring[number].lastSeen = this->Now;
     if (!hit.inHole)
-      return;
+      return true;
   }
+  return true;
 }
 
 /// Adds each block once; one that has no surface at its level gives way to the next finer.

@@ -40,6 +40,7 @@ public:
   {
     std::int64_t rays = 0;    ///< cast
     std::int64_t hits = 0;    ///< that met the surface
+    std::int64_t known = 0;   ///< of these, what the cache held when they met it
     std::int64_t added = 0;   ///< clusters
     std::int64_t checked = 0; ///< clusters, by upkeep
   };
@@ -71,7 +72,7 @@ public:
 
 private:
   struct Missing;
-  void Note(const SampledHit& hit, std::vector<Missing>& missing);
+  bool Note(const SampledHit& hit, std::vector<Missing>& missing);
   std::int64_t Add(std::vector<Missing> missing);
   void Follow(std::span<const SampledEye> eyes);
   std::int64_t CheckShare();

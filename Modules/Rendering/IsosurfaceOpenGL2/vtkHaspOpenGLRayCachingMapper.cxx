@@ -79,9 +79,21 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
   vtkSmartPointer<vtkHaspClusteredCellMapper> Whole; ///< all active cells
   DrawingChoice Choice;
   VolumeRaycasts Raycasts;
+  bool CacheAlone = false; ///< drew the last frame
   std::string Drew = "nothing drawn";
   std::string Complaint; ///< said last, and not again while it stays the same
 
+  /// Of the surface's pixels in the last frame, as far as rays have looked.
+  std::string ShareOfCache() const
+  {
+    if (!this->CacheAlone || this->Last.hits == 0)
+      return this->CacheAlone ? "" : "; no pixel from the cache";
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << "; "
+         << 100.0 * double(this->Last.known) / double(this->Last.hits)
+         << " % of the surface's pixels from the cache, by " << this->Last.hits << " rays";
+    return text.str();
+  }
   bool Filled() const { return this->QuietFrames >= FilledAfter; }
   void ForgetCache()
   {
@@ -236,6 +248,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(vtkRenderer* renderer, vtkActor* a
     gl.ForgetCache();
   if (!later.whole)
     gl.Whole = nullptr;
+  gl.CacheAlone = !frame.whole;
   gl.Drew = this->Mode == Cache ? "cache: asked for; " + gl.Levels.RendererText()
             : lit               ? "all active cells: ambient occlusion and shadows take traced rays"
                   : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
@@ -248,6 +261,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawRaycast(vtkRenderer* renderer, vtkActor*
   gl.ForgetCache();
   gl.Whole = nullptr;
   gl.Choice = {};
+  gl.CacheAlone = false;
   const bool skipping = this->Mode == RaycastSkipping;
   gl.Raycasts.Draw({ hasp::ViewImage(this->GetImage()), this->GetVolume().Blocks,
                      this->GetVolumeTime(), this->GetIsoValue() },
@@ -312,6 +326,7 @@ void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) cons
 {
   this->Superclass::ListResources(list);
   const OpenGL& gl = *this->GL;
+  list.push_back({ "drawn by", 0, 0.0, gl.Drew + gl.ShareOfCache() });
   list.push_back({ "ray cache", gl.Cache ? gl.Cache->Bytes() : 0, gl.CacheMilliseconds,
     gl.Cache ? std::to_string(gl.Cache->Live()) + " clusters; of fixed size"
              : "no frame was drawn from it" });

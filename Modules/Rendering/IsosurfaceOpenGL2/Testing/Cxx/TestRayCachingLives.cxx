@@ -107,6 +107,27 @@ TEST_F(RayCachingLives, AnotherImageStartsAnew)
   EXPECT_EQ(ball.Errors.size(), 1U); // said once
 }
 
+/// --explain shows it.
+TEST_F(RayCachingLives, SaysWhatDrewAndTheShareOfTheCache)
+{
+  const auto drawnBy = [](vtkHaspRayCachingMapper* mapper)
+  { return Find(mapper, "drawn by").reason; };
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  EXPECT_EQ(drawnBy(ball.Raycaster), "nothing drawn; no pixel from the cache");
+  ball.Draw();
+  EXPECT_NE(drawnBy(ball.Raycaster).find("; 0.00 % of the surface's pixels from the cache, by "),
+    std::string::npos)
+    << "rays found an empty cache: " << drawnBy(ball.Raycaster);
+  for (int frame = 0; frame < 60; ++frame)
+    ball.Draw();
+  EXPECT_NE(drawnBy(ball.Raycaster).find("; 100.00 % of the surface's pixels from the cache, by "),
+    std::string::npos)
+    << drawnBy(ball.Raycaster);
+  ball.Raycaster->SetModeToRaycast();
+  ball.Draw();
+  EXPECT_EQ(drawnBy(ball.Raycaster), "raycast: asked for; no pixel from the cache");
+}
+
 /// All of the surface in every frame, while it tries what is faster, and afterwards.
 TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
 {
