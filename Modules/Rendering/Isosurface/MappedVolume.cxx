@@ -5,6 +5,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -19,15 +20,14 @@ bool MappedVolume::Update(vtkImageData* image)
   this->Blocks = hasp::MinMaxBlocks(hasp::ViewImage(image));
   this->Image = image;
   this->ImageTime = image->GetMTime();
-  image->GetDimensions(&this->ImageSize.x);
-  this->ImageType = image->GetPointData()->GetScalars()->GetDataType();
+  this->ImagePlace = PlaceOf(image);
   this->BlocksMilliseconds = watch.Milliseconds();
   return true;
 }
 
 bool MappedVolume::Mark(vtkImageData* image, const int extent[6])
 {
-  if (!image || image != this->Image || !this->SameSamples(image))
+  if (!image || image != this->Image || PlaceOf(image) != this->ImagePlace)
     return false; // it is read in whole
   const int* whole = image->GetExtent();
   for (int a = 0; a < 3; ++a)
@@ -49,12 +49,19 @@ void MappedVolume::ForgetChanges()
   this->High = glm::ivec3(std::numeric_limits<int>::min());
 }
 
-bool MappedVolume::SameSamples(vtkImageData* image) const
+MappedVolume::Place MappedVolume::PlaceOf(vtkImageData* image)
 {
-  glm::ivec3 size;
-  image->GetDimensions(&size.x);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  return size == this->ImageSize && scalars && scalars->GetDataType() == this->ImageType;
+  Place place;
+  image->GetExtent(place.extent.data());
+  image->GetOrigin(place.geometry.data());
+  image->GetSpacing(place.geometry.data() + 3);
+  std::copy_n(image->GetDirectionMatrix()->GetData(), 9, place.geometry.data() + 6);
+  if (vtkDataArray* scalars = image->GetPointData()->GetScalars())
+  {
+    place.type = scalars->GetDataType();
+    place.samples = scalars->GetVoidPointer(0);
+  }
+  return place;
 }
 
 double MappedVolume::MiddleOfRange() const

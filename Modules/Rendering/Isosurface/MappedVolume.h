@@ -7,6 +7,7 @@
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <limits>
 
 class vtkImageData;
@@ -36,12 +37,20 @@ public:
   double BlocksMilliseconds = 0.0;
 
 private:
-  bool SameSamples(vtkImageData* image) const;
+  /// Where an image has its samples, and where these lie in space.
+  struct Place
+  {
+    std::array<int, 6> extent{};
+    std::array<double, 15> geometry{}; ///< origin, spacing, direction
+    int type = 0;                      ///< VTK_VOID
+    const void* samples = nullptr;
+    bool operator==(const Place&) const = default;
+  };
+  static Place PlaceOf(vtkImageData* image);
 
   vtkWeakPointer<vtkImageData> Image; ///< the blocks were made from, and
   vtkMTimeType ImageTime = 0;         ///< when: images that share their samples share MTimes, too
-  glm::ivec3 ImageSize{ 0 };          ///< its samples along each axis, then
-  int ImageType = 0;                  ///< and what they were (VTK_VOID)
+  Place ImagePlace;                   ///< then
   glm::ivec3 Low{ std::numeric_limits<int>::max() };
   glm::ivec3 High{ std::numeric_limits<int>::min() };
 };

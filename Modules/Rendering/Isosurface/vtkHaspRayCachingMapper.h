@@ -66,7 +66,8 @@ public:
 
   enum Modes
   {
-    Automatic,      ///< the cheaper one of Cache and of drawing all active cells, measured
+    Automatic,      ///< the cheaper one of Cache and of drawing all active cells, measured; these
+                    ///< where the surface is translucent, for rays find no more than its front
     Cache,          ///< RayCaching
     Raycast,        ///< a ray a pixel on the GPU, at a fixed step from end to end
     RaycastSkipping ///< the same, but blocks of 8^3 cells without surface are passed in one step
@@ -83,7 +84,8 @@ public:
   ///@{
   /// What draws the cells, those of the cache and all active ones: one of
   /// vtkHaspClusteredCellMapper::Renderers. Where rays are traced they meet what the cache holds,
-  /// and nothing else. Default Automatic; Trace, where it is not built in, is refused with an error.
+  /// and nothing else. Default Automatic; Trace, where it is not built in, is refused with an
+  /// error.
   virtual void SetRenderer(int renderer);
   vtkGetMacro(Renderer, int);
   ///@}
@@ -119,8 +121,9 @@ public:
   ///@}
 
   ///@{
-  /// Milliseconds that a frame may take; the mapper then chooses the rays a tile by itself, between
-  /// 1 and 256, from what the last frames took. 0, the default: RaysPerTile.
+  /// Milliseconds that a frame of an eye may take; the mapper then chooses the rays a tile by
+  /// itself, between 1 and 256, from what its last frame took. 0, the default: RaysPerTile. What
+  /// the cache holds is drawn all the same.
   vtkSetClampMacro(FrameBudget, double, 0.0, 1e6);
   vtkGetMacro(FrameBudget, double);
   ///@}
@@ -133,7 +136,8 @@ public:
   vtkBooleanMacro(Prediction, bool);
   ///@}
 
-  /// Did the last frame find something that it had not? Then render again.
+  /// Did the last four frames of an eye, drawn from the cache alone, find something that it had
+  /// not? Then render again. Eyes that are no longer drawn do not count.
   virtual bool IsRefining() const { return false; }
 
   /// Samples in this box of point indices (x0, x1, y0, y1, z0, z1; clamped to the image) have been

@@ -5,6 +5,7 @@
 #include "vtkHaspClusteredCells.h"
 #include "vtkHaspRayCachingMapper.h"
 
+#include "vtkCommand.h"
 #include "vtkNew.h"
 
 struct CachedLevels::Level
@@ -13,7 +14,7 @@ struct CachedLevels::Level
   vtkNew<vtkHaspClusteredCellMapper> mapper;
 };
 
-CachedLevels::CachedLevels() = default;
+CachedLevels::CachedLevels(vtkCommand* hearsErrors) : HearsErrors(hearsErrors) {}
 CachedLevels::~CachedLevels() = default;
 
 void CachedLevels::Clear()
@@ -31,6 +32,7 @@ void CachedLevels::Set(std::size_t n, std::shared_ptr<const hasp::ClusteredCells
   if (!level)
   {
     level = std::make_unique<Level>();
+    level->mapper->AddObserver(vtkCommand::ErrorEvent, this->HearsErrors);
     level->mapper->SetInputDataObject(level->cells);
     level->mapper->OcclusionCullingOff(); // rays met what is there: little of it is hidden
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkCommand;
 class vtkHaspRayCachingMapper;
 class vtkRenderer;
 class vtkWindow;
@@ -17,7 +18,8 @@ class vtkWindow;
 class CachedLevels
 {
 public:
-  CachedLevels();
+  /// hearsErrors: what the mappers say is wrong.
+  explicit CachedLevels(vtkCommand* hearsErrors);
   ~CachedLevels();
 
   /// What level n draws from now on; null: nothing, and its mapper goes at the next Draw.
@@ -31,10 +33,11 @@ public:
   std::string RendererText() const;
   std::size_t Bytes() const;        ///< of the copies
   std::size_t DrawingBytes() const; ///< of what draws them: buffers, or trees and pictures
-  double DrawMilliseconds = 0.0; ///< of the last Draw, until OpenGL had taken the commands
+  double DrawMilliseconds = 0.0;    ///< of the last Draw, until OpenGL had taken the commands
 
 private:
   struct Level;
+  vtkCommand* HearsErrors;
   std::vector<std::unique_ptr<Level>> Levels;
 };
 

@@ -4,6 +4,7 @@
 #include "CellTracing.h"
 #include "Grid/Stopwatch.h"
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #if HASP_WITH_EMBREE
@@ -23,7 +24,10 @@ std::optional<glm::dvec4> FirstLight(const CellScene& scene, const hasp::GridGeo
     return glm::dvec4(geometry.IndexToWorld(glm::dvec3(place)), 1.0);
   }
   const glm::dvec3 towards = glm::dmat3(viewToIndex) * -glm::dvec3(scene.lightDirection[0]);
-  return glm::dvec4(geometry.IndexToWorldMatrix() * towards, 0.0);
+  const glm::dvec3 world = geometry.IndexToWorldMatrix() * towards;
+  if (!(glm::dot(world, world) > 0.0))
+    return {}; // it stands where it looks at, and lights nothing
+  return glm::dvec4(world, 0.0);
 }
 
 } // namespace

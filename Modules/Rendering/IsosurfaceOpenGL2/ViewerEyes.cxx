@@ -1,6 +1,7 @@
 #include "ViewerEyes.h"
 
 #include "HaspGL.h"
+#include "OneSampleDepth.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -18,73 +19,6 @@ namespace
 
 constexpr double PredictedFrustum = 1.1; // as wide as the picture's
 
-/// The sized format of the depth that is drawn to; 0 if there is none.
-GLenum DepthFormat(GLint framebuffer)
-{
-  const auto ask = [](GLenum attachment, GLenum what)
-  {
-    GLint answer = GL_NONE;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, what, &answer);
-    return answer;
-  };
-  const GLenum depth = framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-  if (ask(depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
-    return 0;
-  const GLenum other = framebuffer == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
-  const bool stencil = ask(other, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
-                       ask(other, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) > 0;
-  const GLint bits = ask(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-  if (ask(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
-    return stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
-  if (bits == 24)
-    return stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24;
-  return bits == 16 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT32;
-}
-
-/// While one lives, what is read is a copy of a part of the framebuffer's depth with one sample a
-/// pixel, from (0, 0) on.
-class OneSampleScope
-{
-public:
-  OneSampleScope(GLint framebuffer, const glm::ivec2& origin, const glm::ivec2& size)
-    : Scissored(glIsEnabled(GL_SCISSOR_TEST))
-  {
-    const GLenum format = DepthFormat(framebuffer); // of both, or nothing is copied
-    if (format == 0)
-      return;
-    glGetIntegerv(GL_RENDERBUFFER_BINDING, &this->Bound);
-    glGenRenderbuffers(1, &this->Depth);
-    glBindRenderbuffer(GL_RENDERBUFFER, this->Depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, size.x, size.y);
-    glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(this->Bound));
-    glGenFramebuffers(1, &this->Copy);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Copy);
-    glFramebufferRenderbuffer(
-      GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->Depth);
-    glDrawBuffer(GL_NONE);
-    glDisable(GL_SCISSOR_TEST);
-    glBlitFramebuffer(origin.x, origin.y, origin.x + size.x, origin.y + size.y, 0, 0, size.x,
-      size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    if (this->Scissored)
-      glEnable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Copy);
-  }
-  ~OneSampleScope()
-  {
-    glDeleteFramebuffers(1, &this->Copy); // 0 is nothing
-    glDeleteRenderbuffers(1, &this->Depth);
-  }
-  OneSampleScope(const OneSampleScope&) = delete;
-  OneSampleScope& operator=(const OneSampleScope&) = delete;
-  bool Ready() const { return this->Copy != 0; }
-
-private:
-  GLboolean Scissored;
-  GLint Bound = 0;
-  GLuint Depth = 0, Copy = 0;
-};
-
 } // namespace
 
 /// Hears when the renderer begins a frame.
@@ -95,7 +29,11 @@ public:
   {
     this->Tag = renderer->AddObserver(vtkCommand::StartEvent, this);
   }
-  void Execute(vtkObject*, unsigned long, void*) override { this->Begins = true; }
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    this->Begins = true;
+    ++this->Frames;
+  }
   void Stop()
   {
     if (this->Renderer)
@@ -104,6 +42,7 @@ public:
 
   vtkWeakPointer<vtkRenderer> Renderer;
   bool Begins = true;
+  int Frames = 0; ///< begun since the last one that this eye was drawn in
 
 private:
   unsigned long Tag;
@@ -131,8 +70,20 @@ bool ViewerEye::Lost() const
   return !this->Observer->Renderer;
 }
 
+bool ViewerEye::IsOfSameRenderer(const ViewerEye& other) const
+{
+  return this->Observer->Renderer == other.Observer->Renderer;
+}
+
+bool ViewerEye::IsDrawn(bool stereo) const
+{
+  return !this->Lost() && this->Observer->Renderer->GetRenderWindow() &&
+         this->Observer->Frames < (stereo ? 2 : 1);
+}
+
 bool ViewerEye::BeginsFrame()
 {
+  this->Observer->Frames = 0;
   return std::exchange(this->Observer->Begins, false);
 }
 
@@ -179,18 +130,32 @@ const std::vector<float>& ViewerEye::Depth(const glm::ivec2& size)
   return this->DepthPixels;
 }
 
-ViewerEye& ViewerEyes::Of(vtkRenderer* renderer)
+void ViewerEye::Forget()
+{
+  this->ForgetDepth();
+  this->Last.reset();
+  this->Progress = {};
+}
+
+ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
 {
   std::erase_if(this->Eyes, [](const auto& eye) { return eye->Lost(); });
   const bool left =
     !renderer->GetRenderWindow()->GetStereoRender() || renderer->GetActiveCamera()->GetLeftEye();
-  for (const auto& eye : this->Eyes)
-    if (eye->Is(renderer, left))
-      return *eye;
-  int number = 0;
-  for (const auto& eye : this->Eyes)
-    number = std::max(number, eye->Number + 1);
-  return *this->Eyes.emplace_back(std::make_unique<ViewerEye>(renderer, left, number));
+  auto found = std::find_if(
+    this->Eyes.begin(), this->Eyes.end(), [&](const auto& eye) { return eye->Is(renderer, left); });
+  if (found == this->Eyes.end())
+  {
+    int number = 0;
+    for (const auto& eye : this->Eyes)
+      number = std::max(number, eye->Number + 1);
+    found = this->Eyes.insert(found, std::make_unique<ViewerEye>(renderer, left, number));
+  }
+  ViewerEye& eye = **found;
+  begins = !renderer->GetSelector() && eye.BeginsFrame();
+  if (begins)
+    eye.Turn = ++this->Turns;
+  return eye;
 }
 
 std::size_t ViewerEyes::Bytes() const
@@ -199,4 +164,46 @@ std::size_t ViewerEyes::Bytes() const
   for (const auto& eye : this->Eyes)
     bytes += eye->DepthBytes();
   return bytes;
+}
+
+void ViewerEyes::Forget()
+{
+  for (const auto& eye : this->Eyes)
+    eye->Forget();
+}
+
+void ViewerEyes::ForgetChoices()
+{
+  for (const auto& eye : this->Eyes)
+    eye->Choice = {};
+}
+
+void ViewerEyes::Unfill()
+{
+  for (const auto& eye : this->Eyes)
+    eye->Progress.Unfill();
+}
+
+bool ViewerEyes::Refining() const
+{
+  // Eyes take turns: one that was left out while all others had theirs is no longer drawn.
+  const auto turn = static_cast<long long>(this->Eyes.size());
+  return std::any_of(this->Eyes.begin(), this->Eyes.end(),
+    [&](const auto& eye)
+    {
+      const bool stereo = std::any_of(this->Eyes.begin(), this->Eyes.end(),
+        [&](const auto& other) { return other != eye && other->IsOfSameRenderer(*eye); });
+      return this->Turns - eye->Turn < turn && eye->IsDrawn(stereo) && eye->Progress.Refining();
+    });
+}
+
+DrawingChoice::Frame ViewerEyes::MayDraw() const
+{
+  DrawingChoice::Frame may{ false, false, false };
+  for (const auto& eye : this->Eyes)
+  {
+    const DrawingChoice::Frame own = eye->Choice.MayDraw(eye->Progress.Filled());
+    may = { may.sample || own.sample, may.cache || own.cache, may.whole || own.whole };
+  }
+  return may;
 }

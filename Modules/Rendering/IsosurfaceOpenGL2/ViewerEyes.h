@@ -1,6 +1,9 @@
 #ifndef ViewerEyes_h
 #define ViewerEyes_h
 
+#include "CacheProgress.h"
+#include "DrawingChoice.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
@@ -22,9 +25,16 @@ public:
 
   bool Is(vtkRenderer* renderer, bool left) const;
   bool Lost() const;
+  bool IsOfSameRenderer(const ViewerEye& other) const;
+  /// Has it been drawn in its renderer's last frame? A frame in stereo begins twice.
+  bool IsDrawn(bool stereo) const;
   /// Is this the first call since the renderer has begun a frame? A translucent actor is drawn
   /// several times in one.
   bool BeginsFrame();
+
+  DrawingChoice Choice;
+  CacheProgress Progress;
+  long long Turn = 0; ///< of all eyes' frames, the number of its last
 
   /// The matrix that would come next if the camera moved on as it did between the last two frames,
   /// seen a little wider; none where it has not moved or nothing is known.
@@ -37,6 +47,9 @@ public:
   /// Of the last frame; empty if its picture had another size.
   const std::vector<float>& Depth(const glm::ivec2& size);
 
+  void ForgetDepth() { this->DepthPixels = {}; }
+  /// All but the choice.
+  void Forget();
   std::size_t DepthBytes() const { return this->DepthPixels.size() * sizeof(float); }
 
   const int Number; ///< of the eye, from 0
@@ -54,12 +67,20 @@ private:
 class ViewerEyes
 {
 public:
-  ViewerEye& Of(vtkRenderer* renderer);
+  /// begins: a frame of it, nothing of which is drawn yet.
+  ViewerEye& Of(vtkRenderer* renderer, bool& begins);
   std::size_t Bytes() const;
-  void Clear() { this->Eyes.clear(); }
+  void Forget();
+  void ForgetChoices();
+  void Unfill();
+  /// Is any that is still drawn refining?
+  bool Refining() const;
+  /// What any may ask for in a later frame.
+  DrawingChoice::Frame MayDraw() const;
 
 private:
   std::vector<std::unique_ptr<ViewerEye>> Eyes;
+  long long Turns = 0;
 };
 
 #endif

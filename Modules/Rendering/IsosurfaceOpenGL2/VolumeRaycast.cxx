@@ -47,7 +47,9 @@ Normalization NormalizationOf(const hasp::AnyGridView& grid, double isovalue)
       if (std::is_same_v<T, float>)
         return { 1.0, digits * std::abs(isovalue) };
       const double largest = std::is_signed_v<T> ? 32767.0 : 65535.0; // uint8 is kept as uint16
-      return { largest, digits * largest };
+      // Flat regions of the next sample below stay outside.
+      const double gap = isovalue - (std::ceil(isovalue) - 1.0);
+      return { largest, std::min(digits * largest, 0.5 * gap) };
     },
     grid);
 }

@@ -3,7 +3,7 @@
 #include "CachedLevels.h"
 #include "CellScene.h"
 #include "CellTracing.h"
-#include "DrawingChoice.h"
+#include "ErrorListener.h"
 #include "Grid/Stopwatch.h"
 #include "HaspGL.h"
 #include "Isosurface/RayCache.h"
@@ -14,6 +14,7 @@
 #include "vtkHaspVolumeView.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -21,10 +22,9 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <iomanip>
+#include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
@@ -32,87 +32,64 @@ vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
 namespace
 {
 
-constexpr int MostRays = 256;   // a tile
-constexpr int FilledAfter = 16; // frames without a find
+/// Beyond what samples can be nothing is met; cells know floats.
+double FloatRange(double isovalue)
+{
+  constexpr double largest = std::numeric_limits<float>::max();
+  return std::isnan(isovalue) ? isovalue : std::clamp(isovalue, -largest, largest);
+}
 
 } // namespace
-
-std::string DrawingChoice::Text() const
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1);
-  const auto say = [&](const Cost& cost)
-  {
-    if (cost.times == 0)
-      text << "not measured";
-    else
-      text << cost.least << " ms";
-  };
-  text << "cache ";
-  say(this->Measured[0].cache);
-  text << ", all active cells ";
-  say(this->Measured[0].whole);
-  text << "; after a change ";
-  say(this->Measured[1].cache);
-  text << " and ";
-  say(this->Measured[1].whole);
-  return text.str();
-}
 
 struct vtkHaspOpenGLRayCachingMapper::OpenGL
 {
   vtkMTimeType VolumeTime = 0; ///< of the image that all of this was made from
   double IsoValue = std::numeric_limits<double>::quiet_NaN();
-  bool Unlit = false;   ///< the last frame lacked the light that was asked for
-  bool Changed = false; ///< volume or isovalue, since the last frame
+  bool Unlit = false;                   ///< the last frame lacked the light that was asked for
+  bool Changed = false;                 ///< volume or isovalue, since the last frame
+  double CacheUpdateMilliseconds = 0.0; ///< what that cost the cache
+  vtkNew<ErrorListener> Errors;         ///< of the mappers inside
+  std::string Drew = "nothing drawn";
+  std::string Share;     ///< of the cache in the last picture
+  std::string Complaint; ///< said last, and not again while it stays the same
 
   std::unique_ptr<hasp::RayCache> Cache;
   double CacheMilliseconds = 0.0;
   hasp::RayCache::Frame Last;
   double SampleMilliseconds = 0.0;
-  int Rays = 0; ///< a tile, in the last frame
-  /// In a row in which rays found nothing new; stays when the cache has once been filled.
-  int QuietFrames = 0;
-  CachedLevels Levels;
+  CachedLevels Levels{ this->Errors };
   ViewerEyes Eyes;
-
   vtkSmartPointer<vtkHaspClusteredCellMapper> Whole; ///< all active cells
-  DrawingChoice Choice;
   VolumeRaycasts Raycasts;
-  bool CacheAlone = false; ///< drew the last frame
-  std::string Drew = "nothing drawn";
-  std::string Complaint; ///< said last, and not again while it stays the same
 
-  /// Of the surface's pixels in the last frame, as far as rays have looked.
-  std::string ShareOfCache() const
-  {
-    if (!this->CacheAlone || this->Last.hits == 0)
-      return this->CacheAlone ? "" : "; no pixel from the cache";
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(2) << "; "
-         << 100.0 * double(this->Last.known) / double(this->Last.hits)
-         << " % of the surface's pixels from the cache, by " << this->Last.hits << " rays";
-    return text.str();
-  }
-  bool Filled() const { return this->QuietFrames >= FilledAfter; }
   void ForgetCache()
   {
     this->Cache.reset();
     this->Last = {};
     this->Levels.Clear();
-    this->Eyes.Clear();
-    this->QuietFrames = 0;
+    this->Eyes.Forget();
   }
-
-  /// Rays a tile that fit into the budget beside the drawing, by what the last frame took.
-  int RaysFor(double budget, int fixed) const
+  /// 0 where they are not known.
+  std::size_t ActiveCells() const { return this->Whole ? this->Whole->GetCells().Count() : 0; }
+  /// Nothing can be drawn.
+  void ForgetAll()
   {
-    if (budget == 0.0 || this->Rays == 0 || this->SampleMilliseconds == 0.0)
-      return fixed;
-    const double left = budget - this->Levels.DrawMilliseconds;
-    return static_cast<int>(
-      std::clamp(left / this->SampleMilliseconds * this->Rays, 1.0, double(MostRays)));
+    this->ForgetCache();
+    this->Whole = nullptr;
+    this->Raycasts.Clear();
+    this->Drew = "nothing drawn";
+    this->Share.clear();
   }
+};
+
+/// What the passes of a frame share.
+struct vtkHaspOpenGLRayCachingMapper::Pass
+{
+  vtkRenderer* renderer;
+  vtkActor* actor;
+  ViewerEye& eye;
+  bool begins; ///< the first one of its eye in this frame
+  bool translucent;
 };
 
 vtkHaspOpenGLRayCachingMapper::vtkHaspOpenGLRayCachingMapper() : GL(new OpenGL) {}
@@ -142,7 +119,9 @@ void vtkHaspOpenGLRayCachingMapper::SetRenderer(int renderer)
 
 bool vtkHaspOpenGLRayCachingMapper::IsRefining() const
 {
-  return this->GL->Cache && this->GL->Last.added > 0;
+  // A mapper without input is not rendered, so that nobody would say that it has come to rest.
+  return this->GL->Eyes.Refining() &&
+         const_cast<vtkHaspOpenGLRayCachingMapper*>(this)->GetImage() != nullptr;
 }
 
 /// Brings what was made of the volume up to date with it and with the isovalue.
@@ -150,46 +129,52 @@ void vtkHaspOpenGLRayCachingMapper::UpdateCache()
 {
   OpenGL& gl = *this->GL;
   MappedVolume& volume = this->GetVolume();
-  gl.Changed = gl.VolumeTime != this->GetVolumeTime() || gl.IsoValue != this->GetIsoValue() ||
-               volume.Changed();
-  if (gl.VolumeTime != this->GetVolumeTime())
+  const bool another = gl.VolumeTime != this->GetVolumeTime();
+  gl.Changed = another || gl.IsoValue != this->GetIsoValue() || volume.Changed();
+  gl.CacheUpdateMilliseconds = 0.0;
+  if (another)
   {
     gl.ForgetCache();
-    gl.Choice = {};
+    gl.Eyes.ForgetChoices();
     gl.VolumeTime = this->GetVolumeTime();
   }
+  if (gl.Changed)
+    gl.Eyes.Unfill();
   gl.IsoValue = this->GetIsoValue();
-  const hasp::AnyGridView grid = hasp::ViewImage(this->GetImage());
-  if (volume.Changed())
-  {
-    volume.Blocks.Update(grid, volume.ChangedLow(), volume.ChangedHigh());
-    if (gl.Cache)
-      gl.Cache->MarkModified(volume.ChangedLow(), volume.ChangedHigh());
-    gl.Raycasts.MarkModified(volume.ChangedLow(), volume.ChangedHigh());
-    if (gl.Whole)
-    {
-      const int* extent = this->GetImage()->GetExtent();
-      int box[6];
-      for (int a = 0; a < 3; ++a)
-      {
-        box[2 * a] = extent[2 * a] + volume.ChangedLow()[a];
-        box[2 * a + 1] = extent[2 * a] + volume.ChangedHigh()[a];
-      }
-      gl.Whole->MarkModified(box);
-    }
-    volume.ForgetChanges();
-  }
+  if (!volume.Changed())
+    return;
+  const glm::ivec3 low = volume.ChangedLow(), high = volume.ChangedHigh();
+  volume.Blocks.Update(hasp::ViewImage(this->GetImage()), low, high);
   if (gl.Cache)
-    gl.Cache->SetIsovalue(this->GetIsoValue());
+  {
+    const hasp::Stopwatch watch;
+    gl.Cache->MarkModified(low, high);
+    gl.CacheUpdateMilliseconds = watch.Milliseconds();
+  }
+  gl.Raycasts.MarkModified(low, high);
+  if (gl.Whole && !another) // else it sees itself that all is to be read
+  {
+    const int* extent = this->GetImage()->GetExtent();
+    int box[6];
+    for (int a = 0; a < 3; ++a)
+    {
+      box[2 * a] = extent[2 * a] + low[a];
+      box[2 * a + 1] = extent[2 * a] + high[a];
+    }
+    gl.Whole->MarkModified(box);
+  }
+  volume.ForgetChanges();
 }
 
 void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || !this->UpdateVolume())
+  if (!window)
     return;
   window->MakeCurrent(); // not every window brings the last context back
   OpenGL& gl = *this->GL;
+  if (!this->UpdateVolume())
+    return gl.ForgetAll();
   try
   {
     this->UpdateCache();
@@ -202,12 +187,20 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
     if (this->Mode == Raycast || this->Mode == RaycastSkipping)
       this->DrawRaycast(renderer, actor);
     else
-      this->DrawCells(renderer, actor, lit);
+    {
+      bool begins = false;
+      ViewerEye& eye = gl.Eyes.Of(renderer, begins);
+      this->DrawCells(
+        { renderer, actor, eye, begins, bool(actor->IsRenderingTranslucentPolygonalGeometry()) },
+        lit);
+    }
     gl.Complaint.clear();
+    if (const std::string said = gl.Errors->Take(); !said.empty())
+      vtkErrorMacro(<< said);
   }
   catch (const std::exception& e)
   {
-    gl.Drew = "nothing drawn";
+    gl.ForgetAll();
     if (gl.Complaint != e.what())
       vtkErrorMacro("Cannot draw the isosurface: " << e.what());
     gl.Complaint = e.what();
@@ -216,42 +209,55 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
 
 /// Those of the cache, or all active ones, or both where they are to be compared. What no later
 /// frame can want is not kept.
-void vtkHaspOpenGLRayCachingMapper::DrawCells(vtkRenderer* renderer, vtkActor* actor, bool lit)
+void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
 {
   OpenGL& gl = *this->GL;
   gl.Raycasts.Clear();
-  const bool changed = gl.Changed;
-  const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, false }
-                                     : lit               ? DrawingChoice::Frame{ false, true }
-                                                         : gl.Choice.Next(changed, gl.Filled());
-  if (frame.cache)
+  const bool automatic = this->Mode == Automatic && !lit;
+  const bool timed = automatic && pass.begins && !pass.translucent, changed = gl.Changed;
+  CacheProgress& progress = pass.eye.Progress;
+  DrawingChoice& choice = pass.eye.Choice;
+  const int* size = pass.renderer->GetSize();
+  if (timed)
+    choice.Begin(std::size_t(size[0]) * std::size_t(size[1]), gl.ActiveCells());
+  const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, true, false }
+                                     : lit || pass.translucent
+                                       ? DrawingChoice::Frame{ false, false, true }
+                                     : timed ? choice.Next(changed, progress.Filled())
+                                             : choice.Untimed(progress.Filled());
+  if (frame.sample)
   {
     const hasp::Stopwatch watch;
-    this->DrawCache(renderer, actor);
-    if (this->Mode == Automatic)
+    this->SampleCache(pass);
+    if (frame.cache)
+      this->DrawCache(pass);
+    if (timed && frame.cache)
     {
       glFinish();
-      gl.Choice.CacheTook(changed, watch.Milliseconds());
+      choice.CacheTook(changed, watch.Milliseconds() + gl.CacheUpdateMilliseconds);
     }
   }
   if (frame.whole)
   {
     const hasp::Stopwatch watch;
-    this->DrawWhole(renderer, actor);
-    glFinish();
-    if (!lit)
-      gl.Choice.WholeTook(changed, watch.Milliseconds());
+    this->DrawWhole(pass.renderer, pass.actor);
+    if (timed)
+    {
+      glFinish();
+      choice.WholeTook(changed, watch.Milliseconds());
+    }
   }
-  const DrawingChoice::Frame later =
-    this->Mode == Cache || lit ? frame : gl.Choice.MayDraw(gl.Filled());
+  if (pass.begins)
+    progress.ShowsCache(!frame.whole);
+  const DrawingChoice::Frame later = automatic ? gl.Eyes.MayDraw() : frame;
+  gl.Share = frame.whole ? "; no pixel from the cache" : progress.ShareOfCache();
+  gl.Drew = this->Mode == Cache ? "cache: asked for; " + gl.Levels.RendererText()
+            : lit               ? "all active cells: ambient occlusion and shadows take traced rays"
+                                : (frame.whole ? "all active cells: " : "cache: ") + choice.Text();
   if (!later.cache)
     gl.ForgetCache();
   if (!later.whole)
     gl.Whole = nullptr;
-  gl.CacheAlone = !frame.whole;
-  gl.Drew = this->Mode == Cache ? "cache: asked for; " + gl.Levels.RendererText()
-            : lit               ? "all active cells: ambient occlusion and shadows take traced rays"
-                  : (frame.whole ? "all active cells: " : "cache: ") + gl.Choice.Text();
 }
 
 /// Nothing of the other modes is kept.
@@ -259,14 +265,14 @@ void vtkHaspOpenGLRayCachingMapper::DrawRaycast(vtkRenderer* renderer, vtkActor*
 {
   OpenGL& gl = *this->GL;
   gl.ForgetCache();
+  gl.Eyes.ForgetChoices();
   gl.Whole = nullptr;
-  gl.Choice = {};
-  gl.CacheAlone = false;
   const bool skipping = this->Mode == RaycastSkipping;
   gl.Raycasts.Draw({ hasp::ViewImage(this->GetImage()), this->GetVolume().Blocks,
                      this->GetVolumeTime(), this->GetIsoValue() },
     { skipping, this->StepSize }, this, renderer, actor);
   gl.Drew = skipping ? "raycast with skipping: asked for" : "raycast: asked for";
+  gl.Share = "; no pixel from the cache";
   vtkOpenGLCheckErrorMacro("after raycasting");
 }
 
@@ -274,10 +280,13 @@ void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* a
 {
   OpenGL& gl = *this->GL;
   if (!gl.Whole)
+  {
     gl.Whole = vtkSmartPointer<vtkHaspClusteredCellMapper>::New();
+    gl.Whole->AddObserver(vtkCommand::ErrorEvent, gl.Errors);
+  }
   if (gl.Whole->GetImage() != this->GetImage())
     gl.Whole->SetInputData(this->GetImage());
-  gl.Whole->SetIsoValue(this->GetIsoValue());
+  gl.Whole->SetIsoValue(FloatRange(this->GetIsoValue()));
   gl.Whole->SetClippingPlanes(this->GetClippingPlanes());
   gl.Whole->SetRenderer(this->GetRenderer());
   gl.Whole->SetAmbientOcclusion(this->AmbientOcclusion);
@@ -286,47 +295,60 @@ void vtkHaspOpenGLRayCachingMapper::DrawWhole(vtkRenderer* renderer, vtkActor* a
   gl.Whole->Render(renderer, actor);
 }
 
-void vtkHaspOpenGLRayCachingMapper::DrawCache(vtkRenderer* renderer, vtkActor* actor)
+/// Rays of a frame, for the eye that begins it.
+void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
 {
   OpenGL& gl = *this->GL;
   const hasp::AnyGridView grid = hasp::ViewImage(this->GetImage());
-  if (!gl.Cache)
+  const double isovalue = FloatRange(this->GetIsoValue());
+  const hasp::Stopwatch watch;
+  if (gl.Cache)
+    gl.Cache->SetIsovalue(isovalue);
+  else
   {
-    const hasp::Stopwatch watch;
-    gl.Cache =
-      std::make_unique<hasp::RayCache>(grid, this->GetVolume().Blocks, this->GetIsoValue());
+    gl.Cache = std::make_unique<hasp::RayCache>(grid, this->GetVolume().Blocks, isovalue);
     gl.CacheMilliseconds = watch.Milliseconds();
   }
-  const CellScene scene(this, hasp::GeometryOf(grid), this->GetIsoValue(), renderer, actor);
-  ViewerEye& eye = gl.Eyes.Of(renderer);
-  const bool sampled = !renderer->GetSelector() && eye.BeginsFrame();
-  if (sampled)
+  if (!pass.begins)
+    return;
+  const CellScene scene(this, hasp::GeometryOf(grid), isovalue, pass.renderer, pass.actor);
+  ViewerEye& eye = pass.eye;
+  const hasp::SampledEye seen{ { scene.indexToClip, scene.viewportSize, scene.planes },
+    eye.Depth(scene.viewportSize), eye.Number };
+  std::vector<hasp::PictureView> predicted;
+  if (const auto next = this->Prediction ? eye.Predict(scene.indexToClip) : std::nullopt)
+    predicted.push_back({ *next, scene.viewportSize, scene.planes });
+  const int rays = eye.Progress.RaysFor(this->FrameBudget, this->RaysPerTile);
+  gl.Last = gl.Cache->Sample({ &seen, 1 }, predicted, rays);
+  eye.Moved(scene.indexToClip);
+  eye.ForgetDepth(); // until the cache is drawn again
+  gl.SampleMilliseconds = watch.Milliseconds();
+  eye.Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
+}
+
+void vtkHaspOpenGLRayCachingMapper::DrawCache(const Pass& pass)
+{
+  OpenGL& gl = *this->GL;
+  const hasp::Stopwatch watch;
+  for (int level = 0; level < gl.Cache->Levels(); ++level)
+    gl.Levels.Set(level, gl.Cache->Cells(level));
+  gl.Levels.Draw(this, pass.renderer, pass.actor);
+  if (!pass.begins)
+    return;
+  if (!pass.translucent)
   {
-    const hasp::Stopwatch watch;
-    const hasp::SampledEye seen{ { scene.indexToClip, scene.viewportSize, scene.planes },
-      eye.Depth(scene.viewportSize), eye.Number };
-    std::vector<hasp::PictureView> predicted;
-    if (const auto next = this->Prediction ? eye.Predict(scene.indexToClip) : std::nullopt)
-      predicted.push_back({ *next, scene.viewportSize, scene.planes });
-    gl.Rays = gl.RaysFor(this->FrameBudget, this->RaysPerTile);
-    gl.Last = gl.Cache->Sample({ &seen, 1 }, predicted, gl.Rays);
-    if (gl.QuietFrames < FilledAfter)
-      gl.QuietFrames = gl.Last.added > 0 ? 0 : gl.QuietFrames + 1;
-    for (int level = 0; level < gl.Cache->Levels(); ++level)
-      gl.Levels.Set(level, gl.Cache->Cells(level));
-    eye.Moved(scene.indexToClip);
-    gl.SampleMilliseconds = watch.Milliseconds();
+    const CellScene scene(this, hasp::GeometryOf(hasp::ViewImage(this->GetImage())),
+      this->GetIsoValue(), pass.renderer, pass.actor);
+    pass.eye.ReadDepth(scene.viewportOrigin, scene.viewportSize);
   }
-  gl.Levels.Draw(this, renderer, actor);
-  if (sampled && !actor->IsRenderingTranslucentPolygonalGeometry())
-    eye.ReadDepth(scene.viewportOrigin, scene.viewportSize);
+  pass.eye.Progress.Drawn(watch.Milliseconds());
 }
 
 void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) const
 {
   this->Superclass::ListResources(list);
   const OpenGL& gl = *this->GL;
-  list.push_back({ "drawn by", 0, 0.0, gl.Drew + gl.ShareOfCache() });
+  list.push_back({ "drawn by", 0, 0.0, gl.Drew + gl.Share });
   list.push_back({ "ray cache", gl.Cache ? gl.Cache->Bytes() : 0, gl.CacheMilliseconds,
     gl.Cache ? std::to_string(gl.Cache->Live()) + " clusters; of fixed size"
              : "no frame was drawn from it" });

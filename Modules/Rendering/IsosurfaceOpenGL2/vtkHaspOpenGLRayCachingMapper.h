@@ -37,8 +37,10 @@ private:
   void operator=(const vtkHaspOpenGLRayCachingMapper&) = delete;
 
   void UpdateCache();
-  void DrawCells(vtkRenderer* renderer, vtkActor* actor, bool lit);
-  void DrawCache(vtkRenderer* renderer, vtkActor* actor);
+  struct Pass;
+  void DrawCells(const Pass& pass, bool lit);
+  void SampleCache(const Pass& pass);
+  void DrawCache(const Pass& pass);
   void DrawWhole(vtkRenderer* renderer, vtkActor* actor);
   void DrawRaycast(vtkRenderer* renderer, vtkActor* actor);
 

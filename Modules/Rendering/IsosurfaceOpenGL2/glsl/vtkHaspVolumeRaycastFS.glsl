@@ -40,8 +40,8 @@ uniform vec3 cellCount;        // of the volume
 layout(location = 0) out vec4 fragOutput0;
 
 // The driver's interpolation has few digits: the change of sign that it shows may lie a little beside the one
-// that is there. Voxels.
-const float Margin = 1.0 / 32.0;
+// that is there; where samples differ by few grey levels, anywhere in the cell. Voxels.
+const float Margin = 1.0 / 32.0, WideMargin = 1.0;
 
 // The ray is start + t * direction, index coordinates, t in voxels.
 vec3 start, direction, inverse;
@@ -231,7 +231,10 @@ bool FindHit(out Hit hit)
     number = FindChange(number, last, inside);
     if (number > last)
       break;
-    if (FindRoot(max(TimeOf(number - 1.0) - Margin, enter), min(TimeOf(number) + Margin, leave), hit))
+    bool found = false;
+    for (float margin = Margin; !found && margin <= WideMargin; margin += WideMargin - Margin)
+      found = FindRoot(max(TimeOf(number - 1.0) - margin, enter), min(TimeOf(number) + margin, leave), hit);
+    if (found)
       return true;
     inside = !inside;
     number += 1.0;

@@ -84,6 +84,8 @@ TEST_F(RayCachingLives, OneCacheServesTwoWindows)
     Ball second(vtkHaspRayCachingMapper::Cache);
     second.Actor->SetMapper(first.Raycaster);
     EXPECT_TRUE(second.Shows()); // complete in the first frame
+    for (int frame = 0; frame < 3; ++frame)
+      second.Draw();
     EXPECT_FALSE(first.Raycaster->IsRefining());
     EXPECT_EQ(Find(first.Raycaster, "ray cache").bytes, bytes);
   }
@@ -113,7 +115,7 @@ TEST_F(RayCachingLives, SaysWhatDrewAndTheShareOfTheCache)
   const auto drawnBy = [](vtkHaspRayCachingMapper* mapper)
   { return Find(mapper, "drawn by").reason; };
   Ball ball(vtkHaspRayCachingMapper::Cache);
-  EXPECT_EQ(drawnBy(ball.Raycaster), "nothing drawn; no pixel from the cache");
+  EXPECT_EQ(drawnBy(ball.Raycaster), "nothing drawn");
   ball.Draw();
   EXPECT_NE(drawnBy(ball.Raycaster).find("; 0.00 % of the surface's pixels from the cache, by "),
     std::string::npos)
@@ -134,7 +136,7 @@ TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
   Ball ball(vtkHaspRayCachingMapper::Automatic);
   ball.Draw();
   const auto truth = ball.Truth();
-  for (int frame = 0; frame < 12; ++frame)
+  for (int frame = 0; frame < 40; ++frame)
   {
     ball.Draw();
     const auto judged = ball.Judge(truth);
