@@ -117,7 +117,8 @@ struct ViewWindow::Parts
     const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - this->frameStart;
     this->frameMs = spent.count();
-    this->failure = TakeVtkError();
+    if (this->failure.empty())
+      this->failure = TakeVtkError();
     if (!this->failure.empty())
       return this->Close();
     if (!this->ticking) // camera, isovalue or window: what was complete is no more
@@ -259,8 +260,9 @@ vtkSmartPointer<vtkImageData> ViewWindow::DrawComplete()
   Parts& self = *this->Self;
   self.window->Render();
   self.ticking = true;
-  while (self.refines && self.failure.empty())
+  while (self.refines && !self.closed)
     self.window->Render();
+  self.RequireDrawn();
   self.window->Render(); // with the text of the last frame
   self.ticking = false;
   self.RequireDrawn();

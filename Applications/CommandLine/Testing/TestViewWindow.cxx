@@ -1,0 +1,312 @@
+#include "SceneChoices.h"
+#include "Session.h"
+#include "SurfaceScene.h"
+#include "ViewWindow.h"
+#include "vtkHaspHeadlessWindows.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkGenericRenderWindowInteractor.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyle.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSliderRepresentation2D.h"
+#include "vtkSliderWidget.h"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace
+{
+
+using namespace hasp;
+
+constexpr int Size = 200, Samples = 33;
+
+/// 100 - distance to the origin: the isosurface of v is the sphere of radius 100 - v. Rotated.
+vtkSmartPointer<vtkImageData> Ball()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Samples, Samples, Samples);
+  image->SetSpacing(2, 2, 3);
+  const double c = std::cos(0.5), s = std::sin(0.5);
+  image->SetDirectionMatrix(c, -s, 0, s, c, 0, 0, 0, 1);
+  double middle[3];
+  image->TransformContinuousIndexToPhysicalPoint(
+    0.5 * (Samples - 1), 0.5 * (Samples - 1), 0.5 * (Samples - 1), middle);
+  image->SetOrigin(-middle[0], -middle[1], -middle[2]);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
+  {
+    const double* p = image->GetPoint(n);
+    image->GetPointData()->GetScalars()->SetTuple1(
+      n, 100.0 - std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+  }
+  return image;
+}
+
+/// A window without a screen, and an interactor whose timers the test fires.
+struct Desk
+{
+  bool headless = UseHeadlessWindows(); // before the window
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  std::set<int> timers; ///< that were created and have not been fired: one-shot, all of them
+  int created = 0;
+  Session session;
+  SceneOptions options;
+  std::unique_ptr<SurfaceScene> scene;
+  std::unique_ptr<ViewWindow> view;
+
+  explicit Desk(const std::string& mapper = "raycaching", double isoValue = 80.0)
+  {
+    this->session.quiet = true;
+    this->options.isoValue = isoValue;
+    this->options.drawing.mapper = mapper;
+    this->options.drawing.interactive = true;
+    this->window->SetSize(Size, Size);
+    this->window->AddRenderer(this->renderer);
+    this->interactor->SetRenderWindow(this->window);
+    this->interactor->AddObserver(vtkCommand::CreateTimerEvent, this, &Desk::Create);
+    this->scene =
+      std::make_unique<SurfaceScene>(this->renderer, Ball(), this->options, this->session);
+    ViewSettings settings;
+    settings.range = { 40.0, 100.0 };
+    settings.isoValue = isoValue;
+    settings.unit = "HU";
+    this->view =
+      std::make_unique<ViewWindow>(*this->scene, this->window, this->interactor, settings);
+    this->interactor->Initialize();
+    this->window->Render();
+  }
+  void Create()
+  {
+    const int id = this->interactor->GetTimerEventId();
+    this->interactor->SetTimerEventPlatformId(id);
+    this->timers.insert(id);
+    ++this->created;
+  }
+  void Fire(int id)
+  {
+    ASSERT_TRUE(this->interactor->IsOneShotTimer(id));
+    this->interactor->InvokeEvent(vtkCommand::TimerEvent, &id);
+  }
+  /// Fires what runs until nothing does; how many.
+  int Settle()
+  {
+    int fired = 0;
+    for (; !this->timers.empty() && fired < 500; ++fired)
+    {
+      const int id = *this->timers.begin();
+      this->timers.erase(this->timers.begin());
+      this->Fire(id);
+    }
+    return fired;
+  }
+  void Press(const std::string& key)
+  {
+    this->interactor->SetKeySym(key.c_str());
+    this->interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    this->interactor->InvokeEvent(vtkCommand::CharEvent);
+  }
+  void Mouse(int x, int y, unsigned long event)
+  {
+    this->interactor->SetEventInformation(x, y, 0, 0, 0);
+    this->interactor->InvokeEvent(event);
+  }
+  /// Half the width of the ball in the window's middle row, in mm; 0 if there is none.
+  double Radius() const
+  {
+    vtkSmartPointer<vtkImageData> picture = this->view->DrawComplete();
+    int left = Size, right = -1;
+    for (int x = 0; x < Size; ++x)
+      if (const auto* p = static_cast<unsigned char*>(picture->GetScalarPointer(x, Size / 2, 0));
+          p[0] > 45) // the background has 26
+      {
+        left = std::min(left, x);
+        right = std::max(right, x + 1);
+      }
+    vtkCamera* camera = this->renderer->GetActiveCamera();
+    const double half = std::tan(camera->GetViewAngle() * M_PI / 360.0);
+    const double tangent = half * (right - left) / Size; // of the cone around the ball
+    return right < 0 ? 0.0 : camera->GetDistance() * tangent / std::sqrt(1.0 + tangent * tangent);
+  }
+};
+
+/// A pixel is 1.1 mm wide there; a ball's edge may lie anywhere in the two of both sides.
+constexpr double PixelMm = 1.2;
+
+class ViewMapper : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(ViewMapper, ShowsTheIsosurfaceAndFollowsItsValue)
+{
+  Desk desk(GetParam());
+  EXPECT_NEAR(desk.Radius(), 20.0, PixelMm);
+  desk.Press("Next"); // 10% of 60 less
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), 74.0);
+  EXPECT_NEAR(desk.Radius(), 26.0, PixelMm);
+  const double* at = desk.renderer->GetActiveCamera()->GetPosition();
+  const double far = std::sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+  const auto hit = desk.scene->Pick({ at[0], at[1], at[2] }, { 0, 0, 0 });
+  ASSERT_TRUE(hit);
+  for (int a = 0; a < 3; ++a) // samples 2 to 3 mm apart round off a ball of 26 mm by 0.1 mm
+    EXPECT_NEAR((*hit)[a], at[a] * 26.0 / far, 0.15) << a;
+  EXPECT_FALSE(desk.scene->Pick({ 90, 0, 0 }, { 90, 50, 0 }));
+}
+INSTANTIATE_TEST_SUITE_P(Each, ViewMapper, testing::ValuesIn(SurfaceMappers()));
+
+TEST(ViewWindow, TheSurfaceFollowsTheSliderWhileItIsDragged)
+{
+  Desk desk;
+  desk.Settle();
+  const double before = desk.Radius();
+  auto* slider = static_cast<vtkSliderRepresentation2D*>(desk.view->Slider()->GetRepresentation());
+  int from[2], to[2];
+  const auto at = [&](double share, int pixel[2])
+  {
+    pixel[0] = static_cast<int>(Size * (0.1 + 0.8 * share));
+    pixel[1] = static_cast<int>(Size * 0.08);
+  };
+  at((80.0 - 40.0) / 60.0, from);
+  at(0.5, to);
+  desk.Mouse(from[0], from[1], vtkCommand::MouseMoveEvent);
+  desk.Mouse(from[0], from[1], vtkCommand::LeftButtonPressEvent);
+  desk.Mouse(to[0], to[1], vtkCommand::MouseMoveEvent);
+  // Half of the range, within two pixels; the button is still down.
+  EXPECT_NEAR(desk.view->IsoValue(), 70.0, 2.0 * 60.0 / (0.8 * Size));
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), slider->GetValue());
+  EXPECT_NEAR(desk.Radius(), 100.0 - desk.view->IsoValue(), PixelMm);
+  EXPECT_GT(desk.Radius(), before + 5.0);
+  desk.Mouse(to[0], to[1], vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_NE(desk.view->Text().find("HU"), std::string::npos);
+}
+
+TEST(ViewWindow, NothingRunsWhenThePictureIsComplete)
+{
+  Desk desk;
+  EXPECT_TRUE(desk.view->WaitsForTimer());
+  EXPECT_GT(desk.Settle(), 3);
+  EXPECT_FALSE(desk.view->WaitsForTimer());
+  EXPECT_TRUE(desk.timers.empty());
+  const int created = desk.created;
+  int other = 12345;
+  desk.interactor->InvokeEvent(vtkCommand::TimerEvent, &other);
+  EXPECT_EQ(desk.created, created);
+  desk.renderer->GetActiveCamera()->Azimuth(20);
+  desk.window->Render();
+  EXPECT_TRUE(desk.view->WaitsForTimer()); // what is seen from here is to be found
+  desk.Settle();
+  EXPECT_FALSE(desk.view->WaitsForTimer());
+  int remembered = 0; // by VTK, of those that are over
+  for (int id = 1; id <= 2 * desk.created; ++id)
+    remembered += desk.interactor->GetVTKTimerId(id) != 0;
+  EXPECT_LE(remembered, 1);
+}
+
+TEST(ViewWindow, WhatNeverRefinesHasNoTimer)
+{
+  Desk desk("mesh");
+  desk.Press("Up");
+  EXPECT_EQ(desk.created, 0);
+}
+
+TEST(ViewWindow, TheTimerDoesNotTurnTheCamera)
+{
+  Desk desk;
+  desk.Mouse(100, 100, vtkCommand::LeftButtonPressEvent);
+  desk.Mouse(120, 100, vtkCommand::MouseMoveEvent);
+  const double turned = desk.renderer->GetActiveCamera()->GetPosition()[0];
+  ASSERT_GT(std::abs(turned), 1.0);
+  EXPECT_GT(desk.Settle(), 0); // the button is down, the mouse at rest
+  EXPECT_DOUBLE_EQ(desk.renderer->GetActiveCamera()->GetPosition()[0], turned);
+  desk.Mouse(120, 100, vtkCommand::LeftButtonReleaseEvent);
+  desk.Press("r");
+  EXPECT_NEAR(desk.renderer->GetActiveCamera()->GetPosition()[0], 0.0, 1e-9);
+}
+
+TEST(ViewWindow, KeysStepTheIsovalueWithinItsRange)
+{
+  Desk desk;
+  desk.Press("Right");
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), 80.6);
+  desk.Press("minus");
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), 80.0);
+  for (int n = 0; n < 9; ++n)
+    desk.Press("Next");
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), 40.0);
+  auto* slider = static_cast<vtkSliderRepresentation2D*>(desk.view->Slider()->GetRepresentation());
+  EXPECT_DOUBLE_EQ(slider->GetValue(), 40.0);
+  desk.Press("w"); // VTK's own keys mean nothing here
+  desk.Press("3");
+  EXPECT_FALSE(desk.window->GetStereoRender());
+}
+
+TEST(ViewWindow, PSaysWhereTheSurfaceIs)
+{
+  Desk desk;
+  desk.interactor->SetEventPosition(Size / 2, Size / 2);
+  desk.Press("p");
+  // The middle of the window is half a pixel beside that of the ball; front: -y.
+  double x = 0, y = 0, z = 0;
+  const std::string text = desk.view->Text();
+  ASSERT_EQ(
+    std::sscanf(text.substr(text.find("picked")).c_str(), "picked %lf, %lf, %lf mm", &x, &y, &z), 3)
+    << text;
+  EXPECT_NEAR(x, 0.0, PixelMm);
+  EXPECT_NEAR(y, -20.0, 0.2);
+  EXPECT_NEAR(z, 0.0, PixelMm);
+  desk.interactor->SetEventPosition(2, Size - 2);
+  desk.Press("p");
+  EXPECT_NE(desk.view->Text().find("no surface there"), std::string::npos);
+}
+
+TEST(ViewWindow, SSavesUnderAFreeName)
+{
+  const std::filesystem::path folder =
+    std::filesystem::temp_directory_path() / ("hasp-view-" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  Desk desk;
+  desk.Press("s");
+  desk.Press("s");
+  EXPECT_GT(std::filesystem::file_size("hasp-view-1.png"), 1000U);
+  EXPECT_GT(std::filesystem::file_size("hasp-view-2.png"), 1000U);
+  EXPECT_NE(desk.view->Text().find("saved hasp-view-2.png"), std::string::npos);
+  std::filesystem::current_path(before);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ViewWindow, ClosingEndsTheLoopAndSaysWhatWasHeld)
+{
+  for (const std::string key : { "q", "Escape" })
+  {
+    Desk desk;
+    desk.Settle();
+    ASSERT_FALSE(desk.interactor->GetDone());
+    desk.Press(key);
+    EXPECT_TRUE(desk.interactor->GetDone()) << key;
+    desk.Press("Right"); // an event that was on its way
+    const ResourceList held = desk.view->Resources();
+    EXPECT_TRUE(
+      std::any_of(held.begin(), held.end(), [](const ResourceUse& use) { return use.bytes > 0; }));
+  }
+  Desk desk;
+  desk.interactor->InvokeEvent(vtkCommand::ExitEvent); // the window's close button
+  EXPECT_TRUE(desk.interactor->GetDone());
+}
+
+} // namespace
