@@ -57,6 +57,7 @@ void Run(Choices choices, Session& session)
   window->SetSize(options.resolution[0], options.resolution[1]);
   window->AddRenderer(renderer);
   interactor->SetRenderWindow(window);
+  interactor->Initialize(); // first: VTK 9.1 crashes at the end where the window opened the display
   RequireOpenGL(window);
   SurfaceScene scene(renderer, loaded.input, options, session);
   ViewWindow view(scene, window, interactor, SettingsOf(loaded, options));
