@@ -6,7 +6,9 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
 
 namespace hasp
 {
@@ -21,6 +23,17 @@ std::string PngFile(vtkImageData* picture)
   vtkUnsignedCharArray* bytes = writer->GetResult();
   return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
     static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+}
+
+vtkSmartPointer<vtkImageData> WindowPicture(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> read;
+  read->SetInput(window);
+  read->SetInputBufferTypeToRGB();
+  read->ReadFrontBufferOff();
+  read->ShouldRerenderOff();
+  read->Update();
+  return read->GetOutput();
 }
 
 } // namespace hasp

@@ -132,6 +132,18 @@ std::optional<WorldPoint> SurfaceScene::Pick(const WorldPoint& from, const World
   return nearest;
 }
 
+std::optional<WorldPoint> SurfaceScene::PickPixel(int x, int y) const
+{
+  const auto world = [&](double depth)
+  {
+    this->Shown->SetDisplayPoint(x, y, depth);
+    this->Shown->DisplayToWorld();
+    const double* p = this->Shown->GetWorldPoint();
+    return WorldPoint{ p[0] / p[3], p[1] / p[3], p[2] / p[3] };
+  };
+  return this->Pick(world(0.0), world(1.0));
+}
+
 void SurfaceScene::ListResources(ResourceList& list) const
 {
   for (const SurfaceActor& surface : this->Surfaces)

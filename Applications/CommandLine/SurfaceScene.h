@@ -42,6 +42,8 @@ public:
   std::string DrewBy() const { return this->Surfaces.front().drewBy(); }
   /// Where the line first meets a surface.
   std::optional<WorldPoint> Pick(const WorldPoint& from, const WorldPoint& to) const;
+  /// The same for what the camera shows in a pixel of the window, from the lower left.
+  std::optional<WorldPoint> PickPixel(int x, int y) const;
   /// After drawing: what each surface holds.
   void ListResources(ResourceList& list) const;
 

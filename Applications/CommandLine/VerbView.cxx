@@ -4,6 +4,7 @@
 #include "SceneChoices.h"
 #include "Session.h"
 #include "Verbs.h"
+#include "ViewKeys.h"
 #include "ViewWindow.h"
 #include "Windows.h"
 #include "vtkHaspFileNames.h"

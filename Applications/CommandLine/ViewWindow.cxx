@@ -2,25 +2,26 @@
 
 #include "Failure.h"
 #include "Files.h"
+#include "FrameTimer.h"
 #include "PictureFile.h"
 #include "SurfaceScene.h"
+#include "ViewKeys.h"
 #include "ViewOverlay.h"
+#include "ViewStyle.h"
 #include "VtkMessages.h"
 
 #include "vtkCommand.h"
 #include "vtkImageData.h"
-#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
+#include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -28,38 +29,6 @@ namespace
 {
 
 constexpr int MostFrames = 2000; // a picture is refined for, where its noise never ends
-constexpr int TimerMs = 1;
-
-/// The keys are ours, and so is the timer: by VTK's default any timer turns the camera on while a
-/// button is down.
-class Trackball : public vtkInteractorStyleTrackballCamera
-{
-public:
-  static Trackball* New();
-  vtkTypeMacro(Trackball, vtkInteractorStyleTrackballCamera);
-  void OnChar() override {}
-  void OnTimer() override {}
-};
-vtkStandardNewMacro(Trackball);
-
-/// Hundredths of the isovalue's range that a key steps, 0 for other keys.
-int StepOf(const std::string& key)
-{
-  if (key == "Right" || key == "Up" || key == "plus" || key == "equal" || key == "KP_Add")
-    return 1;
-  if (key == "Left" || key == "Down" || key == "minus" || key == "KP_Subtract")
-    return -1;
-  return key == "Prior" ? 10 : key == "Next" ? -10 : 0; // Page Up, Page Down
-}
-
-/// A picture's name that is not taken.
-std::string FreeName()
-{
-  int n = 1;
-  while (std::filesystem::exists("hasp-view-" + std::to_string(n) + ".png"))
-    ++n;
-  return "hasp-view-" + std::to_string(n) + ".png";
-}
 
 } // namespace
 
@@ -70,7 +39,7 @@ struct ViewWindow::Parts
   vtkRenderWindowInteractor* interactor;
   ViewSettings settings;
   ViewOverlay overlay;
-  vtkNew<Trackball> style;
+  vtkNew<ViewStyle> style;
 
   std::string answer;  ///< to the last key
   std::string failure; ///< why nothing can be drawn any more
@@ -79,7 +48,8 @@ struct ViewWindow::Parts
   std::chrono::steady_clock::time_point frameStart;
   double frameMs = 0.0;
   bool refines = false, ticking = false;
-  int timer = 0, spentTimer = 0; ///< of the interactor; 0: none
+  FrameTimer timer;
+  std::vector<std::pair<vtkObject*, unsigned long>> observed;
 
   Parts(SurfaceScene& scene_, vtkRenderWindow* window_, vtkRenderWindowInteractor* interactor_,
     const ViewSettings& settings_)
@@ -87,17 +57,27 @@ struct ViewWindow::Parts
       window(window_),
       interactor(interactor_),
       settings(settings_),
-      overlay(scene_.Renderer(), interactor_, settings_)
+      overlay(scene_.Renderer(), interactor_, settings_),
+      timer(interactor_, [this] { this->Tick(); })
   {
     this->style->SetDefaultRenderer(this->scene.Renderer());
     this->interactor->SetInteractorStyle(this->style);
-    this->window->AddObserver(vtkCommand::StartEvent, this, &Parts::FrameStarts);
-    this->window->AddObserver(vtkCommand::EndEvent, this, &Parts::FrameEnds);
-    this->interactor->AddObserver(vtkCommand::TimerEvent, this, &Parts::Tick);
-    this->interactor->AddObserver(vtkCommand::KeyPressEvent, this, &Parts::Key);
-    this->interactor->AddObserver(vtkCommand::ExitEvent, this, &Parts::Close);
+    this->Observe(this->window, vtkCommand::StartEvent, &Parts::FrameStarts);
+    this->Observe(this->window, vtkCommand::EndEvent, &Parts::FrameEnds);
+    this->Observe(this->interactor, vtkCommand::KeyPressEvent, &Parts::Key);
+    this->Observe(this->interactor, vtkCommand::ExitEvent, &Parts::Close);
     if (vtkSliderWidget* slider = this->overlay.Slider())
-      slider->AddObserver(vtkCommand::InteractionEvent, this, &Parts::Slid);
+      this->Observe(slider, vtkCommand::InteractionEvent, &Parts::Slid);
+  }
+  ~Parts()
+  {
+    this->interactor->EnableRenderOff(); // hiding the slider would draw another frame
+    for (const auto& [object, tag] : this->observed)
+      object->RemoveObserver(tag);
+  }
+  void Observe(vtkObject* object, unsigned long event, void (Parts::*method)())
+  {
+    this->observed.emplace_back(object, object->AddObserver(event, this, method));
   }
   std::string Text() const
   {
@@ -124,19 +104,12 @@ struct ViewWindow::Parts
     if (!this->ticking) // camera, isovalue or window: what was complete is no more
       this->scene.Restart();
     this->refines = this->scene.WantsFrame(MostFrames);
-    if (this->refines && this->timer == 0 && this->interactor->GetInitialized())
-      this->timer = this->interactor->CreateOneShotTimer(TimerMs);
+    if (this->refines)
+      this->timer.Start();
   }
-  /// A chain of timers for one shot: VTK 9.1's X interactor writes to a repeating one after its
-  /// event, so that it could not be stopped there.
-  void Tick(vtkObject*, unsigned long, void* id)
+  void Tick()
   {
-    if (this->closed || !id || *static_cast<int*>(id) != this->timer)
-      return;
-    if (this->spentTimer)
-      this->interactor->DestroyTimer(this->spentTimer); // else it is remembered
-    this->spentTimer = std::exchange(this->timer, 0);
-    if (!this->refines)
+    if (this->closed || !this->refines)
       return;
     this->ticking = true;
     this->window->Render();
@@ -167,7 +140,7 @@ struct ViewWindow::Parts
     const std::string key = sym ? sym : "";
     if (key == "q" || key == "Q" || key == "Escape")
       return this->Close();
-    if (const int step = StepOf(key); step != 0 && this->settings.range)
+    if (const int step = IsoValueStep(key); step != 0 && this->settings.range)
     {
       const auto& [least, most] = *this->settings.range;
       this->SetIsoValue(this->settings.isoValue + step * (most - least) / 100.0);
@@ -186,15 +159,7 @@ struct ViewWindow::Parts
   void Pick()
   {
     const int* at = this->interactor->GetEventPosition();
-    vtkRenderer* renderer = this->scene.Renderer();
-    const auto world = [&](double depth)
-    {
-      renderer->SetDisplayPoint(at[0], at[1], depth);
-      renderer->DisplayToWorld();
-      const double* p = renderer->GetWorldPoint();
-      return WorldPoint{ p[0] / p[3], p[1] / p[3], p[2] / p[3] };
-    };
-    const auto point = this->scene.Pick(world(0.0), world(1.0));
+    const auto point = this->scene.PickPixel(at[0], at[1]);
     char text[100] = "no surface there";
     if (point)
       std::snprintf(text, sizeof text, "picked %.2f, %.2f, %.2f mm (LPS)", (*point)[0], (*point)[1],
@@ -203,27 +168,17 @@ struct ViewWindow::Parts
   }
   void Save()
   {
-    const std::string name = FreeName();
+    const std::string name = FreeName("hasp-view", ".png");
     try
     {
       RequireWritable(name, { ".png" });
-      WriteFile(name, PngFile(this->Picture()));
+      WriteFile(name, PngFile(WindowPicture(this->window)));
       this->answer = "saved " + name;
     }
     catch (const Failure& failed)
     {
       this->answer = failed.what();
     }
-  }
-  vtkSmartPointer<vtkImageData> Picture() const
-  {
-    vtkNew<vtkWindowToImageFilter> read;
-    read->SetInput(this->window);
-    read->SetInputBufferTypeToRGB();
-    read->ReadFrontBufferOff();
-    read->ShouldRerenderOff();
-    read->Update();
-    return read->GetOutput();
   }
   void RequireDrawn() const
   {
@@ -238,12 +193,7 @@ ViewWindow::ViewWindow(SurfaceScene& scene, vtkRenderWindow* window,
 {
 }
 
-ViewWindow::~ViewWindow()
-{
-  Parts& self = *this->Self;
-  self.interactor->EnableRenderOff();
-  self.window->RemoveAllObservers();
-}
+ViewWindow::~ViewWindow() = default;
 
 void ViewWindow::Run()
 {
@@ -266,7 +216,7 @@ vtkSmartPointer<vtkImageData> ViewWindow::DrawComplete()
   self.window->Render(); // with the text of the last frame
   self.ticking = false;
   self.RequireDrawn();
-  return self.Picture();
+  return WindowPicture(self.window);
 }
 
 ResourceList ViewWindow::Resources() const
@@ -289,24 +239,12 @@ std::string ViewWindow::Text() const
 
 bool ViewWindow::WaitsForTimer() const
 {
-  return this->Self->timer != 0;
+  return this->Self->timer.Runs();
 }
 
 vtkSliderWidget* ViewWindow::Slider() const
 {
   return this->Self->overlay.Slider();
-}
-
-std::string ViewKeys()
-{
-  return "Mouse: left turns, middle (or Shift and left) pans, right and wheel zoom; drag the "
-         "slider\n"
-         "Keys:\n"
-         "  Right Up + / Left Down -   raise / lower the isovalue by 1% of its range\n"
-         "  Page Up / Page Down        by 10%\n"
-         "  p   where the pointer's surface is, mm LPS     r   back to the first view\n"
-         "  s   save the window as hasp-view-1.png (-2, ...) in the current folder\n"
-         "  q Esc   quit\n";
 }
 
 } // namespace hasp

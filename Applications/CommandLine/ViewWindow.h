@@ -32,7 +32,7 @@ struct ViewSettings
 /// timer draws it again; when it is complete nothing runs until the next event.
 ///
 /// Left button turns, middle button pans (and left with Shift), right button and wheel zoom. Keys:
-/// see ViewKeys(). RENDER thread. Scene, window and interactor must outlive it; the scene's
+/// see ViewKeys.h. RENDER thread. Scene, window and interactor must outlive it; the scene's
 /// renderer must be in the window, the window the interactor's.
 class ViewWindow
 {
@@ -61,8 +61,5 @@ private:
   struct Parts;
   std::unique_ptr<Parts> Self;
 };
-
-/// What the keys do, a line each: for --help.
-std::string ViewKeys();
 
 } // namespace hasp
