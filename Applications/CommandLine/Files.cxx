@@ -119,6 +119,16 @@ void WriteFile(const std::string& path, std::string_view bytes)
   }
 }
 
+std::string FreeName(const std::string& stem, const std::string& ending)
+{
+  std::string name;
+  int n = 0;
+  do
+    name = stem + "-" + std::to_string(++n) + ending;
+  while (std::filesystem::exists(name));
+  return name;
+}
+
 void RequireInput(const std::string& path)
 {
   std::error_code error;

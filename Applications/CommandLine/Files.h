@@ -20,6 +20,9 @@ void RequireWritableFolder(const std::string& path);
 /// system's reason.
 void WriteFile(const std::string& path, std::string_view bytes);
 
+/// A name that nothing in the current folder has: "stem-1.png", or -2 and so on.
+std::string FreeName(const std::string& stem, const std::string& ending);
+
 /// Throws Failure: BadInput unless the path is a file, or a folder with something in it.
 void RequireInput(const std::string& path);
 

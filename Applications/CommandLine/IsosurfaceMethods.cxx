@@ -1,24 +1,22 @@
 #include "IsosurfaceMethods.h"
 
 #include "Isosurface/ClusteredCells.h"
+#include "VolumeIsosurface.h"
 #include "WindowMethod.h"
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "vtkActor.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace hasp
@@ -97,30 +95,9 @@ class VolumeMethod : public WindowMethod
 public:
   VolumeMethod(const IsosurfaceView& view, double sampleDistance)
     : WindowMethod(view),
-      Step(sampleDistance)
+      Step(sampleDistance),
+      Volume(MakeVolumeIsosurface(view.image, view.isovalue, sampleDistance))
   {
-    const double* spacing = view.image->GetSpacing();
-    this->Mapper->SetInputData(view.image);
-    this->Mapper->SetBlendModeToIsoSurface();
-    this->Mapper->SetAutoAdjustSampleDistances(false);
-    this->Mapper->SetUseJittering(false);
-    this->Mapper->SetSampleDistance(
-      static_cast<float>(sampleDistance * *std::min_element(spacing, spacing + 3)));
-    vtkNew<vtkVolumeProperty> property;
-    vtkNew<vtkColorTransferFunction> color;
-    vtkNew<vtkPiecewiseFunction> opacity;
-    const double* range = view.image->GetScalarRange();
-    color->AddRGBPoint(range[0], 1, 1, 1);
-    color->AddRGBPoint(range[1], 1, 1, 1);
-    opacity->AddPoint(range[0], 1);
-    opacity->AddPoint(range[1], 1);
-    property->SetColor(color);
-    property->SetScalarOpacity(opacity);
-    property->ShadeOn();
-    property->SetInterpolationTypeToLinear();
-    property->GetIsoSurfaceValues()->SetValue(0, view.isovalue);
-    this->Volume->SetMapper(this->Mapper);
-    this->Volume->SetProperty(property);
     this->Renderer->AddVolume(this->Volume);
   }
   void SetIsovalue(double isovalue) override
@@ -135,19 +112,19 @@ public:
   /// It writes no depth buffer; its own depth image is drawn on request, outside the timed frames.
   SurfacePoints Points() override
   {
-    this->Mapper->RenderToImageOn();
+    auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(this->Volume->GetMapper());
+    mapper->RenderToImageOn();
     this->Draw();
     vtkNew<vtkImageData> depth;
-    this->Mapper->GetDepthImage(depth);
-    this->Mapper->RenderToImageOff();
+    mapper->GetDepthImage(depth);
+    mapper->RenderToImageOff();
     const auto* values = static_cast<const float*>(depth->GetScalarPointer());
     return this->FromDepth([&](int n) { return values[n]; });
   }
 
 private:
   double Step;
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> Mapper;
-  vtkNew<vtkVolume> Volume;
+  vtkSmartPointer<vtkVolume> Volume;
 };
 
 } // namespace

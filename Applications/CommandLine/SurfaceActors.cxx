@@ -3,21 +3,27 @@
 #include "Failure.h"
 #include "Session.h"
 #include "SurfaceInput.h"
+#include "VolumeIsosurface.h"
 #include "VtkMessages.h"
 #include "vtkHaspFileNames.h"
 
 #if HASP_WITH_CELLS
-#include "vtkHaspClusteredCellMapper.h"
-#include "vtkHaspRayCachingMapper.h"
+#include "CellActors.h"
 #endif
 #include "vtkActor.h"
+#include "vtkCellLocator.h"
+#include "vtkContourValues.h"
+#include "vtkDataArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkHaspClusteredCells.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +33,8 @@ namespace hasp
 namespace
 {
 
-constexpr std::size_t KiB = 1024; // vtkDataObject::GetActualMemorySize counts in these
+constexpr std::size_t KiB = 1024;  // vtkDataObject::GetActualMemorySize counts in these
+constexpr double VolumeStep = 0.5; // of VTK's mapper, in voxels, as `hasp report` has it
 
 /// Updates the filter and says what it made.
 ResourceUse UpdateMesh(vtkPolyDataAlgorithm* filter, const std::string& resource,
@@ -40,6 +47,22 @@ ResourceUse UpdateMesh(vtkPolyDataAlgorithm* filter, const std::string& resource
   return { resource, KiB * filter->GetOutput()->GetActualMemorySize(), spent.count(), reason };
 }
 
+/// The first triangle along the line. The tree is built by the first question and by a change.
+std::optional<WorldPoint> PickMesh(
+  vtkCellLocator* locator, vtkPolyData* mesh, const WorldPoint& from, const WorldPoint& to)
+{
+  if (mesh->GetNumberOfCells() == 0)
+    return std::nullopt;
+  locator->SetDataSet(mesh);
+  locator->Update();
+  WorldPoint point;
+  double t = 0.0, inCell[3];
+  int part = 0;
+  if (!locator->IntersectWithLine(from.data(), to.data(), 0.0, t, point.data(), inCell, part))
+    return std::nullopt;
+  return point;
+}
+
 SurfaceActor MakeMeshActor(vtkPolyData* mesh, const ResourceUse& use)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -47,7 +70,14 @@ SurfaceActor MakeMeshActor(vtkPolyData* mesh, const ResourceUse& use)
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  return { actor.Get(), [use](ResourceList& list) { list.push_back(use); }, {} };
+  SurfaceActor result;
+  result.prop = actor.Get();
+  result.listResources = [use](ResourceList& list) { list.push_back(use); };
+  result.drewBy = [] { return "mesh"; };
+  result.pick = [locator = vtkSmartPointer<vtkCellLocator>::New(),
+                  kept = vtkSmartPointer<vtkPolyData>(mesh)](const auto& from, const auto& to)
+  { return PickMesh(locator, kept, from, to); };
+  return result;
 }
 
 SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& session)
@@ -58,76 +88,61 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
   contour->SetValue(0, isoValue);
   contour->ComputeNormalsOn();
   contour->ComputeScalarsOff();
-  const ResourceUse use = UpdateMesh(contour, "mesh", "--mapper mesh", session);
+  const auto use =
+    std::make_shared<ResourceUse>(UpdateMesh(contour, "mesh", "--mapper mesh", session));
   ThrowVtkError(ExitCode::BadInput, "cannot extract the mesh");
-  SurfaceActor result = MakeMeshActor(contour->GetOutput(), use);
+  SurfaceActor result = MakeMeshActor(contour->GetOutput(), *use);
   result.listResources = [use](ResourceList& list)
   {
     list.push_back({ "active cells", 0, 0.0, "--mapper mesh" });
-    list.push_back(use);
+    list.push_back(*use);
+  };
+  result.setIsoValue = [use, kept = vtkSmartPointer<vtkFlyingEdges3D>(contour)](double value)
+  {
+    kept->SetValue(0, value);
+    const auto start = std::chrono::steady_clock::now();
+    kept->Update();
+    const std::chrono::duration<double, std::milli> spent =
+      std::chrono::steady_clock::now() - start;
+    use->bytes = KiB * kept->GetOutput()->GetActualMemorySize();
+    use->milliseconds = spent.count();
   };
   return result;
 }
 
+SurfaceActor MakeVolumeActor(vtkImageData* image, double isoValue)
+{
+  const vtkSmartPointer<vtkVolume> volume = MakeVolumeIsosurface(image, isoValue, VolumeStep);
+  SurfaceActor result;
+  result.prop = volume;
+  const vtkDataArray* samples = image->GetPointData()->GetScalars();
+  const std::size_t bytes = static_cast<std::size_t>(samples->GetNumberOfValues()) *
+                            static_cast<std::size_t>(samples->GetDataTypeSize());
+  result.listResources = [bytes](ResourceList& list)
+  {
+    list.push_back({ "active cells", 0, 0.0, "--mapper vtk" });
+    list.push_back({ "mesh", 0, 0.0, "rays need none" });
+    list.push_back({ "volume, GPU", bytes, 0.0, "--mapper vtk; VTK's own, its time is a frame's" });
+  };
+  result.setIsoValue = [volume](double value)
+  { volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, value); };
+  result.drewBy = [] { return "VTK's volume mapper"; };
 #if HASP_WITH_CELLS
-/// `input` is an image, or cells, whose isovalue is their own.
-SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const CellDrawing& drawing)
-{
-  vtkNew<vtkHaspClusteredCellMapper> mapper;
-  const auto& names = CellRendererNames(); // in the order of the mapper's Renderers
-  mapper->SetRenderer(
-    static_cast<int>(std::find(names.begin(), names.end(), drawing.renderer) - names.begin()));
-  ThrowVtkError(ExitCode::WrongUse, "--renderer " + drawing.renderer);
-  if (drawing.compact)
-    mapper->SetPrecisionToCompact();
-  mapper->SetAmbientOcclusion(drawing.ambientOcclusionMm.has_value());
-  if (drawing.ambientOcclusionMm)
-    mapper->SetAmbientOcclusionDistance(*drawing.ambientOcclusionMm);
-  mapper->SetShadows(drawing.shadows);
-  mapper->SetInputDataObject(input);
-  mapper->SetIsoValue(isoValue);
-  mapper->UpdateCells();
-  ThrowVtkError(ExitCode::BadInput, "cannot extract the active cells");
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkSmartPointer<vtkHaspClusteredCellMapper> kept = mapper.Get();
-  return { actor.Get(),
-    [kept](ResourceList& list)
-    {
-      kept->ListResources(list);
-      list.push_back({ "mesh", 0, 0.0, "active cells are drawn without one" });
-    },
-    {} };
-}
-
-/// mode: of vtkHaspRayCachingMapper::Modes. Nothing is extracted before the first frame.
-SurfaceActor MakeCachingActor(vtkImageData* image, double isoValue, int mode)
-{
-  auto mapper = vtkSmartPointer<vtkHaspRayCachingMapper>::New();
-  mapper->SetInputData(image);
-  mapper->SetIsoValue(isoValue);
-  mapper->SetMode(mode);
-  mapper->SetRaysPerTile(256); // one picture, complete soon
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  return { actor.Get(),
-    [mapper](ResourceList& list)
-    {
-      mapper->ListResources(list);
-      list.push_back({ "mesh", 0, 0.0, "rays need none" });
-    },
-    [mapper] { return mapper->IsRefining(); } };
-}
+  // VTK's mapper can be asked for no point; rays of ours are.
+  result.pick = [volume, rays = IsosurfaceRays(image)](const auto& from, const auto& to)
+  { return rays(volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0), from, to); };
 #endif
+  return result;
+}
 
 } // namespace
 
 const std::vector<std::string>& SurfaceMappers()
 {
 #if HASP_WITH_CELLS
-  static const std::vector<std::string> names{ "cells", "raycaching", "raycast", "mesh" };
+  static const std::vector<std::string> names{ "cells", "raycaching", "raycast", "mesh", "vtk" };
 #else
-  static const std::vector<std::string> names{ "mesh" };
+  static const std::vector<std::string> names{ "mesh", "vtk" };
 #endif
   return names;
 }
@@ -138,27 +153,29 @@ const std::vector<std::string>& CellRendererNames()
   return names;
 }
 
-SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::string& mapper,
-  [[maybe_unused]] const CellDrawing& drawing, Session& session)
+SurfaceActor MakeIsosurface(
+  vtkImageData* image, double isoValue, const SurfaceDrawing& drawing, Session& session)
 {
 #if HASP_WITH_CELLS
-  if (mapper == "cells")
+  if (drawing.mapper == "cells")
   {
     session.progress.Step("extracting active cells");
     return MakeCellActor(image, isoValue, drawing);
   }
-  if (mapper == "raycaching")
-    return MakeCachingActor(image, isoValue, vtkHaspRayCachingMapper::Cache);
-  if (mapper == "raycast")
-    return MakeCachingActor(image, isoValue, vtkHaspRayCachingMapper::RaycastSkipping);
+  if (drawing.mapper == "raycaching")
+    return MakeCachingActor(image, isoValue, drawing);
+  if (drawing.mapper == "raycast")
+    return MakeRaycastActor(image, isoValue);
 #endif
-  if (mapper == "mesh")
+  if (drawing.mapper == "mesh")
     return MakeMeshIsosurface(image, isoValue, session);
-  throw Failure(ExitCode::WrongUse, "this build has no mapper '" + mapper + "'");
+  if (drawing.mapper == "vtk")
+    return MakeVolumeActor(image, isoValue);
+  throw Failure(ExitCode::WrongUse, "this build has no mapper '" + drawing.mapper + "'");
 }
 
 SurfaceActor MakeCells(
-  [[maybe_unused]] vtkHaspClusteredCells* cells, [[maybe_unused]] const CellDrawing& drawing)
+  [[maybe_unused]] vtkHaspClusteredCells* cells, [[maybe_unused]] const SurfaceDrawing& drawing)
 {
 #if HASP_WITH_CELLS
   return MakeCellActor(cells, 0.0, drawing);

@@ -3,36 +3,46 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-class vtkActor;
 class vtkHaspClusteredCells;
 class vtkImageData;
+class vtkProp3D;
 
 namespace hasp
 {
 
 struct Session;
 
-/// Something drawn, and how to ask what it uses (after drawing).
+using WorldPoint = std::array<double, 3>; ///< patient LPS, mm
+
+/// Something drawn, and how to ask it and change it. RENDER thread.
 struct SurfaceActor
 {
-  vtkSmartPointer<vtkActor> actor;
-  std::function<void(ResourceList&)> listResources;
-  std::function<bool()> refining; ///< will the next frame show more? Empty: never
+  vtkSmartPointer<vtkProp3D> prop;
+  std::function<void(ResourceList&)> listResources; ///< after drawing
+  std::function<bool()> refining{};                 ///< will the next frame show more? Empty: never
+  std::function<void(double)> setIsoValue{};        ///< empty: it has none, or its own
+  std::function<std::string()> drewBy{};            ///< what drew last: "cache", "traced"
+  /// Where the line first meets it; empty: it cannot be asked.
+  std::function<std::optional<WorldPoint>(const WorldPoint& from, const WorldPoint& to)> pick{};
 };
 
-/// The names that --mapper takes in this build, the default first: "cells" (active cells, exact),
-/// "raycaching" (vtkHaspRayCachingMapper), "raycast" (a ray a pixel on the GPU), "mesh"
-/// (vtkFlyingEdges3D).
+/// The names that --mapper takes in this build, the default of `hasp render` first: "cells" (active
+/// cells, exact), "raycaching" (vtkHaspRayCachingMapper), "raycast" (a ray a pixel on the GPU),
+/// "mesh" (vtkFlyingEdges3D), "vtk" (VTK's own GPU volume mapper).
 const std::vector<std::string>& SurfaceMappers();
 
-/// How active cells are made and drawn.
-struct CellDrawing
+/// How an isosurface is made and drawn.
+struct SurfaceDrawing
 {
+  std::string mapper = SurfaceMappers().front();
+  /// For a window: a frame soon, the rest while nothing happens. Else one picture, soon complete.
+  bool interactive = false;
   std::string renderer = "automatic";       ///< a name of CellRendererNames()
   bool compact = false;                     ///< 8 bits a corner; of a volume's cells only
   std::optional<double> ambientOcclusionMm; ///< how far what darkens may be
@@ -43,13 +53,13 @@ struct CellDrawing
 /// The names that --renderer takes, the default first: what draws active cells.
 const std::vector<std::string>& CellRendererNames();
 
-/// The isosurface through the mapper of that name; the other mapper is listed as skipped. Throws
+/// The isosurface through the mapper of that name; the other mappers are listed as skipped. Throws
 /// Failure: WrongUse for an unknown name, or a renderer that this build lacks.
-SurfaceActor MakeIsosurface(vtkImageData* image, double isoValue, const std::string& mapper,
-  const CellDrawing& drawing, Session& session);
+SurfaceActor MakeIsosurface(
+  vtkImageData* image, double isoValue, const SurfaceDrawing& drawing, Session& session);
 
 /// Active cells as they are. Throws Failure: WrongUse in a build that cannot draw them.
-SurfaceActor MakeCells(vtkHaspClusteredCells* cells, const CellDrawing& drawing);
+SurfaceActor MakeCells(vtkHaspClusteredCells* cells, const SurfaceDrawing& drawing);
 
 /// The triangles of a surface file, called "surface 2" by its number. Throws Failure: BadInput.
 SurfaceActor MakeSurface(const std::string& path, std::size_t number, Session& session);

@@ -9,6 +9,9 @@ void AddVerbs(CLI::App& app, Session& session)
   AddConvertVerb(app, session);
   AddCellsVerb(app, session);
   AddRenderVerb(app, session);
+#if HASP_WITH_VIEW
+  AddViewVerb(app, session);
+#endif
 #if HASP_WITH_GUIDES
   AddGuideVerb(app, session);
 #endif

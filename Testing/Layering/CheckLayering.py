@@ -14,6 +14,7 @@ import tempfile
 OUTSIDE = [  # first match wins
     ("gl", r"vtk_gl(ew|ad)\.h|GL/.*|GLES.*"),
     ("egl", r"EGL/.*"),
+    ("x11", r"X11/.*"),
     ("vtk", r"vtk\w*\.(h|txx)|vtksys/.*"),
     ("qt", r"Q[A-Z].*|QVTK.*"),
     ("posix", r"(unistd|fcntl|dirent|dlfcn|signal|pthread|sched|spawn|time|poll)\.h|sys/.*|linux/.*"),

@@ -23,6 +23,7 @@ hasp_optional(SECCOMP "Filter the system calls of the DICOM child process (libse
 hasp_optional(CGAL "Check meshes: closed, manifold, no self-intersection (GPL)" CGAL CONFIG)
 hasp_optional(EMBREE "Trace rays against clustered cells (Embree 3)" embree 3 CONFIG)
 hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
+hasp_optional(X11 "Windows on a display: hasp view" X11)
 hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)
 hasp_optional(CLI11 "The hasp command line" CLI11 CONFIG)
 # VTK's wrappers are of the system's Python, not of whichever python3 comes first in PATH (a pyenv shim).
@@ -46,7 +47,8 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   RenderingCore RenderingOpenGL2
   OPTIONAL_COMPONENTS glew opengl glad
   IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
-  RenderingVolume RenderingVolumeOpenGL2 TestingRendering)
+  RenderingVolume RenderingVolumeOpenGL2 InteractionStyle InteractionWidgets RenderingFreeType RenderingUI
+  TestingRendering)
 
 # After VTK: its configuration would search for all of VTK's modules by itself.
 hasp_optional(VTKDICOM "Write DICOM series (vtk-dicom)" dicom CONFIG)

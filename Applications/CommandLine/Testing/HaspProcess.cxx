@@ -19,17 +19,21 @@ namespace
 
 constexpr const char* Canary = "Mustermann_Erika_1964";
 
-std::vector<char*> Environment()
+/// This process's, on another display or none. The text must outlive it.
+std::vector<char*> Environment(std::string& display)
 {
   std::vector<char*> kept;
   for (char** entry = environ; *entry; ++entry)
     if (std::string(*entry).rfind("DISPLAY=", 0) != 0)
       kept.push_back(*entry);
+  if (!display.empty())
+    kept.push_back(display.data());
   kept.push_back(nullptr);
   return kept;
 }
 
-pid_t Spawn(const std::vector<std::string>& arguments, const posix_spawn_file_actions_t& actions)
+pid_t Spawn(const std::vector<std::string>& arguments, const posix_spawn_file_actions_t& actions,
+  const std::string& display)
 {
   std::vector<std::string> words{ HASP_PROGRAM };
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -38,8 +42,9 @@ pid_t Spawn(const std::vector<std::string>& arguments, const posix_spawn_file_ac
     pointers.push_back(word.data());
   pointers.push_back(nullptr);
   pid_t child = 0;
-  if (posix_spawn(&child, HASP_PROGRAM, &actions, nullptr, pointers.data(), Environment().data()) !=
-      0)
+  std::string entry = display.empty() ? "" : "DISPLAY=" + display;
+  if (posix_spawn(
+        &child, HASP_PROGRAM, &actions, nullptr, pointers.data(), Environment(entry).data()) != 0)
     throw std::runtime_error("cannot run " HASP_PROGRAM);
   return child;
 }
@@ -59,17 +64,19 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
-pid_t StartHasp(const std::vector<std::string>& arguments, int errorPipe)
+pid_t StartHasp(
+  const std::vector<std::string>& arguments, int errorPipe, const std::string& display)
 {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, errorPipe, STDERR_FILENO);
-  const pid_t child = Spawn(arguments, actions);
+  const pid_t child = Spawn(arguments, actions, display);
   posix_spawn_file_actions_destroy(&actions);
   return child;
 }
 
-HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device)
+HaspRun RunHasp(
+  const std::vector<std::string>& arguments, const std::string& device, const std::string& display)
 {
   const fs::path base = fs::temp_directory_path() / ("hasp-run-" + std::to_string(getpid()));
   const std::string out = base.string() + ".out", err = base.string() + ".err";
@@ -79,7 +86,7 @@ HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& de
   posix_spawn_file_actions_addopen(
     &actions, STDOUT_FILENO, device.empty() ? out.c_str() : device.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
-  const pid_t child = Spawn(arguments, actions);
+  const pid_t child = Spawn(arguments, actions, display);
   posix_spawn_file_actions_destroy(&actions);
   int status = 0;
   waitpid(child, &status, 0);

@@ -15,12 +15,14 @@ struct HaspRun
   std::string err;
 };
 
-/// Runs bin/hasp with these arguments, without a display, its output caught; or, where a device is
-/// named, its standard output sent there.
-HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device = {});
+/// Runs bin/hasp with these arguments, on that display (empty: none), its output caught; or, where
+/// a device is named, its standard output sent there.
+HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device = {},
+  const std::string& display = {});
 
 /// Starts bin/hasp, its standard error a pipe's end. To be waited for.
-pid_t StartHasp(const std::vector<std::string>& arguments, int errorPipe);
+pid_t StartHasp(
+  const std::vector<std::string>& arguments, int errorPipe, const std::string& display = {});
 
 /// A folder of its own for a test, removed afterwards. Its name is a canary: no text may show it.
 class HaspTest : public testing::Test

@@ -70,6 +70,14 @@ TEST_F(HaspExplain, TheMeshMapperMakesNoCells)
   ExpectSkipped(resources, "active cells");
 }
 
+TEST_F(HaspExplain, VtksMapperMakesNeitherMeshNorCells)
+{
+  const auto resources = this->Resources({ "--mapper", "vtk" });
+  ExpectSkipped(resources, "mesh");
+  ExpectSkipped(resources, "active cells");
+  EXPECT_EQ(resources.at("volume, GPU").at("bytes"), resources.at("volume").at("bytes"));
+}
+
 TEST_F(HaspExplain, TheCellMapperMakesNoMeshAndNoPickingBuffers)
 {
   const auto resources = this->Resources({ "--mapper", "cells" });

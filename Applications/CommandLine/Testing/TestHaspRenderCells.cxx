@@ -59,7 +59,9 @@ TEST_F(HaspRenderCells, LightTakesRaysAndChangesThePicture)
   this->Phantom();
   ExpectFailure(this->Render({ "--shadows", "--renderer", "rasterize" }), 1,
     "--ambient-occlusion and --shadows");
-  ExpectFailure(this->Render({ "--ambient-occlusion", "9", "--mapper", "mesh" }), 1, "leave them");
+  for (const std::string mapper : { "mesh", "vtk", "raycast", "raycaching" })
+    ExpectFailure(
+      this->Render({ "--ambient-occlusion", "9", "--mapper", mapper }), 1, "leave them");
   ExpectFailure(this->Render({ "--ambient-occlusion", "0" }), 1, "--ambient-occlusion");
   const HaspRun plain = this->Render({ "--explain" }, "plain.png");
   ASSERT_EQ(plain.exitCode, 0) << plain.err;

@@ -42,6 +42,7 @@ TEST_F(HaspUse, WordsOfTheCommandLineAreNotEchoed)
       { "render", "x", "--isovalue", "1", "--output", "x.png", "--zoom", word },
       { "render", "x", "--isovalue", "1", "--output", "x.png", "--resolution", word + ",1" },
       { "render", word + ".mha", "--isovalue", "1", "--output", word + ".png" },
+      { "view", word + ".mha", "--surface", word + ".stl", "--output", word + ".png" },
       { "phantom", "--output", word + "/" + word + ".mha" }, { "phantom", "--output", word } })
   {
     const HaspRun run = RunHasp(words);
@@ -73,10 +74,11 @@ TEST_F(HaspUse, AValueOutOfRangeIsOne)
   const std::string out = this->Path("x.png");
   for (const std::vector<std::string>& bad :
     std::vector<std::vector<std::string>>{ { "--stereo", "quad" }, { "--mapper", "splats" },
-      { "--resolution", "0,10" }, { "--resolution", "10" }, { "--color", "2,0,0" },
-      { "--zoom", "0" }, { "--zoom", "nan" }, { "--ignore-below", "nan" }, { "--eye-angle", "nan" },
-      { "--color", "nan,0,0" }, { "--background", "0,nan,0" }, { "--view", "inside" },
-      { "--eye-angle", "91" }, { "--view", "left", "--camera-direction", "1,0,0" } })
+      { "--mapper", "VTK" }, { "--resolution", "0,10" }, { "--resolution", "10" },
+      { "--color", "2,0,0" }, { "--zoom", "0" }, { "--zoom", "nan" }, { "--ignore-below", "nan" },
+      { "--eye-angle", "nan" }, { "--color", "nan,0,0" }, { "--background", "0,nan,0" },
+      { "--view", "inside" }, { "--eye-angle", "91" },
+      { "--view", "left", "--camera-direction", "1,0,0" } })
   {
     std::vector<std::string> words{ "render", "head.mha", "--isovalue", "1", "--output", out };
     words.insert(words.end(), bad.begin(), bad.end());
@@ -99,7 +101,10 @@ TEST_F(HaspUse, EveryVerbHelpsWithExamplesAndExitCodes)
   const HaspRun top = RunHasp({ "--help" });
   EXPECT_EQ(top.exitCode, 0);
   EXPECT_NE(top.out.find("4 cannot draw"), std::string::npos);
-  for (const std::string verb : { "info", "convert", "render", "phantom", "report" })
+  std::vector<std::string> verbs{ "info", "convert", "render", "phantom", "report" };
+  if (HASP_WITH_VIEW)
+    verbs.push_back("view");
+  for (const std::string& verb : verbs)
   {
     EXPECT_NE(top.out.find("\n  " + verb), std::string::npos) << top.out;
     const HaspRun help = RunHasp({ verb, "--help" });

@@ -1,0 +1,179 @@
+#include "SceneChoices.h"
+
+#include "CellsInput.h"
+#include "Failure.h"
+#include "LargePieces.h"
+#include "Session.h"
+#include "vtkHaspCellFile.h"
+#include "vtkHaspClusteredCells.h"
+#include "vtkHaspFileNames.h"
+
+#include <CLI/CLI.hpp>
+
+namespace hasp
+{
+namespace
+{
+
+constexpr double BoneHU = 226.0;
+
+void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& scene)
+{
+  SurfaceDrawing& drawing = scene.drawing;
+  AddVolumeOptions(verb, choices.volume);
+  verb.get_option("IN")->description(
+    "Volume: a file, or a folder of slices; or active cells, .hcells");
+  verb.add_option("--isovalue", choices.isoValue,
+    std::string("In the volume's units; bone in CT: 226. Active cells have their own") +
+      (drawing.interactive ? ". Default: bone where values are HU, else the middle of the values"
+                           : ""));
+  verb
+    .add_option("--ignore-below", choices.ignoreBelowMm3,
+      std::string("Leave out connected pieces smaller than this, mm3: specks, head-rests") +
+        (drawing.interactive ? "; as they are at the first isovalue" : ""))
+    ->check(Within(0.0, 1e9));
+  verb
+    .add_option("--mapper", choices.mapper,
+      "cells: exact, no mesh; raycaching: what rays find, frame by frame, until nothing is new; "
+      "raycast: a ray a pixel on the GPU; mesh: Flying Edges; vtk: VTK's own volume mapper")
+    ->check(CLI::IsMember(SurfaceMappers()))
+    ->default_str(drawing.mapper);
+  verb
+    .add_option("--renderer", drawing.renderer,
+      "Of active cells; rasterize: OpenGL; trace: rays on the CPU; automatic: where OpenGL is "
+      "software, begin with trace and keep the faster one; --explain says which")
+    ->check(CLI::IsMember(CellRendererNames()))
+    ->capture_default_str();
+  verb.add_flag("--compact", drawing.compact,
+    "Active cells of 8 bits a corner: the surface moves by 0.004 voxel RMS");
+  verb
+    .add_option("--ambient-occlusion", drawing.ambientOcclusionMm,
+      "Darken what stands close to other bone: within so many mm, say 25. Rays on the CPU; of "
+      "active cells")
+    ->check(Within(1e-3, 1e6));
+  verb.add_flag("--shadows", drawing.shadows,
+    std::string("A lamp up to the left of ") +
+      (drawing.interactive ? "the first view" : "the viewer") +
+      "; active cells cast its shadow on each other");
+}
+
+void AddLookOptions(CLI::App& verb, SceneOptions& scene)
+{
+  verb
+    .add_option("--surface", scene.surfaces,
+      ".stl, .ply, .obj or .vtp file drawn with it; repeatable")
+    ->expected(1)
+    ->allow_extra_args(false) // IN may follow
+    ->take_all();
+  verb
+    .add_option("--resolution", scene.resolution,
+      scene.drawing.interactive ? "Pixels of the window, width,height"
+                                : "Pixels of one eye, width,height")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 16384))
+    ->capture_default_str();
+  verb.add_option("--color", scene.color, "r,g,b of the isosurface, 0 to 1")
+    ->delimiter(',')
+    ->check(Within(0.0, 1.0));
+  verb.add_option("--background", scene.background, "r,g,b, 0 to 1")
+    ->delimiter(',')
+    ->check(Within(0.0, 1.0));
+}
+
+void AddCameraOptions(CLI::App& verb, CameraOptions& camera)
+{
+  std::vector<std::string> views;
+  for (const AnatomicalView& view : AnatomicalViews())
+    views.push_back(view.name);
+  auto* view = verb.add_option("--view", camera.view, "Where the viewer stands, of the patient")
+                 ->check(CLI::IsMember(views))
+                 ->capture_default_str();
+  verb.add_option("--camera-direction", camera.direction, "x,y,z the viewer looks along, in LPS")
+    ->delimiter(',')
+    ->excludes(view);
+  verb.add_option("--view-up", camera.viewUp, "x,y,z that points up in the picture, in LPS")
+    ->delimiter(',');
+  verb.add_option("--zoom", camera.zoom, "2 shows half as much")
+    ->check(Within(0.01, 100.0))
+    ->capture_default_str();
+}
+
+/// Light takes traced rays; what else is said of active cells is for them alone.
+void RequireFittingDrawing(const SurfaceDrawing& drawing)
+{
+  if (drawing.Lit() && drawing.renderer == "rasterize")
+    throw Failure(ExitCode::WrongUse,
+      "--ambient-occlusion and --shadows take traced rays; leave out --renderer rasterize");
+  if (drawing.mapper == "cells")
+    return;
+  if (drawing.interactive && drawing.mapper == "raycaching") // draws active cells where lit
+  {
+    if (drawing.renderer != "automatic" || drawing.compact)
+      throw Failure(
+        ExitCode::WrongUse, "--renderer and --compact are for --mapper cells; leave them out");
+    return;
+  }
+  if (drawing.renderer != "automatic" || drawing.compact || drawing.Lit())
+    throw Failure(ExitCode::WrongUse,
+      std::string("--renderer, --compact, --ambient-occlusion and --shadows are for --mapper "
+                  "cells") +
+        (drawing.interactive ? ", the last two for raycaching, too" : "") + "; leave them out");
+}
+
+/// From a .hcells file: the volume need not be there.
+LoadedScene ReadCellScene(const SceneChoices& choices, SceneOptions& scene, Session& session)
+{
+  const VolumeChoices& volume = choices.volume;
+  if (choices.isoValue || choices.ignoreBelowMm3 > 0.0 || volume.series != 0 || volume.resample ||
+      choices.mapper.value_or("cells") != "cells" || scene.drawing.compact)
+    throw Failure(ExitCode::WrongUse,
+      "--isovalue, --ignore-below, --series, --resample, --compact and other mappers than cells "
+      "are for volumes; leave them out for active cells");
+  vtkNew<vtkHaspClusteredCells> cells;
+  cells->SetCells(ReadCells(volume.input, session));
+  if (cells->GetNumberOfCells() == 0)
+    throw Failure(ExitCode::BadInput,
+      FileLabel(volume.input) + ": its isovalue has no surface, there is nothing to draw");
+  return { cells.Get(), std::nullopt };
+}
+
+double UsualIsoValue(const Passport& passport)
+{
+  if (passport.hounsfield && passport.minimum < BoneHU && BoneHU <= passport.maximum)
+    return BoneHU;
+  return 0.5 * (passport.minimum + passport.maximum);
+}
+
+} // namespace
+
+void AddSceneOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& scene)
+{
+  AddIsosurfaceOptions(verb, choices, scene);
+  AddLookOptions(verb, scene);
+  AddCameraOptions(verb, scene.camera);
+}
+
+LoadedScene ReadScene(const SceneChoices& choices, SceneOptions& scene, Session& session)
+{
+  const bool cells = IsCellFileName(choices.volume.input);
+  scene.drawing.mapper = choices.mapper.value_or(cells ? "cells" : scene.drawing.mapper);
+  RequireFittingDrawing(scene.drawing);
+  if (cells)
+    return ReadCellScene(choices, scene, session);
+  RefuseCells(choices.volume.input, "volume"); // before their lack of an isovalue is a fault
+  if (!choices.isoValue && !scene.drawing.interactive)
+    throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
+  LoadedVolume volume = ReadVolume(choices.volume, session);
+  SayWarnings(volume.passport, session);
+  scene.isoValue = choices.isoValue.value_or(UsualIsoValue(volume.passport));
+  RequireIsoValue(scene.isoValue, volume.passport);
+  if (choices.ignoreBelowMm3 > 0.0)
+    volume.image =
+      WithoutSmallPieces(volume.image, scene.isoValue, choices.ignoreBelowMm3, session);
+  else
+    session.resources.push_back(
+      { "volume without small pieces", 0, 0.0, "no --ignore-below was given" });
+  return { volume.image, std::move(volume.passport) };
+}
+
+} // namespace hasp

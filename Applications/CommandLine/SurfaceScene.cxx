@@ -1,0 +1,167 @@
+#include "SurfaceScene.h"
+
+#include "Session.h"
+#include "vtkHaspClusteredCells.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <limits>
+
+namespace hasp
+{
+namespace
+{
+
+// Guides and implants beside bone: told apart by colour-blind readers too.
+constexpr std::array<std::array<double, 3>, 4> SurfaceColors{ { { 0.35, 0.70, 0.90 },
+  { 0.90, 0.62, 0.00 }, { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 } } };
+
+constexpr int AmbientFrames = 16; // until openness has added up: half the noise of one
+constexpr int QuietFrames = 4;    // without a find, until a picture is taken to be complete
+constexpr double Specular = 0.2, SpecularPower = 20.0;
+
+/// A lamp to the upper left of the viewer, which stays there for both eyes, before the headlight.
+void AddLamp(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double at[3], to[3], up[3], right[3];
+  camera->GetPosition(at);
+  camera->GetFocalPoint(to);
+  camera->OrthogonalizeViewUp();
+  camera->GetViewUp(up);
+  vtkMath::Cross(camera->GetDirectionOfProjection(), up, right);
+  const double far = camera->GetDistance();
+  for (int a = 0; a < 3; ++a)
+    at[a] += far * (0.7 * up[a] - 0.6 * right[a]);
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->SetPosition(at);
+  lamp->SetFocalPoint(to);
+  lamp->SetIntensity(0.8);
+  renderer->AddLight(lamp);
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  head->SetIntensity(0.3);
+  renderer->AddLight(head);
+}
+
+/// A volume is shaded as an actor is by default.
+void Shade(vtkVolume* volume, const std::array<double, 3>& color)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  vtkNew<vtkColorTransferFunction> everywhere;
+  everywhere->AddRGBPoint(0.0, color[0], color[1], color[2]);
+  property->SetColor(everywhere);
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(Specular);
+  property->SetSpecularPower(SpecularPower);
+}
+
+void Shade(vtkProp3D* prop, const std::array<double, 3>& color)
+{
+  if (auto* volume = vtkVolume::SafeDownCast(prop))
+    return Shade(volume, color);
+  vtkProperty* property = vtkActor::SafeDownCast(prop)->GetProperty();
+  property->SetColor(color[0], color[1], color[2]);
+  property->SetSpecular(Specular);
+  property->SetSpecularPower(SpecularPower);
+}
+
+} // namespace
+
+SurfaceScene::SurfaceScene(
+  vtkRenderer* renderer, vtkDataObject* volume, const SceneOptions& options, Session& session)
+  : Shown(renderer)
+{
+  renderer->SetBackground(options.background.data());
+  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(volume))
+    this->Add(MakeCells(cells, options.drawing), options.color);
+  else
+    this->Add(MakeIsosurface(
+                vtkImageData::SafeDownCast(volume), options.isoValue, options.drawing, session),
+      options.color);
+  for (std::size_t k = 0; k < options.surfaces.size(); ++k)
+    this->Add(
+      MakeSurface(options.surfaces[k], k + 1, session), SurfaceColors[k % SurfaceColors.size()]);
+  if (options.surfaces.empty())
+    session.resources.push_back({ "surfaces", 0, 0.0, "no --surface was given" });
+  PlaceCamera(renderer, options.camera);
+  if (options.drawing.shadows)
+    AddLamp(renderer);
+  if (options.drawing.ambientOcclusionMm)
+    this->LeastFrames = AmbientFrames;
+}
+
+void SurfaceScene::Add(SurfaceActor surface, const std::array<double, 3>& color)
+{
+  Shade(surface.prop, color);
+  this->Shown->AddViewProp(surface.prop);
+  this->Surfaces.push_back(std::move(surface));
+}
+
+void SurfaceScene::SetIsoValue(double value)
+{
+  if (const auto& set = this->Surfaces.front().setIsoValue)
+    set(value);
+  this->Restart();
+}
+
+std::optional<WorldPoint> SurfaceScene::Pick(const WorldPoint& from, const WorldPoint& to) const
+{
+  std::optional<WorldPoint> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SurfaceActor& surface : this->Surfaces)
+    if (const auto point = surface.pick ? surface.pick(from, to) : std::nullopt)
+      if (const double distance = vtkMath::Distance2BetweenPoints(from.data(), point->data());
+          distance < least)
+      {
+        least = distance;
+        nearest = point;
+      }
+  return nearest;
+}
+
+std::optional<WorldPoint> SurfaceScene::PickPixel(int x, int y) const
+{
+  const auto world = [&](double depth)
+  {
+    this->Shown->SetDisplayPoint(x, y, depth);
+    this->Shown->DisplayToWorld();
+    const double* p = this->Shown->GetWorldPoint();
+    return WorldPoint{ p[0] / p[3], p[1] / p[3], p[2] / p[3] };
+  };
+  return this->Pick(world(0.0), world(1.0));
+}
+
+void SurfaceScene::ListResources(ResourceList& list) const
+{
+  for (const SurfaceActor& surface : this->Surfaces)
+    surface.listResources(list);
+}
+
+bool SurfaceScene::WantsFrame(int mostFrames)
+{
+  bool may = false, refining = false;
+  for (const SurfaceActor& surface : this->Surfaces)
+  {
+    may |= bool(surface.refining);
+    refining |= surface.refining && surface.refining();
+  }
+  this->Quiet = refining ? 0 : this->Quiet + 1;
+  ++this->Frames;
+  return this->Frames < this->LeastFrames ||
+         (may && this->Quiet < QuietFrames && this->Frames < mostFrames);
+}
+
+} // namespace hasp

@@ -1,0 +1,64 @@
+#pragma once
+#include "CameraOptions.h"
+#include "SurfaceActors.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkRenderer;
+
+namespace hasp
+{
+
+struct Session;
+
+struct SceneOptions
+{
+  double isoValue = 0.0;
+  SurfaceDrawing drawing;
+  std::array<int, 2> resolution{ 800, 800 };            ///< pixels, of one eye
+  std::array<double, 3> color{ 0.93, 0.87, 0.76 };      ///< of the isosurface, in [0,1]
+  std::array<double, 3> background{ 0.10, 0.11, 0.13 }; ///< in [0,1]
+  std::vector<std::string> surfaces;                    ///< files drawn with it
+  CameraOptions camera;
+};
+
+/// An isosurface, meshes, a camera and lamps in a renderer: what a picture and a window show. The
+/// renderer must outlive it. RENDER thread.
+class SurfaceScene
+{
+public:
+  /// `volume` is a vtkImageData, or a vtkHaspClusteredCells, which has its own isovalue. Fills the
+  /// renderer. Throws Failure: BadInput for a surface that cannot be read, CannotDraw.
+  SurfaceScene(
+    vtkRenderer* renderer, vtkDataObject* volume, const SceneOptions& options, Session& session);
+
+  vtkRenderer* Renderer() const { return this->Shown; }
+  /// Of the isosurface; nothing if it has its own.
+  void SetIsoValue(double value);
+  /// What drew the isosurface last: "cache", "active cells, traced".
+  std::string DrewBy() const { return this->Surfaces.front().drewBy(); }
+  /// Where the line first meets a surface.
+  std::optional<WorldPoint> Pick(const WorldPoint& from, const WorldPoint& to) const;
+  /// The same for what the camera shows in a pixel of the window, from the lower left.
+  std::optional<WorldPoint> PickPixel(int x, int y) const;
+  /// After drawing: what each surface holds.
+  void ListResources(ResourceList& list) const;
+
+  /// Call when something was changed: the picture is as incomplete as at first.
+  void Restart() { this->Frames = this->Quiet = 0; }
+  /// Call after each frame: will another one show more? Ends after mostFrames in any case.
+  bool WantsFrame(int mostFrames);
+
+private:
+  void Add(SurfaceActor surface, const std::array<double, 3>& color);
+
+  vtkRenderer* Shown;
+  std::vector<SurfaceActor> Surfaces; ///< the isosurface first
+  int LeastFrames = 1;
+  int Frames = 0, Quiet = 0; ///< since the last change; without a find, in a row
+};
+
+} // namespace hasp

@@ -1,0 +1,202 @@
+// bin/hasp view as its user meets it, on a screen of Xvfb.
+#include "HaspProcess.h"
+#include "TestScreen.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+constexpr unsigned long KeyQ = 0x71, KeyRight = 0xff53; // X11/keysymdef.h
+
+class HaspView : public HaspTest
+{
+protected:
+  Words View(const Words& more) const
+  {
+    Words words{ "view", this->Path("head.mha"), "--resolution", "200,150" };
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  /// Width and height out of the PNG's header.
+  std::pair<int, int> Size(const std::string& name) const
+  {
+    const std::string png = ReadBytes(this->Path(name));
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    const auto number = [&](std::size_t at)
+    {
+      return 256 * static_cast<unsigned char>(png.at(at + 2)) +
+             static_cast<unsigned char>(png.at(at + 3));
+    };
+    return { number(16), number(20) };
+  }
+};
+
+/// bin/hasp view, running.
+class OpenView
+{
+public:
+  OpenView(const Words& words, const std::string& display)
+    : Null(open("/dev/null", O_WRONLY | O_CLOEXEC)),
+      Child(StartHasp(words, this->Null, display))
+  {
+  }
+  ~OpenView()
+  {
+    close(this->Null);
+    if (this->Child > 0)
+    {
+      kill(this->Child, SIGKILL);
+      waitpid(this->Child, nullptr, 0);
+    }
+  }
+  int ExitCode()
+  {
+    int status = 0;
+    waitpid(this->Child, &status, 0);
+    this->Child = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  /// Milliseconds that its threads compute in the next half second.
+  double Computes() const
+  {
+    clockid_t clock = 0;
+    clock_getcpuclockid(this->Child, &clock);
+    const auto now = [clock]
+    {
+      timespec time{};
+      clock_gettime(clock, &time);
+      return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
+    };
+    const double before = now();
+    const timespec span{ 0, 500'000'000 };
+    nanosleep(&span, nullptr);
+    return now() - before;
+  }
+
+private:
+  int Null;
+  pid_t Child;
+};
+
+#define REQUIRE_SCREEN(screen)                                                                     \
+  if (screen.Display().empty())                                                                    \
+  GTEST_SKIP() << "no Xvfb (Debian: xvfb)"
+
+TEST_F(HaspView, WithoutADisplayItSaysWhatToDo)
+{
+  this->Phantom();
+  ExpectFailure(RunHasp(this->View({})), 4, "DISPLAY is not set");
+  ExpectFailure(RunHasp(this->View({})), 4, "hasp render");
+  ExpectFailure(RunHasp(this->View({}), {}, ":64999"), 4, "cannot be opened");
+  TestScreen screen({ "-extension", "GLX" });
+  REQUIRE_SCREEN(screen);
+  ExpectFailure(RunHasp(this->View({}), {}, screen.Display()), 4, "has no OpenGL");
+}
+
+TEST_F(HaspView, WrongUseOpensNoWindow)
+{
+  this->Phantom();
+  ExpectFailure(RunHasp(this->View({ "--output", "x.jpg" })), 1, ".png");
+  ExpectFailure(RunHasp(this->View({ "--mapper", "splats" })), 1, "--mapper takes one of");
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const auto fail = [&](const Words& more, int code, const std::string& words)
+  { ExpectFailure(RunHasp(this->View(more), {}, screen.Display()), code, words); };
+  fail({ "--isovalue", "5000" }, 1, "values run from -1000 to ");
+  fail({ "--mapper", "vtk", "--shadows" }, 1, "leave them out");
+  fail({ "--compact" }, 1, "for --mapper cells");
+  fail({ "--surface", this->Path("none.stl") }, 2, "no such");
+  ExpectFailure(
+    RunHasp({ "view", this->Path("none.mha") }, {}, screen.Display()), 2, "no such file");
+}
+
+TEST_F(HaspView, OldOpenGLIsSaid)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  setenv("MESA_GL_VERSION_OVERRIDE", "3.3", true);
+  const Words words = this->View({ "--mapper", "raycast", "--output", this->Path("x.png") });
+  const HaspRun run = RunHasp(words, {}, screen.Display());
+  unsetenv("MESA_GL_VERSION_OVERRIDE");
+  if (run.exitCode == 0)
+    GTEST_SKIP() << "a driver that does not make itself older";
+  ExpectFailure(run, 4, "OpenGL 4.3");
+  EXPECT_EQ(this->Names(), Words{ "head.mha" });
+}
+
+TEST_F(HaspView, TheCompleteWindowIsWritten)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const HaspRun run =
+    RunHasp(this->View({ "--isovalue", "226", "--output", this->Path("w.png"), "--json" }), {},
+      screen.Display());
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(run.err.find("ERR"), std::string::npos) << run.err;
+  EXPECT_EQ(this->Size("w.png"), std::make_pair(200, 150));
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("isovalue"), 226.0);
+  const HaspRun far = RunHasp(
+    this->View({ "--isovalue", "226", "--zoom", "0.01", "--output", this->Path("far.png") }), {},
+    screen.Display()); // the surface is a dot
+  ASSERT_EQ(far.exitCode, 0) << far.err;
+  EXPECT_GT(ReadBytes(this->Path("w.png")).size(), 2 * ReadBytes(this->Path("far.png")).size());
+}
+
+TEST_F(HaspView, CellsAreShownWithoutASlider)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  ASSERT_EQ(RunHasp({ "cells", this->Path("head.mha"), "--isovalue", "226", "--output",
+                      this->Path("head.hcells") })
+              .exitCode,
+    0);
+  const HaspRun run = RunHasp(
+    { "view", this->Path("head.hcells"), "--output", this->Path("w.png") }, {}, screen.Display());
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(this->Size("w.png"), std::make_pair(800, 800));
+}
+
+TEST_F(HaspView, AnIdleWindowCostsNothingAndKeysAreHeard)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  ScreenUser user(screen.Display());
+  OpenView view(this->View({ "--quiet" }), screen.Display());
+  EXPECT_EQ(user.SeeWindow(), "hasp view"); // the file's name may be a patient's
+  // It refines until it is complete; a minute is more than any machine takes for that.
+  constexpr double Idle = 5.0; // of 500 ms: VTK 9.1 wakes up once a second
+  double computes = Idle;
+  for (int n = 0; n < 120 && computes >= Idle; ++n)
+    computes = view.Computes();
+  EXPECT_LT(computes, Idle);
+  EXPECT_LT(view.Computes(), Idle);
+  user.Press(KeyQ);
+  EXPECT_EQ(view.ExitCode(), 0);
+}
+
+TEST_F(HaspView, TheCloseButtonEndsIt)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  ScreenUser user(screen.Display());
+  OpenView view(this->View({ "--quiet", "--mapper", "mesh" }), screen.Display());
+  user.SeeWindow();
+  user.Press(KeyRight);
+  user.CloseWindow();
+  EXPECT_EQ(view.ExitCode(), 0);
+}
+
+} // namespace

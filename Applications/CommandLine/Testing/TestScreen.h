@@ -1,0 +1,41 @@
+#pragma once
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+/// A screen of Xvfb, of its own display, while it lives. Display() is empty where Xvfb is not
+/// installed.
+class TestScreen
+{
+public:
+  explicit TestScreen(const std::vector<std::string>& more = {});
+  ~TestScreen();
+  TestScreen(const TestScreen&) = delete;
+  void operator=(const TestScreen&) = delete;
+  const std::string& Display() const { return this->Name; }
+
+private:
+  pid_t Server = 0;
+  std::string Name;
+};
+
+/// A user in front of a screen: sees the first window that opens after it was made.
+class ScreenUser
+{
+public:
+  explicit ScreenUser(const std::string& display);
+  ~ScreenUser();
+  ScreenUser(const ScreenUser&) = delete;
+  void operator=(const ScreenUser&) = delete;
+
+  /// Waits for the window, a minute at most; its title. Throws std::runtime_error.
+  std::string SeeWindow();
+  void Press(unsigned long keySym);
+  /// As a window manager's close button.
+  void CloseWindow();
+
+private:
+  struct Connection;
+  Connection* Self;
+};

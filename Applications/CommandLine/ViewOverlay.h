@@ -1,0 +1,40 @@
+#pragma once
+#include "vtkNew.h"
+#include "vtkSliderWidget.h"
+#include "vtkTextActor.h"
+
+#include <string>
+
+class vtkRenderWindowInteractor;
+class vtkRenderer;
+
+namespace hasp
+{
+
+struct ViewSettings;
+
+/// What lies over a scene in a window: the isovalue's slider and a text. RENDER thread; interactor
+/// and renderer must outlive it.
+class ViewOverlay
+{
+public:
+  ViewOverlay(
+    vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, const ViewSettings& settings);
+  ~ViewOverlay();
+
+  vtkSliderWidget* Slider() const; ///< null where the isovalue cannot be changed
+  double SliderValue() const;
+  void SetSliderValue(double value);
+  void SetText(const std::string& text);
+  /// "isovalue 226 HU".
+  std::string IsoValueText(double value) const;
+
+private:
+  vtkRenderer* Renderer;
+  vtkNew<vtkSliderWidget> Widget;
+  vtkNew<vtkTextActor> Line;
+  std::string Unit;
+  bool Changeable;
+};
+
+} // namespace hasp

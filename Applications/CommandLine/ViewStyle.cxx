@@ -1,0 +1,10 @@
+#include "ViewStyle.h"
+
+#include "vtkObjectFactory.h"
+
+namespace hasp
+{
+
+vtkStandardNewMacro(ViewStyle);
+
+} // namespace hasp
