@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace hasp
 {
@@ -10,6 +11,22 @@ namespace
 {
 
 constexpr int BlockSide = 8;
+constexpr int Step = OccupancyClipmap::WindowSide / 8; // blocks: a window's moves
+
+/// Where a window of WindowSide blocks begins, of the `blocks` of an axis, once the viewer is at
+/// block `at` and it has begun at `first`.
+int WindowBegin(int first, double at, int blocks)
+{
+  // The quarter on either side of which at least 24 blocks are left is what nests the windows: the
+  // next coarser one holds 48 blocks of this level there, and this one at most 40.
+  constexpr int side = OccupancyClipmap::WindowSide, margin = 3 * side / 8;
+  const int last = (blocks - side + Step - 1) / Step * Step;
+  const bool left = at < first + margin && first > 0,
+             right = at >= first + side - margin && first < last;
+  if (!left && !right)
+    return first;
+  return std::clamp(static_cast<int>(std::lround((at - side / 2) / Step)) * Step, 0, last);
+}
 
 int PowerOfTwoFrom(int n)
 {
@@ -51,11 +68,11 @@ bool OccupancyClipmap::Follow(const glm::dvec3& viewer)
     const double side = BlockSide << level;
     for (int a = 0; a < 3; ++a)
     {
-      const int step = std::max(1, w.size[a] / 8);
+      if (w.blocks[a] <= w.size[a])
+        continue; // it holds all there is
       const double wanted = viewer[a] / side;
       const double at = wanted > 0.0 ? std::min(wanted, double(w.blocks[a])) : 0.0; // NaN too
-      const int first = (static_cast<int>(at) - w.size[a] / 2) / step * step;
-      const int place = std::clamp(first, 0, std::max(0, w.blocks[a] - w.size[a]));
+      const int place = WindowBegin(w.first[a], at, w.blocks[a]);
       moved |= place != w.first[a];
       w.first[a] = place;
     }

@@ -37,9 +37,14 @@ public:
   int Levels() const { return static_cast<int>(this->Windows.size()); }
   std::size_t Bytes() const;
 
-  /// Moves all windows so that the viewer (a place in index coordinates, clamped to the volume) is
-  /// near their middle. What is in no window any more stays in the map: the caller must remove it.
-  /// True if a window has moved; a window moves by eighths of its size.
+  /// Moves each window whose middle quarter the viewer (a place in index coordinates, clamped to
+  /// the volume) has left, so that it is in the middle again. A window moves by eighths of its
+  /// size; to move it back the viewer must go back by 32 cells of its level or more. What is in no
+  /// window any more stays in the map: the caller must remove it. True if a window has moved.
+  ///
+  /// Windows are nested: what lies in one lies in all coarser ones; and their bounds are bounds of
+  /// blocks of the next coarser level, so the eight finer blocks of a block are in a window or not
+  /// together.
   bool Follow(const glm::dvec3& viewer);
 
   bool InWindow(const BlockKey& key) const

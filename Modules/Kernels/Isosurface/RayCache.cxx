@@ -103,15 +103,21 @@ RayCache::Frame RayCache::Sample(
   return frame;
 }
 
-/// The windows follow the first eye; what has left them goes.
+/// The windows follow the leading eye; what has left them goes.
 void RayCache::Follow(std::span<const SampledEye> eyes)
 {
-  if (eyes.empty())
+  auto eye = std::find_if(
+    eyes.begin(), eyes.end(), [this](const SampledEye& e) { return e.number == this->Leader; });
+  if (eye == eyes.end() && (!this->Leader || this->Now - this->LeaderSeen >= Lately))
+    eye = eyes.begin();
+  if (eye == eyes.end())
     return;
+  this->Leader = eye->number;
+  this->LeaderSeen = this->Now;
   // The eye is where all rays of a perspective meet; a parallel view looks from far away.
-  const PictureRays rays(eyes.front().view);
+  const PictureRays rays(eye->view);
   CellRay ray;
-  if (!rays.Of(0.5 * glm::dvec2(eyes.front().view.size), ray))
+  if (!rays.Of(0.5 * glm::dvec2(eye->view.size), ray))
     return;
   if (this->Map.Follow(ray.origin + ray.tMin * ray.direction))
     for (const std::uint32_t number : this->Ring.Numbers())

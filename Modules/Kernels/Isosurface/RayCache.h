@@ -3,6 +3,7 @@
 #include "Isosurface/RaySampler.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace hasp
@@ -26,6 +27,10 @@ struct RayCacheSettings
 ///
 /// Levels of detail: cells of level l are 2^l samples long. Where levels meet their surfaces
 /// differ; a ray through the gap finds the coarse block there and adds the next finer one.
+///
+/// The windows of the clipmap follow one eye: the first that is sampled, until it has not been for
+/// 64 calls; then the next. So several eyes cannot pull them to and fro; where the others look from
+/// elsewhere in a volume of more than 512 cells an axis, they see coarser cells.
 ///
 /// Deviations from the paper: rays are cast on the CPU and skip blocks without surface; a brick is
 /// a cluster of 8^3 cells of which the active ones have samples; the clipmap holds numbers of
@@ -88,7 +93,9 @@ private:
   OccupancyClipmap Map;
   ClusterRing Ring;
   RaySampler Sampler;
-  std::uint32_t Now = 0;                                       ///< counts calls of Sample
+  std::uint32_t Now = 0;     ///< counts calls of Sample
+  std::optional<int> Leader; ///< the eye that windows follow
+  std::uint32_t LeaderSeen = 0;
   std::uint32_t Cursor = 0;                                    ///< the record that is checked next
   std::vector<std::shared_ptr<const ClusteredCells>> Gathered; ///< a level; null after a change
 };

@@ -47,6 +47,32 @@ TEST(OccupancyClipmap, KeepsTheViewerInAllWindows)
   }
 }
 
+/// Wherever a viewer walks: a block's place is in all coarser windows, and with a block all of its
+/// place is there. Along an axis; the others are alike.
+TEST(OccupancyClipmap, NestsItsWindowsAtBoundsOfCoarserBlocks)
+{
+  for (const int cells : { 513, 1030, 4099, 9001 })
+  {
+    hasp::OccupancyClipmap map({ 8, cells, 8 });
+    std::mt19937 random(11);
+    double viewer = 0.0;
+    for (int n = 0; n < 500; ++n)
+    {
+      viewer += std::uniform_real_distribution<>(-1.0, 1.0)(random) * (n % 50 ? 70 : cells);
+      map.Follow({ 4, viewer, 4 });
+      for (int level = 0; level + 1 < map.Levels(); ++level)
+        for (int b = 0; b * (8 << level) < cells; ++b)
+        {
+          if (!map.InWindow({ { 0, b, 0 }, level }))
+            continue;
+          ASSERT_TRUE(map.InWindow({ { 0, b / 2, 0 }, level + 1 })) << viewer;
+          ASSERT_TRUE(map.InWindow({ { 0, b ^ 1, 0 }, level }) || (b ^ 1) * (8 << level) >= cells)
+            << viewer;
+        }
+    }
+  }
+}
+
 /// Two blocks of one window never share an address, wherever the window is.
 TEST(OccupancyClipmap, RemembersEveryBlockOfItsWindows)
 {
@@ -82,6 +108,19 @@ TEST(OccupancyClipmap, MovesOnlyWhenTheViewerHasGoneFar)
     moves += map.Follow({ 2000.0 + n, 2000, 2000 });
   EXPECT_GE(moves, 1);
   EXPECT_LE(moves, 256 / 64 + 2); // every eighth of 512 cells, and once a coarser level
+}
+
+/// Two eyes, or one that goes to and fro, wherever they are.
+TEST(OccupancyClipmap, StaysWhileTheViewerGoesToAndFro)
+{
+  hasp::OccupancyClipmap map({ 4000, 4000, 4000 });
+  for (int x = 0; x < 4000; ++x)
+  {
+    map.Follow({ double(x), 2000, 2000 });
+    for (int n = 0; n < 2; ++n)
+      EXPECT_FALSE(map.Follow({ x - 60.0, 2000, 2000 }) || map.Follow({ double(x), 2000, 2000 }))
+        << x;
+  }
 }
 
 } // namespace

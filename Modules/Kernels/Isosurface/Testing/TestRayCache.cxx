@@ -271,6 +271,49 @@ TEST_F(LongRayCache, MendsHolesWithFinerCells)
   EXPECT_GT(cache.Cells(0)->Count(), 0U);
 }
 
+/// Two viewers at the ends of a volume that no window of fine blocks can hold.
+class TwoEndsRayCache : public RayCache
+{
+protected:
+  TwoEndsRayCache() : RayCache({ 1200, 20, 24 }) {}
+  hasp::SampledEye Eye(int number) const
+  {
+    const glm::dvec3 middle(600, 10, 12), eye(number == 0 ? -30 : 1230, 14, 15);
+    return { { glm::perspective(0.4, 1.0, 1.0, 2000.0) *
+                 glm::lookAt(eye, middle, glm::dvec3(0, 0, 1)),
+               { 64, 64 }, {} },
+      {}, number };
+  }
+};
+
+TEST_F(TwoEndsRayCache, ComesToRestWithTwoEyesFarApart)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  const hasp::SampledEye eyes[] = { Eye(0), Eye(1) };
+  std::int64_t added = 0, early = 0;
+  for (int f = 0; f < 400; ++f)
+    for (const hasp::SampledEye& eye : eyes) // each renderer draws, and samples, for itself
+      (f < 380 ? early : added) += cache.Sample({ &eye, 1 }, {}, 16).added;
+  EXPECT_GT(early, 50);
+  EXPECT_EQ(added, 0);
+}
+
+TEST_F(TwoEndsRayCache, FollowsTheNextEyeOnceTheFirstHasGone)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  const hasp::SampledEye eyes[] = { Eye(0), Eye(1) };
+  for (int f = 0; f < 20; ++f)
+    cache.Sample(eyes, {}, 16);
+  ASSERT_GT(cache.Cells(0)->Count(), 0U);
+  for (const hasp::CellCluster& cluster : cache.Cells(0)->clusters)
+    EXPECT_LT(cluster.Origin().x, 512);
+  for (int f = 0; f < 80; ++f)
+    cache.Sample({ &eyes[1], 1 }, {}, 16);
+  ASSERT_GT(cache.Cells(0)->Count(), 0U);
+  for (const hasp::CellCluster& cluster : cache.Cells(0)->clusters)
+    EXPECT_GT(cluster.Origin().x, 1200 - 520);
+}
+
 TEST_F(RayCache, RefusesWhatItCannotUse)
 {
   const double infinite = std::numeric_limits<double>::infinity();
