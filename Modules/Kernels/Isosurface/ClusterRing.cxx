@@ -60,7 +60,7 @@ std::uint32_t ClusterRing::Add(
 
   const std::size_t number = (this->Oldest + this->Count) % this->Capacity();
   Record& record = this->Records[number];
-  record = { key, layer.clusters.front(), static_cast<std::uint32_t>(words), now, true };
+  record = { key, layer.clusters.front(), static_cast<std::uint32_t>(words), now, now, true };
   record.cluster.firstWord = static_cast<std::uint32_t>(first);
   record.cluster.firstCell = 0;
   std::copy(

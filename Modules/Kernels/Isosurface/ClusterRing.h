@@ -17,9 +17,10 @@ public:
   struct Record
   {
     BlockKey key;
-    CellCluster cluster;        ///< firstWord: in the ring; firstCell is 0
-    std::uint32_t words = 0;    ///< of its corners
-    std::uint32_t lastSeen = 0; ///< the owner's clock
+    CellCluster cluster;          ///< firstWord: in the ring; firstCell is 0
+    std::uint32_t words = 0;      ///< of its corners
+    std::uint32_t lastSeen = 0;   ///< the owner's clock
+    std::uint32_t lastWanted = 0; ///< the same; seen, and no coarser one would have done
     bool live = false;
   };
   /// Told the number of a live record that is about to be dropped.

@@ -10,7 +10,7 @@ namespace hasp
 namespace
 {
 
-constexpr int BlockSide = 8;
+constexpr int BlockSide = BlockKey::Side;
 constexpr int Step = OccupancyClipmap::WindowSide / 8; // blocks: a window's moves
 
 /// Where a window of WindowSide blocks begins, of the `blocks` of an axis, once the viewer is at
@@ -35,6 +35,14 @@ int PowerOfTwoFrom(int n)
 
 } // namespace
 
+std::array<BlockKey, 8> BlockKey::Finer() const
+{
+  std::array<BlockKey, 8> finer;
+  for (int n = 0; n < 8; ++n)
+    finer[n] = { 2 * this->block + glm::ivec3(n & 1, n >> 1 & 1, n >> 2), this->level - 1 };
+  return finer;
+}
+
 OccupancyClipmap::OccupancyClipmap(const glm::ivec3& cells)
 {
   std::size_t offset = 0;
@@ -52,11 +60,43 @@ OccupancyClipmap::OccupancyClipmap(const glm::ivec3& cells)
       break;
   }
   this->Numbers.assign(offset, Empty);
+  this->FinerCounts.assign(offset, 0);
 }
 
 std::size_t OccupancyClipmap::Bytes() const
 {
-  return this->Numbers.size() * sizeof(this->Numbers[0]);
+  return (this->Numbers.size() + this->FinerCounts.size()) * sizeof(std::uint32_t);
+}
+
+void OccupancyClipmap::Set(const BlockKey& key, std::uint32_t number)
+{
+  std::uint32_t& now = this->Numbers[this->Address(key)];
+  const int change = int(number != Empty) - int(now != Empty);
+  now = number;
+  for (int level = key.level + 1; change != 0 && level < this->Levels(); ++level)
+    this->FinerCounts[this->Address(key.At(level))] += change;
+}
+
+std::vector<std::uint32_t> OccupancyClipmap::FinerIn(const BlockKey& key) const
+{
+  std::vector<std::uint32_t> numbers;
+  std::vector<BlockKey> open{ key };
+  while (!open.empty())
+  {
+    const BlockKey coarse = open.back();
+    open.pop_back();
+    if (!this->HasFiner(coarse))
+      continue;
+    for (const BlockKey& finer : coarse.Finer())
+    {
+      if (!this->InWindow(finer))
+        continue;
+      if (const std::uint32_t number = this->Get(finer); number != Empty)
+        numbers.push_back(number);
+      open.push_back(finer);
+    }
+  }
+  return numbers;
 }
 
 bool OccupancyClipmap::Follow(const glm::dvec3& viewer)

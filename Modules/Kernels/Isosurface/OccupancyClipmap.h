@@ -2,6 +2,7 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,17 @@ struct BlockKey
   glm::ivec3 block{ 0 };
   int level = 0;
   bool operator==(const BlockKey&) const = default;
+
+  static constexpr int Side = 8; ///< cells of its level, an axis
+  /// The block of a level that a cell of the volume lies in.
+  static BlockKey Of(const glm::ivec3& cell, int level)
+  {
+    return { cell / (Side << level), level };
+  }
+  /// The block of a coarser level (or its own) that it lies in.
+  BlockKey At(int coarser) const { return { block >> (coarser - level), coarser }; }
+  /// The eight of the next finer level that it is made of. level must be 1 or more.
+  std::array<BlockKey, 8> Finer() const;
 };
 
 /// Which blocks are in a cache, at each level of detail in a window that follows the viewer (thesis
@@ -23,7 +35,7 @@ struct BlockKey
 /// The paper's map holds a bit; this one a number, of the block's record in the cache, so that the
 /// record is found from the place.
 ///
-/// Fixed memory: at most 1 MiB a level. Reading: any thread; changes: one thread, nobody reading.
+/// Fixed memory: at most 2 MiB a level. Reading: any thread; changes: one thread, nobody reading.
 class OccupancyClipmap
 {
 public:
@@ -56,10 +68,13 @@ public:
   }
   /// The number at the block's address, or Empty. Of blocks with one address one is in the window.
   std::uint32_t Get(const BlockKey& key) const { return this->Numbers[this->Address(key)]; }
-  void Set(const BlockKey& key, std::uint32_t number)
-  {
-    this->Numbers[this->Address(key)] = number;
-  }
+  /// number: or Empty.
+  void Set(const BlockKey& key, std::uint32_t number);
+
+  /// The numbers of all finer blocks in the place of this one, which is in its window. A look where
+  /// there are none.
+  std::vector<std::uint32_t> FinerIn(const BlockKey& key) const;
+  bool HasFiner(const BlockKey& key) const { return this->FinerCounts[this->Address(key)] > 0; }
 
 private:
   struct Window
@@ -76,6 +91,7 @@ private:
 
   std::vector<Window> Windows;
   std::vector<std::uint32_t> Numbers;
+  std::vector<std::uint32_t> FinerCounts; ///< by address: of the finer blocks in a block's place
 };
 
 } // namespace hasp

@@ -12,13 +12,7 @@ namespace hasp
 namespace
 {
 
-constexpr int Side = MinMaxBlocks::Side;
-constexpr std::uint32_t Lately = 64; // frames
-
-BlockKey KeyOf(const glm::ivec3& cell, int level)
-{
-  return { cell / (Side << level), level };
-}
+static_assert(BlockKey::Side == MinMaxBlocks::Side);
 
 auto Order(const BlockKey& key)
 {
@@ -41,13 +35,6 @@ GridGeometry Coarser(GridGeometry geometry, int stride)
 }
 
 } // namespace
-
-/// A block that rays met and the cache has not.
-struct RayCache::Missing
-{
-  BlockKey key;
-  glm::ivec3 cell; ///< of the volume, where a ray met it
-};
 
 RayCache::RayCache(const AnyGridView& grid, const MinMaxBlocks& blocks, double isovalue,
   const RayCacheSettings& settings)
@@ -78,7 +65,8 @@ void RayCache::MarkModified(const glm::ivec3& low, const glm::ivec3& high)
   for (const std::uint32_t number : this->Ring.Numbers())
   {
     const BlockKey& key = this->Ring[number].key;
-    const glm::ivec3 first = key.block * (Side << key.level), last = first + (Side << key.level);
+    const int side = BlockKey::Side << key.level;
+    const glm::ivec3 first = key.block * side, last = first + side;
     if (glm::all(glm::lessThanEqual(first, high)) && glm::all(glm::greaterThanEqual(last, low)))
       touched.push_back(number);
   }
@@ -125,66 +113,6 @@ void RayCache::Follow(std::span<const SampledEye> eyes)
         this->Remove(number);
 }
 
-/// Is the block of a hit there, at any level that would do?
-bool RayCache::Note(const SampledHit& hit, std::vector<Missing>& missing)
-{
-  const double wanted = std::log2(this->Settings.pixelsACell / hit.pixelsAVoxel);
-  int level =
-    std::clamp(wanted > 0.0 ? int(std::ceil(std::min(wanted, 31.0))) : 0, 0, this->Levels() - 1);
-  while (level + 1 < this->Levels() && !this->Map.InWindow(KeyOf(hit.cell, level)))
-    ++level;
-  for (; level >= 0; --level)
-  {
-    const BlockKey key = KeyOf(hit.cell, level);
-    if (!this->Map.InWindow(key))
-      return false;
-    const std::uint32_t number = this->Map.Get(key);
-    if (number == OccupancyClipmap::Empty)
-    {
-      missing.push_back({ key, hit.cell });
-      return false;
-    }
-    this->Ring[number].lastSeen = this->Now;
-    if (!hit.inHole)
-      return true;
-  }
-  return true;
-}
-
-/// Adds each block once; one that has no surface at its level gives way to the next finer.
-std::int64_t RayCache::Add(std::vector<Missing> missing)
-{
-  std::sort(missing.begin(), missing.end(),
-    [](const Missing& a, const Missing& b) { return Order(a.key) < Order(b.key); });
-  missing.erase(std::unique(missing.begin(), missing.end(),
-                  [](const Missing& a, const Missing& b) { return a.key == b.key; }),
-    missing.end());
-  std::vector<ClusterLayer> layers(missing.size());
-  ParallelFor(0, std::int64_t(missing.size()), 16,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t n = first; n < last; ++n)
-      {
-        BlockKey& key = missing[n].key;
-        while (!ExtractCluster(
-                 this->Grid, float(this->Isovalue), key.block, 1 << key.level, layers[n]) &&
-               key.level > 0)
-          key = KeyOf(missing[n].cell, key.level - 1);
-      }
-    });
-  std::int64_t added = 0;
-  for (std::size_t n = 0; n < missing.size(); ++n)
-  {
-    const BlockKey& key = missing[n].key;
-    if (layers[n].clusters.empty() || !this->Map.InWindow(key) ||
-        this->Map.Get(key) != OccupancyClipmap::Empty)
-      continue;
-    this->Insert(key, layers[n], this->Now);
-    ++added;
-  }
-  return added;
-}
-
 /// Upkeep: the next records in turn, round the ring.
 std::int64_t RayCache::CheckShare()
 {
@@ -228,16 +156,22 @@ void RayCache::Renew(const std::vector<std::uint32_t>& numbers)
       continue;
     this->Remove(numbers[n]);
     if (!layers[n].clusters.empty())
-      this->Insert(record.key, layers[n], record.lastSeen);
+      this->Insert(record.key, layers[n], record.lastSeen).lastWanted = record.lastWanted;
   }
 }
 
-void RayCache::Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen)
+ClusterRing::Record& RayCache::Insert(
+  const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen)
 {
-  const std::uint32_t number =
-    this->Ring.Add(key, layer, seen, [this](std::uint32_t oldest) { this->Remove(oldest); });
+  const std::uint32_t number = this->Ring.Add(key, layer, seen,
+    [this](std::uint32_t oldest)
+    {
+      this->Remove(oldest);
+      this->FullUntil = this->Now + Lately / 2;
+    });
   this->Map.Set(key, number);
   this->Gathered[key.level] = nullptr;
+  return this->Ring[number];
 }
 
 void RayCache::Remove(std::uint32_t number)

@@ -25,8 +25,13 @@ struct RayCacheSettings
 /// is drawn as any clustered cells are, with the exact root in each cell. Nothing is built for an
 /// isovalue: a new one makes the clusters that are there anew, and rays find the rest.
 ///
-/// Levels of detail: cells of level l are 2^l samples long. Where levels meet their surfaces
-/// differ; a ray through the gap finds the coarse block there and adds the next finer one.
+/// Levels of detail: cells of level l are 2^l samples long, and no place is held, or drawn, at two
+/// levels. Where a hit wants finer cells than there are, because the viewer has come near or
+/// because it went through the gap that is left where levels meet, the coarse block gives way to
+/// all finer ones of its place at once. Where a hit wants coarser cells, the finer that are there
+/// do, and what is missing beside them is added as fine; only while the ring has no room for all
+/// that is seen do those that no hit has wanted so fine in the last 64 calls give way to the coarse
+/// block.
 ///
 /// The windows of the clipmap follow one eye: the first that is sampled, until it has not been for
 /// 64 calls; then the next. So several eyes cannot pull them to and fro; where the others look from
@@ -76,13 +81,26 @@ public:
   std::size_t Bytes() const { return this->Ring.Bytes() + this->Map.Bytes(); }
 
 private:
-  struct Missing;
+  static constexpr std::uint32_t Lately = 64; ///< calls of Sample
+  /// A block that is to be added.
+  struct Missing
+  {
+    BlockKey key;
+    glm::ivec3 cell;      ///< of the volume, where a ray met it
+    bool met;             ///< or it only takes its part of a coarse block's place
+    std::uint32_t wanted; ///< when a hit last wanted it so fine
+  };
   bool Note(const SampledHit& hit, std::vector<Missing>& missing);
+  int WantedLevel(const SampledHit& hit) const;
+  int LevelAt(const glm::ivec3& cell) const;
+  std::uint32_t FinerWanted(const BlockKey& key) const;
+  bool KeepsFiner(const BlockKey& key) const;
+  void TakeApart(const BlockKey& key, std::vector<Missing>& missing) const;
   std::int64_t Add(std::vector<Missing> missing);
   void Follow(std::span<const SampledEye> eyes);
   std::int64_t CheckShare();
   void Renew(const std::vector<std::uint32_t>& numbers);
-  void Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen);
+  ClusterRing::Record& Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen);
   void Remove(std::uint32_t number);
   ClusteredCells Gather(int level) const;
 
@@ -96,7 +114,8 @@ private:
   std::uint32_t Now = 0;     ///< counts calls of Sample
   std::optional<int> Leader; ///< the eye that windows follow
   std::uint32_t LeaderSeen = 0;
-  std::uint32_t Cursor = 0;                                    ///< the record that is checked next
+  std::uint32_t FullUntil = 0; ///< the ring has dropped clusters to make room lately
+  std::uint32_t Cursor = 0;    ///< the record that is checked next
   std::vector<std::shared_ptr<const ClusteredCells>> Gathered; ///< a level; null after a change
 };
 

@@ -8,7 +8,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <memory>
+#include <set>
 #include <stdexcept>
 
 namespace
@@ -69,6 +72,25 @@ protected:
     EXPECT_EQ(some->Count(), cells);
   }
 
+  /// No block is there twice, and none in the place of a coarser one.
+  static void ExpectPlacesOnce(hasp::RayCache& cache)
+  {
+    std::set<std::array<int, 4>> blocks;
+    const auto key = [](const hasp::CellCluster& cluster, int level, int at)
+    {
+      const glm::ivec3 block = cluster.Origin() / 8 >> (at - level);
+      return std::array{ at, block.x, block.y, block.z };
+    };
+    for (int level = cache.Levels() - 1; level >= 0; --level)
+      for (const hasp::CellCluster& cluster : cache.Cells(level)->clusters)
+      {
+        for (int coarser = level + 1; coarser < cache.Levels(); ++coarser)
+          ASSERT_FALSE(blocks.count(key(cluster, level, coarser))) << level << " in " << coarser;
+        ASSERT_TRUE(blocks.insert(key(cluster, level, level)).second);
+      }
+    EXPECT_EQ(blocks.size(), cache.Live());
+  }
+
   hasp::GridGeometry Geometry;
   std::vector<std::int16_t> Samples;
   hasp::AnyGridView Grid;
@@ -88,7 +110,7 @@ TEST_F(RayCache, BecomesCompleteForAViewAtRest)
 {
   hasp::RayCache cache(Grid, Blocks, 7.0);
   const hasp::PictureView view = View(0.3);
-  for (int f = 0; f < 200; ++f)
+  for (int f = 0; f < 400; ++f)
     Sample(cache, view);
   EXPECT_EQ(Sample(cache, view).added, 0);
   const auto cells = cache.Cells(0);
@@ -113,15 +135,7 @@ TEST_F(RayCache, HoldsEachBlockOnce)
   hasp::RayCache cache(Grid, Blocks, 7.0);
   for (int f = 0; f < 30; ++f)
     Sample(cache, View(0.2 * f), 4);
-  std::size_t distinct = 0;
-  for (int level = 0; level < cache.Levels(); ++level)
-  {
-    auto clusters = cache.Cells(level)->clusters;
-    const auto end = std::unique(clusters.begin(), clusters.end(),
-      [](const auto& a, const auto& b) { return a.Origin() == b.Origin(); });
-    distinct += std::size_t(end - clusters.begin());
-  }
-  EXPECT_EQ(distinct, cache.Live());
+  ExpectPlacesOnce(cache);
 }
 
 TEST_F(RayCache, FollowsTheIsovalueAtOnce)
@@ -256,6 +270,205 @@ TEST_F(RayCache, MendsHolesWithFinerCells)
   EXPECT_GT(cache.Live(), 0U);
 }
 
+/// What is drawn of a cache: along a ray the first root in a cell that it holds.
+class DrawnCache
+{
+public:
+  /// samples: of the volume, as the cache has them.
+  DrawnCache(hasp::RayCache& cache, const hasp::GridView<const std::int16_t>& samples)
+  {
+    for (int l = 0; l < cache.Levels(); ++l)
+      Levels.push_back(std::make_unique<Level>(cache.Cells(l), samples, 1 << l));
+  }
+  /// In the ray's lengths; infinity where it meets nothing.
+  double Depth(const hasp::CellRay& ray) const
+  {
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t l = 0; l < Levels.size(); ++l)
+    {
+      const double scale = 1.0 / double(1 << l), step = 1e-3 / glm::length(ray.direction);
+      double from = ray.tMin;
+      while (const auto hit = Levels[l]->Caster.CastInIndex(
+               scale * ray.origin, scale * ray.direction, from, ray.tMax))
+      {
+        if (Levels[l]->Cells->Find(hit->cell))
+        {
+          depth = std::min(depth, hit->t);
+          break;
+        }
+        from = hit->t + step; // past a root in a cell that is not there
+      }
+    }
+    return depth;
+  }
+
+private:
+  struct Level
+  {
+    Level(std::shared_ptr<const hasp::ClusteredCells> cells,
+      const hasp::GridView<const std::int16_t>& samples, int stride)
+      : Cells(std::move(cells)),
+        Every(EachOf(samples, Cells->geometry.dims, stride)),
+        Grid(hasp::GridView<const std::int16_t>{ Every.data(), Cells->geometry }),
+        Blocks(Grid),
+        Caster(Grid, Blocks, Cells->isovalue)
+    {
+    }
+    static std::vector<std::int16_t> EachOf(
+      const hasp::GridView<const std::int16_t>& samples, const glm::ivec3& dims, int stride)
+    {
+      std::vector<std::int16_t> every;
+      for (int k = 0; k < dims.z; ++k)
+        for (int j = 0; j < dims.y; ++j)
+          for (int i = 0; i < dims.x; ++i)
+            every.push_back(samples(i * stride, j * stride, k * stride));
+      return every;
+    }
+    std::shared_ptr<const hasp::ClusteredCells> Cells;
+    std::vector<std::int16_t> Every;
+    hasp::AnyGridView Grid;
+    hasp::MinMaxBlocks Blocks;
+    hasp::RayCaster Caster;
+  };
+  std::vector<std::unique_ptr<Level>> Levels;
+};
+
+class WalkRayCache : public RayCache
+{
+protected:
+  WalkRayCache() : RayCache({ 600, 40, 44 }) {}
+  hasp::PictureView Look(const glm::dvec3& eye, const glm::dvec3& at) const
+  {
+    return { glm::perspective(0.5, 1.0, 1.0, 5000.0) * glm::lookAt(eye, at, glm::dvec3(0, 0.1, 1)),
+      { 80, 80 }, {} };
+  }
+  /// Rays at the pixels' centres, of the exact surface and of what is drawn. from: what lies before
+  /// it is wanted coarser.
+  void ExpectExact(hasp::RayCache& cache, const hasp::PictureView& view, int from = 0)
+  {
+    const hasp::GridView<const std::int16_t> samples{ Samples.data(), Geometry };
+    const DrawnCache drawn(cache, samples);
+    const hasp::RayCaster exact(Grid, Blocks, 7.0);
+    const hasp::PictureRays rays(view);
+    int met = 0, missed = 0, invented = 0;
+    for (int y = 0; y < view.size.y; ++y)
+      for (int x = 0; x < view.size.x; ++x)
+      {
+        hasp::CellRay ray;
+        ASSERT_TRUE(rays.Of({ x + 0.5, y + 0.5 }, ray));
+        const auto hit = exact.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
+        if (hit && hit->cell.x < from)
+          continue;
+        const double truth = hit ? hit->t : std::numeric_limits<double>::infinity();
+        const double depth = drawn.Depth(ray), length = glm::length(ray.direction);
+        met += hit.has_value();
+        // The same cells, roots and arithmetic: what differs is another cell.
+        invented += depth < truth - 1e-3 / length;
+        missed += depth > truth + 1e-3 / length;
+      }
+    EXPECT_GT(met, 1500);
+    EXPECT_EQ(invented, 0);
+    EXPECT_LE(missed, met / 500); // blocks of which a corner of a pixel shows
+  }
+  /// Pixels where something is drawn.
+  std::size_t Covered(hasp::RayCache& cache, const hasp::PictureView& view)
+  {
+    const DrawnCache drawn(cache, { Samples.data(), Geometry });
+    const hasp::PictureRays rays(view);
+    std::size_t covered = 0;
+    for (int y = 0; y < view.size.y; ++y)
+      for (int x = 0; x < view.size.x; ++x)
+      {
+        hasp::CellRay ray;
+        covered += rays.Of({ x + 0.5, y + 0.5 }, ray) && std::isfinite(drawn.Depth(ray));
+      }
+    return covered;
+  }
+};
+
+/// A walk over places that want several levels, and back: where fine cells are wanted nothing else
+/// is drawn.
+TEST_F(WalkRayCache, DrawsTheExactSurfaceAfterAWalkOverLevels)
+{
+  const glm::dvec3 middle(300, 20, 22);
+  const hasp::PictureView along = Look({ -30, 20, 22 }, middle),
+                          end = Look({ 690, 60, 60 }, { 560, 20, 22 }),
+                          far = Look({ 300, -700, 22 }, middle),
+                          near = Look({ 300, -90, 30 }, middle);
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  ASSERT_EQ(cache.Levels(), 2);
+  const auto rest = [&](const hasp::PictureView& view, int frames)
+  {
+    for (int f = 0; f < frames; ++f)
+      Sample(cache, view);
+    ExpectPlacesOnce(cache);
+  };
+  rest(far, 20);
+  EXPECT_GT(cache.Cells(1)->Count(), 100U);
+  rest(near, 60);
+  ExpectExact(cache, near);
+  rest(along, 20);
+  rest(end, 60);
+  ExpectExact(cache, end, 400);
+  rest(far, 20);
+  rest(near, 60);
+  ExpectExact(cache, near);
+  EXPECT_EQ(Sample(cache, near).added, 0);
+}
+
+/// The same place, wanted coarse and fine in each frame.
+TEST_F(WalkRayCache, ComesToRestWithViewersNearAndFar)
+{
+  const hasp::PictureView far = Look({ 300, -700, 22 }, { 300, 20, 22 }),
+                          near = Look({ 300, -90, 30 }, { 300, 20, 22 });
+  const hasp::SampledEye eyes[] = { { far, {}, 0 }, { near, {}, 1 } };
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  std::int64_t added = 0;
+  for (int f = 0; f < 400; ++f)
+  {
+    const std::int64_t now = cache.Sample(eyes, {}, 16).added;
+    added += f < 380 ? 0 : now;
+  }
+  EXPECT_EQ(added, 0);
+  EXPECT_GT(cache.Cells(1)->Count(), 100U);
+  ExpectPlacesOnce(cache);
+  ExpectExact(cache, near);
+}
+
+/// A viewer that comes near meets finer cells, and no holes where a coarse block has gone.
+TEST_F(WalkRayCache, LeavesNoHoleWhereABlockIsTakenApart)
+{
+  const hasp::PictureView far = Look({ 300, -700, 22 }, { 300, 20, 22 }),
+                          near = Look({ 300, -90, 30 }, { 300, 20, 22 });
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 60; ++f)
+    Sample(cache, far, 64);
+  const std::size_t before = Covered(cache, near), coarse = cache.Cells(1)->clusters.size();
+  Sample(cache, near, 1);
+  ASSERT_LT(cache.Cells(1)->clusters.size(), coarse - 5);
+  ASSERT_GT(cache.Cells(0)->clusters.size(), 20U);
+  // Silhouettes of coarse cells are a little larger, or smaller.
+  EXPECT_GT(Covered(cache, near), before * 99 / 100);
+}
+
+/// Fine blocks of a viewer who has gone away give way when the ring has not room for all.
+TEST_F(WalkRayCache, BecomesCoarseAgainWhenMemoryIsShort)
+{
+  const hasp::PictureView far = Look({ 300, -700, 22 }, { 300, 20, 22 });
+  hasp::RayCacheSettings settings;
+  settings.clusters = 200;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  for (int x = 150; x <= 450; x += 5)
+    Sample(cache, Look({ x, -90, 30 }, { x, 20, 22 }));
+  ASSERT_EQ(cache.Live(), 200U);
+  EXPECT_GT(cache.Cells(0)->clusters.size(), 100U);
+  for (int f = 0; f < 120; ++f)
+    Sample(cache, far);
+  EXPECT_EQ(cache.Cells(0)->Count(), 0U);
+  EXPECT_GT(cache.Cells(1)->clusters.size(), 120U);
+  ExpectPlacesOnce(cache);
+}
+
 TEST_F(LongRayCache, MendsHolesWithFinerCells)
 {
   hasp::RayCacheSettings settings;
@@ -269,6 +482,7 @@ TEST_F(LongRayCache, MendsHolesWithFinerCells)
   for (int f = 0; f < 4; ++f)
     cache.Sample({ &eye, 1 }, {}, 16);
   EXPECT_GT(cache.Cells(0)->Count(), 0U);
+  ExpectPlacesOnce(cache);
 }
 
 /// Two viewers at the ends of a volume that no window of fine blocks can hold.
