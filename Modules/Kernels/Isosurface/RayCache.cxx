@@ -134,13 +134,17 @@ std::int64_t RayCache::CheckShare()
 /// is old: then it moves to the young end, before the ring drops it.
 void RayCache::Renew(const std::vector<std::uint32_t>& numbers)
 {
+  std::vector<BlockKey> keys; // as they are now: a record that one drops the next may take
+  keys.reserve(numbers.size());
+  for (const std::uint32_t number : numbers)
+    keys.push_back(this->Ring[number].key);
   std::vector<ClusterLayer> layers(numbers.size());
   ParallelFor(0, std::int64_t(numbers.size()), 16,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        const BlockKey& key = this->Ring[numbers[n]].key;
+        const BlockKey& key = keys[n];
         if (key.level > 0 || this->Blocks->Active(key.block, this->Isovalue))
           ExtractCluster(this->Grid, float(this->Isovalue), key.block, 1 << key.level, layers[n]);
       }
@@ -148,7 +152,7 @@ void RayCache::Renew(const std::vector<std::uint32_t>& numbers)
   for (std::size_t n = 0; n < numbers.size(); ++n)
   {
     const ClusterRing::Record record = this->Ring[numbers[n]];
-    if (!record.live) // dropped for one before it
+    if (!record.live || record.key != keys[n]) // dropped for one before it
       continue;
     const bool wanted =
       this->Now - record.lastSeen<Lately&& this->Ring.Age(numbers[n])> this->Ring.Capacity() / 2;

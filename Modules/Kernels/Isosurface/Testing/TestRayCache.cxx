@@ -11,6 +11,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -72,7 +73,8 @@ protected:
     EXPECT_EQ(some->Count(), cells);
   }
 
-  /// No block is there twice, and none in the place of a coarser one.
+  /// No block is there twice, none in the place of a coarser one or under another's key, which
+  /// gives the raster order.
   static void ExpectPlacesOnce(hasp::RayCache& cache)
   {
     std::set<std::array<int, 4>> blocks;
@@ -82,12 +84,19 @@ protected:
       return std::array{ at, block.x, block.y, block.z };
     };
     for (int level = cache.Levels() - 1; level >= 0; --level)
+    {
+      std::array last{ -1, -1, -1 };
       for (const hasp::CellCluster& cluster : cache.Cells(level)->clusters)
       {
+        const glm::ivec3 o = cluster.Origin();
+        const std::array now{ o.z, o.y, o.x };
+        ASSERT_LT(last, now);
+        last = now;
         for (int coarser = level + 1; coarser < cache.Levels(); ++coarser)
           ASSERT_FALSE(blocks.count(key(cluster, level, coarser))) << level << " in " << coarser;
         ASSERT_TRUE(blocks.insert(key(cluster, level, level)).second);
       }
+    }
     EXPECT_EQ(blocks.size(), cache.Live());
   }
 
@@ -204,6 +213,30 @@ TEST_F(RayCache, StaysWithinItsMemory)
     ASSERT_LE(cache.Live(), settings.clusters);
     ASSERT_EQ(cache.Bytes(), bytes);
   }
+  ExpectClustersOfTheWhole(cache, 7.0);
+}
+
+/// A full ring whose clusters change: one that upkeep makes anew may take the place of another that
+/// it is about to make anew.
+TEST_F(RayCache, KeepsClustersApartWhileTheRingTurns)
+{
+  hasp::RayCacheSettings settings;
+  settings.clusters = 60;
+  settings.upkeepShare = 1;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  std::mt19937 random(1);
+  for (int f = 0; f < 100; ++f)
+  {
+    if (f % 3 == 2)
+    {
+      for (std::int16_t& sample : Samples)
+        sample = static_cast<std::int16_t>(sample + int(random() % 5) - 2);
+      Blocks = hasp::MinMaxBlocks(Grid);
+    }
+    Sample(cache, View(0.05 * f), 2);
+    ASSERT_NO_FATAL_FAILURE(ExpectPlacesOnce(cache)) << f;
+  }
+  cache.MarkModified({ 0, 0, 0 }, Geometry.dims - 1);
   ExpectClustersOfTheWhole(cache, 7.0);
 }
 
