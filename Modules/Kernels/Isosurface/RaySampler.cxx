@@ -77,9 +77,10 @@ RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRa
       for (int x = from.x; x < to.x; ++x)
         if (eye.depth[std::size_t(y) * eye.view.size.x + x] >= 1.0F)
           holes.emplace_back(x, y);
-  // One ray is kept for holes where none found anything: what is there may change.
-  const int intoHoles =
-    holes.empty() ? 0 : std::max(std::min(1, count), int(0.5F * count * (1.0F - misses)));
+  // One ray is kept for holes where none found anything: what is there may change. If there is no
+  // other, the rest of the tile has its turns, too.
+  const int least = count > 1 || memory.frames % 2 == 0 ? std::min(1, count) : 0;
+  const int intoHoles = holes.empty() ? 0 : std::max(least, int(0.5F * count * (1.0F - misses)));
 
   const VoxelPixels pixels(eye.view);
   Tile tile;
@@ -132,6 +133,7 @@ void RaySampler::SampleEye(
     frame.hits.insert(frame.hits.end(), sampled[n].hits.begin(), sampled[n].hits.end());
   }
   memory.cast += std::uint32_t(count);
+  ++memory.frames;
   memory.sampled = this->Now;
 }
 

@@ -58,6 +58,7 @@ private:
   {
     std::vector<float> misses; ///< a tile: the share of the rays into its holes that met nothing
     std::uint32_t cast = 0;    ///< rays a tile so far, modulo 2^32: where its sequence goes on
+    std::uint32_t frames = 0;
     std::uint32_t sampled = 0; ///< the last call
   };
   Tile SampleTile(const RayCaster& caster, const PictureRays& rays, const SampledEye& eye,

@@ -118,6 +118,20 @@ TEST_F(WallSampler, GoesOnFromFrameToFrame)
   EXPECT_EQ(some, others);
 }
 
+/// One ray a tile, and a hole in it where there is nothing to find.
+TEST_F(WallSampler, CastsASingleRayElsewhereToo)
+{
+  std::vector<float> depth(16 * 16, 0.5F);
+  depth[0] = 1.0F;
+  Eye.depth = depth;
+  int aimed = 0, spread = 0;
+  for (int f = 0; f < 100; ++f)
+    for (const hasp::SampledHit& hit : Hits(Sampler, 1))
+      ++(hit.inHole ? aimed : spread);
+  EXPECT_EQ(aimed, 50);
+  EXPECT_EQ(spread, 50);
+}
+
 TEST_F(RaySampler, AimsHalfOfTheRaysAtHoles)
 {
   std::vector<float> depth(150 * 100, 0.5F);
