@@ -45,8 +45,8 @@ public:
   std::vector<std::uint32_t> Numbers() const;
   /// Is record `number` the cluster that `layer` holds, bit for bit?
   bool Holds(std::uint32_t number, const ClusterLayer& layer) const;
-  /// How many newer records there are than this one, 0 to Capacity() - 1.
-  std::size_t Age(std::uint32_t number) const;
+  /// Will it be dropped before half as many records, or words, as the ring can hold are added?
+  bool Old(std::uint32_t number) const;
 
   /// Puts the one cluster of `layer` at the young end and gives its number. As many of the oldest
   /// are dropped as that takes.

@@ -154,8 +154,7 @@ void RayCache::Renew(const std::vector<std::uint32_t>& numbers)
     const ClusterRing::Record record = this->Ring[numbers[n]];
     if (!record.live || record.key != keys[n]) // dropped for one before it
       continue;
-    const bool wanted =
-      this->Now - record.lastSeen<Lately&& this->Ring.Age(numbers[n])> this->Ring.Capacity() / 2;
+    const bool wanted = this->Now - record.lastSeen < Lately && this->Ring.Old(numbers[n]);
     if (!layers[n].clusters.empty() && !wanted && this->Ring.Holds(numbers[n], layers[n]))
       continue;
     this->Remove(numbers[n]);

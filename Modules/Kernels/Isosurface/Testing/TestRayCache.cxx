@@ -73,6 +73,23 @@ protected:
     EXPECT_EQ(some->Count(), cells);
   }
 
+  /// Of the pixels' rays, isovalue 7, level 0: how many meet the surface, and a cell that is not
+  /// there.
+  void CountMissing(hasp::RayCache& cache, const hasp::PictureView& view, int& met, int& missing)
+  {
+    const auto cells = cache.Cells(0);
+    const hasp::RayCaster caster(this->Grid, this->Blocks, 7.0);
+    const hasp::PictureRays rays(view);
+    for (int y = 0; y < view.size.y; ++y)
+      for (int x = 0; x < view.size.x; ++x)
+      {
+        hasp::CellRay ray;
+        ASSERT_TRUE(rays.Of({ x + 0.5, y + 0.5 }, ray));
+        const auto hit = caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
+        met += hit.has_value();
+        missing += hit && !cells->Find(hit->cell);
+      }
+  }
   /// No block is there twice, none in the place of a coarser one or under another's key, which
   /// gives the raster order.
   static void ExpectPlacesOnce(hasp::RayCache& cache)
@@ -122,19 +139,8 @@ TEST_F(RayCache, BecomesCompleteForAViewAtRest)
   for (int f = 0; f < 400; ++f)
     Sample(cache, view);
   EXPECT_EQ(Sample(cache, view).added, 0);
-  const auto cells = cache.Cells(0);
-  const hasp::RayCaster caster(Grid, Blocks, 7.0);
-  const hasp::PictureRays rays(view);
   int met = 0, missing = 0;
-  for (int y = 0; y < 160; ++y)
-    for (int x = 0; x < 160; ++x)
-    {
-      hasp::CellRay ray;
-      ASSERT_TRUE(rays.Of({ x + 0.5, y + 0.5 }, ray));
-      const auto hit = caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
-      met += hit.has_value();
-      missing += hit && !cells->Find(hit->cell);
-    }
+  CountMissing(cache, view, met, missing);
   EXPECT_GT(met, 5000);
   EXPECT_LE(missing, met / 1000); // blocks of which a corner of a pixel shows
 }
@@ -214,6 +220,38 @@ TEST_F(RayCache, StaysWithinItsMemory)
     ASSERT_EQ(cache.Bytes(), bytes);
   }
   ExpectClustersOfTheWhole(cache, 7.0);
+}
+
+/// What an eye at rest sees stays while another goes round and fills the ring: whether records are
+/// short, or words.
+TEST_F(RayCache, KeepsWhatWasSeenLately)
+{
+  for (const bool words : { false, true })
+  {
+    hasp::RayCacheSettings settings;
+    (words ? settings.words : settings.clusters) = words ? 15'000 : 200;
+    hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+    const auto zoomed = [&](double angle)
+    {
+      hasp::PictureView part = View(angle);
+      part.indexToClip = glm::scale(glm::dmat4(1), glm::dvec3(3, 3, 1)) * part.indexToClip;
+      return part;
+    };
+    const hasp::PictureView part = zoomed(0);
+    for (int f = 0; f < 40; ++f)
+      Sample(cache, part);
+    int met = 0, missing = 0;
+    for (int f = 0; f < 300; ++f)
+    {
+      const hasp::SampledEye eyes[] = { { part, {}, 0 }, { zoomed(0.02 * f), {}, 1 } };
+      cache.Sample(eyes, {}, 1);
+      if (f % 20 == 19)
+        CountMissing(cache, part, met, missing);
+    }
+    EXPECT_GT(met, 5000);
+    // What no ray has met in 64 frames, as it shows a corner of a pixel, may go.
+    EXPECT_LE(missing, met / 4000) << (words ? "words" : "records") << " are short";
+  }
 }
 
 /// A full ring whose clusters change: one that upkeep makes anew may take the place of another that
