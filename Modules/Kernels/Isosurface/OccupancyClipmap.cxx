@@ -71,7 +71,7 @@ std::size_t OccupancyClipmap::Bytes() const
 void OccupancyClipmap::Set(const BlockKey& key, std::uint32_t number)
 {
   std::uint32_t& now = this->Numbers[this->Address(key)];
-  const int change = int(number != Empty) - int(now != Empty);
+  const int change = int(number < Dropped) - int(now < Dropped);
   now = number;
   for (int level = key.level + 1; change != 0 && level < this->Levels(); ++level)
     this->FinerCounts[this->Address(key.At(level))] += change;

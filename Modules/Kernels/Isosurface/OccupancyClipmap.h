@@ -67,9 +67,22 @@ public:
            glm::all(glm::lessThan(in, w.size));
   }
   /// The number at the block's address, or Empty. Of blocks with one address one is in the window.
-  std::uint32_t Get(const BlockKey& key) const { return this->Numbers[this->Address(key)]; }
-  /// number: or Empty.
+  std::uint32_t Get(const BlockKey& key) const
+  {
+    const std::uint32_t number = this->Numbers[this->Address(key)];
+    return number < Dropped ? number : Empty;
+  }
+  /// number: below 2^31, or Empty.
   void Set(const BlockKey& key, std::uint32_t number);
+  /// Empty, and it is remembered when: what DroppedAgo tells until the address is set again.
+  void Drop(const BlockKey& key, std::uint32_t now) { this->Set(key, now | Dropped); }
+  /// How long ago the block was dropped, or one that had its address in a window before; 2^31 - 1
+  /// if it was not.
+  std::uint32_t DroppedAgo(const BlockKey& key, std::uint32_t now) const
+  {
+    const std::uint32_t then = this->Numbers[this->Address(key)];
+    return then < Dropped || then == Empty ? ~Dropped : (now - then) & ~Dropped;
+  }
 
   /// The numbers of all finer blocks in the place of this one, which is in its window. A look where
   /// there are none.
@@ -77,6 +90,7 @@ public:
   bool HasFiner(const BlockKey& key) const { return this->FinerCounts[this->Address(key)] > 0; }
 
 private:
+  static constexpr std::uint32_t Dropped = 0x80000000U; ///< or more: no number
   struct Window
   {
     glm::ivec3 first{ 0 }, size{ 1 }, blocks{ 1 }; ///< blocks: of the whole volume

@@ -87,7 +87,7 @@ RayCache::Frame RayCache::Sample(
   frame.rays = sampled.rays;
   frame.hits = static_cast<std::int64_t>(sampled.hits.size());
   frame.checked = this->CheckShare();
-  frame.added = this->Add(std::move(missing));
+  this->Add(std::move(missing), frame);
   return frame;
 }
 
@@ -170,6 +170,7 @@ ClusterRing::Record& RayCache::Insert(
     [this](std::uint32_t oldest)
     {
       this->Remove(oldest);
+      this->Map.Drop(this->Ring[oldest].key, this->Now);
       this->FullUntil = this->Now + Lately / 2;
     });
   this->Map.Set(key, number);

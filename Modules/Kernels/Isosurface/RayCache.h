@@ -52,7 +52,13 @@ public:
     std::int64_t hits = 0;    ///< that met the surface
     std::int64_t known = 0;   ///< of these, what the cache held when they met it
     std::int64_t added = 0;   ///< clusters
+    std::int64_t dropped = 0; ///< of these, what was dropped to make room in the last 64 calls
     std::int64_t checked = 0; ///< clusters, by upkeep
+
+    /// Will more frames of this view complete the picture? Not if nothing is added, or if half of
+    /// that or more had to be dropped lately: then the cache cannot hold all that is seen, and
+    /// only changes what is missing.
+    bool Refining() const { return this->added > 2 * this->dropped; }
   };
 
   /// Throws std::invalid_argument if the blocks are of another grid, the isovalue is not finite or
@@ -96,7 +102,7 @@ private:
   std::uint32_t FinerWanted(const BlockKey& key) const;
   bool KeepsFiner(const BlockKey& key) const;
   void TakeApart(const BlockKey& key, std::vector<Missing>& missing) const;
-  std::int64_t Add(std::vector<Missing> missing);
+  void Add(std::vector<Missing> missing, Frame& frame);
   void Follow(std::span<const SampledEye> eyes);
   std::int64_t CheckShare();
   void Renew(const std::vector<std::uint32_t>& numbers);

@@ -87,7 +87,7 @@ void RayCache::TakeApart(const BlockKey& key, std::vector<Missing>& missing) con
 }
 
 /// Adds each block once; one that has no surface at its level gives way to the next finer.
-std::int64_t RayCache::Add(std::vector<Missing> missing)
+void RayCache::Add(std::vector<Missing> missing, Frame& frame)
 {
   for (Missing& block : missing)
     while (this->KeepsFiner(block.key))
@@ -126,22 +126,21 @@ std::int64_t RayCache::Add(std::vector<Missing> missing)
           block.key = BlockKey::Of(block.cell, block.key.level - 1);
       }
     });
-  std::int64_t added = 0;
   for (std::size_t n = 0; n < missing.size(); ++n) // the finest first
   {
     const BlockKey& key = missing[n].key;
     if (layers[n].clusters.empty() || !this->Map.InWindow(key) ||
         this->Map.Get(key) != OccupancyClipmap::Empty || this->KeepsFiner(key))
       continue;
+    frame.dropped += this->Map.DroppedAgo(key, this->Now) < Lately;
     for (const std::uint32_t number : this->Map.FinerIn(key))
       this->Remove(number);
     for (int level = key.level + 1; level < this->Levels(); ++level)
       if (const std::uint32_t over = this->Map.Get(key.At(level)); over != OccupancyClipmap::Empty)
         this->Remove(over);
     this->Insert(key, layers[n], this->Now).lastWanted = missing[n].wanted;
-    ++added;
+    ++frame.added;
   }
-  return added;
 }
 
 } // namespace hasp

@@ -100,6 +100,25 @@ TEST(OccupancyClipmap, RemembersEveryBlockOfItsWindows)
   }
 }
 
+TEST(OccupancyClipmap, RemembersWhenABlockWasDropped)
+{
+  hasp::OccupancyClipmap map({ 100, 100, 100 });
+  const hasp::BlockKey key{ { 3, 4, 5 }, 0 };
+  constexpr std::uint32_t never = 0x7FFFFFFF;
+  EXPECT_EQ(map.DroppedAgo(key, 10), never);
+  map.Set(key, 7);
+  EXPECT_EQ(map.DroppedAgo(key, 10), never);
+  for (const std::uint32_t now : { 12U, 0x7FFFFFFEU }) // the clock turns
+  {
+    map.Drop(key, now);
+    EXPECT_EQ(map.Get(key), hasp::OccupancyClipmap::Empty);
+    EXPECT_EQ(map.DroppedAgo(key, now), 0U);
+    EXPECT_EQ(map.DroppedAgo(key, now + 5), 5U);
+  }
+  map.Set(key, hasp::OccupancyClipmap::Empty);
+  EXPECT_EQ(map.DroppedAgo(key, 20), never);
+}
+
 /// Against a plain set, while blocks of all levels come and go.
 TEST(OccupancyClipmap, KnowsTheFinerBlocksOfAPlace)
 {

@@ -222,6 +222,39 @@ TEST_F(RayCache, StaysWithinItsMemory)
   ExpectClustersOfTheWhole(cache, 7.0);
 }
 
+/// A ring that cannot hold what is seen is full, not refining; until the view changes.
+TEST_F(RayCache, SaysThatItIsFull)
+{
+  hasp::RayCacheSettings settings;
+  settings.clusters = 60;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  for (const double angle : { 0.0, 3.1 })
+  {
+    const auto first = Sample(cache, View(angle));
+    EXPECT_GT(first.added, 60);
+    EXPECT_TRUE(first.Refining());
+    for (int f = 0; f < 10; ++f)
+      Sample(cache, View(angle));
+    for (int f = 0; f < 50; ++f)
+    {
+      const auto frame = Sample(cache, View(angle));
+      EXPECT_GT(frame.added, 20);
+      EXPECT_FALSE(frame.Refining()) << frame.added << " added, " << frame.dropped << " dropped";
+    }
+  }
+}
+
+TEST_F(RayCache, RefinesAsLongAsItFinds)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 20; ++f)
+  {
+    const auto frame = Sample(cache, View(0.1 * f));
+    EXPECT_EQ(frame.dropped, 0);
+    EXPECT_EQ(frame.Refining(), frame.added > 0);
+  }
+}
+
 /// What an eye at rest sees stays while another goes round and fills the ring: whether records are
 /// short, or words.
 TEST_F(RayCache, KeepsWhatWasSeenLately)
