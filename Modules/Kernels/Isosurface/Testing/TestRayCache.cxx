@@ -205,21 +205,27 @@ TEST_F(RayCache, ChecksItselfInTurns)
   ExpectClustersOfTheWhole(cache, 7.0);
 }
 
-/// A ring far too small for what is seen: memory stays, and what is there is right.
+/// A ring far too small for what is seen: what is there is no more than fits, and right.
 TEST_F(RayCache, StaysWithinItsMemory)
 {
-  hasp::RayCacheSettings settings;
-  settings.clusters = 60;
-  settings.words = 5000;
-  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
-  const std::size_t bytes = cache.Bytes();
-  for (int f = 0; f < 300; ++f)
+  for (const bool words : { false, true })
   {
-    Sample(cache, View(0.05 * f), 4);
-    ASSERT_LE(cache.Live(), settings.clusters);
-    ASSERT_EQ(cache.Bytes(), bytes);
+    hasp::RayCacheSettings settings;
+    (words ? settings.words : settings.clusters) = words ? 3000 : 60;
+    hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+    std::size_t mostWords = 0, mostClusters = 0;
+    for (int f = 0; f < 100; ++f)
+    {
+      Sample(cache, View(0.15 * f), 4);
+      mostClusters = std::max(mostClusters, cache.Live());
+      mostWords = std::max(mostWords, cache.Cells(0)->corners.size() - hasp::PaddingWords);
+    }
+    EXPECT_LE(mostClusters, settings.clusters);
+    EXPECT_LE(mostWords, settings.words);
+    // Nor does it leave room unused, but for what does not fit before the end.
+    EXPECT_GT(words ? mostWords : mostClusters, words ? 2700U : 58U);
+    ExpectClustersOfTheWhole(cache, 7.0);
   }
-  ExpectClustersOfTheWhole(cache, 7.0);
 }
 
 /// A ring that cannot hold what is seen is full, not refining; until the view changes.
@@ -361,17 +367,6 @@ TEST_F(LongRayCache, HasCoarserCellsFarAway)
     ASSERT_TRUE(same);
     ASSERT_EQ(coarse->Corners(n), all.Corners(*same));
   }
-}
-
-/// Rays through gaps between levels find the coarse block there, and add a finer one.
-TEST_F(RayCache, MendsHolesWithFinerCells)
-{
-  hasp::RayCacheSettings settings;
-  settings.pixelsACell = 3;
-  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
-  EXPECT_EQ(cache.Levels(), 1); // of a small volume: nothing to mend, nothing coarser
-  Sample(cache, View(0));
-  EXPECT_GT(cache.Live(), 0U);
 }
 
 /// What is drawn of a cache: along a ray the first root in a cell that it holds.
@@ -573,6 +568,7 @@ TEST_F(WalkRayCache, BecomesCoarseAgainWhenMemoryIsShort)
   ExpectPlacesOnce(cache);
 }
 
+/// Rays through gaps between levels find the coarse block there; finer ones take its place.
 TEST_F(LongRayCache, MendsHolesWithFinerCells)
 {
   hasp::RayCacheSettings settings;
