@@ -98,7 +98,7 @@ void RayCache::Add(std::vector<Missing> missing, Frame& frame)
   const auto order = [](const Missing& m)
   {
     const glm::ivec3& b = m.key.block;
-    return std::tuple(m.key.level, b.z, b.y, b.x, !m.met);
+    return std::tuple(m.key.level, b.z, b.y, b.x, !m.met, ~m.wanted); // the latest wish counts
   };
   const auto once = [&]
   {
