@@ -19,10 +19,16 @@ std::size_t ClusterRing::Bytes() const
   return this->Records.size() * sizeof(Record) + this->Corners.size() * sizeof(std::uint32_t);
 }
 
-std::size_t ClusterRing::Age(std::uint32_t number) const
+bool ClusterRing::Old(std::uint32_t number) const
 {
-  const std::size_t end = this->Oldest + this->Count - 1;
-  return (end + this->Capacity() - number) % this->Capacity();
+  // Of both rings what is left until the young end comes round to it; few enough words never let
+  // the records fill up, and the other way round.
+  const std::size_t records = this->Capacity(), words = this->Corners.size();
+  const std::size_t end = this->Oldest + this->Count;
+  const std::size_t recordsLeft = (number + 2 * records - end) % records;
+  const std::size_t wordsLeft =
+    (this->Records[number].cluster.firstWord + words - this->NextWord) % words;
+  return 2 * recordsLeft < records || 2 * wordsLeft < words;
 }
 
 void ClusterRing::DropOldest(const Dropped& dropped)
@@ -60,7 +66,7 @@ std::uint32_t ClusterRing::Add(
 
   const std::size_t number = (this->Oldest + this->Count) % this->Capacity();
   Record& record = this->Records[number];
-  record = { key, layer.clusters.front(), static_cast<std::uint32_t>(words), now, true };
+  record = { key, layer.clusters.front(), static_cast<std::uint32_t>(words), now, now, true };
   record.cluster.firstWord = static_cast<std::uint32_t>(first);
   record.cluster.firstCell = 0;
   std::copy(

@@ -17,9 +17,10 @@ public:
   struct Record
   {
     BlockKey key;
-    CellCluster cluster;        ///< firstWord: in the ring; firstCell is 0
-    std::uint32_t words = 0;    ///< of its corners
-    std::uint32_t lastSeen = 0; ///< the owner's clock
+    CellCluster cluster;          ///< firstWord: in the ring; firstCell is 0
+    std::uint32_t words = 0;      ///< of its corners
+    std::uint32_t lastSeen = 0;   ///< the owner's clock
+    std::uint32_t lastWanted = 0; ///< the same; seen, and no coarser one would have done
     bool live = false;
   };
   /// Told the number of a live record that is about to be dropped.
@@ -44,8 +45,8 @@ public:
   std::vector<std::uint32_t> Numbers() const;
   /// Is record `number` the cluster that `layer` holds, bit for bit?
   bool Holds(std::uint32_t number, const ClusterLayer& layer) const;
-  /// How many newer records there are than this one, 0 to Capacity() - 1.
-  std::size_t Age(std::uint32_t number) const;
+  /// Will it be dropped before half as many records, or words, as the ring can hold are added?
+  bool Old(std::uint32_t number) const;
 
   /// Puts the one cluster of `layer` at the young end and gives its number. As many of the oldest
   /// are dropped as that takes.

@@ -12,13 +12,7 @@ namespace hasp
 namespace
 {
 
-constexpr int Side = MinMaxBlocks::Side;
-constexpr std::uint32_t Lately = 64; // frames
-
-BlockKey KeyOf(const glm::ivec3& cell, int level)
-{
-  return { cell / (Side << level), level };
-}
+static_assert(BlockKey::Side == MinMaxBlocks::Side);
 
 auto Order(const BlockKey& key)
 {
@@ -41,13 +35,6 @@ GridGeometry Coarser(GridGeometry geometry, int stride)
 }
 
 } // namespace
-
-/// A block that rays met and the cache has not.
-struct RayCache::Missing
-{
-  BlockKey key;
-  glm::ivec3 cell; ///< of the volume, where a ray met it
-};
 
 RayCache::RayCache(const AnyGridView& grid, const MinMaxBlocks& blocks, double isovalue,
   const RayCacheSettings& settings)
@@ -78,7 +65,8 @@ void RayCache::MarkModified(const glm::ivec3& low, const glm::ivec3& high)
   for (const std::uint32_t number : this->Ring.Numbers())
   {
     const BlockKey& key = this->Ring[number].key;
-    const glm::ivec3 first = key.block * (Side << key.level), last = first + (Side << key.level);
+    const int side = BlockKey::Side << key.level;
+    const glm::ivec3 first = key.block * side, last = first + side;
     if (glm::all(glm::lessThanEqual(first, high)) && glm::all(glm::greaterThanEqual(last, low)))
       touched.push_back(number);
   }
@@ -99,84 +87,30 @@ RayCache::Frame RayCache::Sample(
   frame.rays = sampled.rays;
   frame.hits = static_cast<std::int64_t>(sampled.hits.size());
   frame.checked = this->CheckShare();
-  frame.added = this->Add(std::move(missing));
+  this->Add(std::move(missing), frame);
   return frame;
 }
 
-/// The windows follow the first eye; what has left them goes.
+/// The windows follow the leading eye; what has left them goes.
 void RayCache::Follow(std::span<const SampledEye> eyes)
 {
-  if (eyes.empty())
+  auto eye = std::find_if(
+    eyes.begin(), eyes.end(), [this](const SampledEye& e) { return e.number == this->Leader; });
+  if (eye == eyes.end() && (!this->Leader || this->Now - this->LeaderSeen >= Lately))
+    eye = eyes.begin();
+  if (eye == eyes.end())
     return;
+  this->Leader = eye->number;
+  this->LeaderSeen = this->Now;
   // The eye is where all rays of a perspective meet; a parallel view looks from far away.
-  const PictureRays rays(eyes.front().view);
+  const PictureRays rays(eye->view);
   CellRay ray;
-  if (!rays.Of(0.5 * glm::dvec2(eyes.front().view.size), ray))
+  if (!rays.Of(0.5 * glm::dvec2(eye->view.size), ray))
     return;
   if (this->Map.Follow(ray.origin + ray.tMin * ray.direction))
     for (const std::uint32_t number : this->Ring.Numbers())
       if (!this->Map.InWindow(this->Ring[number].key))
         this->Remove(number);
-}
-
-/// Is the block of a hit there, at any level that would do?
-bool RayCache::Note(const SampledHit& hit, std::vector<Missing>& missing)
-{
-  const double wanted = std::log2(this->Settings.pixelsACell / hit.pixelsAVoxel);
-  int level =
-    std::clamp(wanted > 0.0 ? int(std::ceil(std::min(wanted, 31.0))) : 0, 0, this->Levels() - 1);
-  while (level + 1 < this->Levels() && !this->Map.InWindow(KeyOf(hit.cell, level)))
-    ++level;
-  for (; level >= 0; --level)
-  {
-    const BlockKey key = KeyOf(hit.cell, level);
-    if (!this->Map.InWindow(key))
-      return false;
-    const std::uint32_t number = this->Map.Get(key);
-    if (number == OccupancyClipmap::Empty)
-    {
-      missing.push_back({ key, hit.cell });
-      return false;
-    }
-    this->Ring[number].lastSeen = this->Now;
-    if (!hit.inHole)
-      return true;
-  }
-  return true;
-}
-
-/// Adds each block once; one that has no surface at its level gives way to the next finer.
-std::int64_t RayCache::Add(std::vector<Missing> missing)
-{
-  std::sort(missing.begin(), missing.end(),
-    [](const Missing& a, const Missing& b) { return Order(a.key) < Order(b.key); });
-  missing.erase(std::unique(missing.begin(), missing.end(),
-                  [](const Missing& a, const Missing& b) { return a.key == b.key; }),
-    missing.end());
-  std::vector<ClusterLayer> layers(missing.size());
-  ParallelFor(0, std::int64_t(missing.size()), 16,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t n = first; n < last; ++n)
-      {
-        BlockKey& key = missing[n].key;
-        while (!ExtractCluster(
-                 this->Grid, float(this->Isovalue), key.block, 1 << key.level, layers[n]) &&
-               key.level > 0)
-          key = KeyOf(missing[n].cell, key.level - 1);
-      }
-    });
-  std::int64_t added = 0;
-  for (std::size_t n = 0; n < missing.size(); ++n)
-  {
-    const BlockKey& key = missing[n].key;
-    if (layers[n].clusters.empty() || !this->Map.InWindow(key) ||
-        this->Map.Get(key) != OccupancyClipmap::Empty)
-      continue;
-    this->Insert(key, layers[n], this->Now);
-    ++added;
-  }
-  return added;
 }
 
 /// Upkeep: the next records in turn, round the ring.
@@ -200,13 +134,17 @@ std::int64_t RayCache::CheckShare()
 /// is old: then it moves to the young end, before the ring drops it.
 void RayCache::Renew(const std::vector<std::uint32_t>& numbers)
 {
+  std::vector<BlockKey> keys; // as they are now: a record that one drops the next may take
+  keys.reserve(numbers.size());
+  for (const std::uint32_t number : numbers)
+    keys.push_back(this->Ring[number].key);
   std::vector<ClusterLayer> layers(numbers.size());
   ParallelFor(0, std::int64_t(numbers.size()), 16,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        const BlockKey& key = this->Ring[numbers[n]].key;
+        const BlockKey& key = keys[n];
         if (key.level > 0 || this->Blocks->Active(key.block, this->Isovalue))
           ExtractCluster(this->Grid, float(this->Isovalue), key.block, 1 << key.level, layers[n]);
       }
@@ -214,24 +152,30 @@ void RayCache::Renew(const std::vector<std::uint32_t>& numbers)
   for (std::size_t n = 0; n < numbers.size(); ++n)
   {
     const ClusterRing::Record record = this->Ring[numbers[n]];
-    if (!record.live) // dropped for one before it
+    if (!record.live || record.key != keys[n]) // dropped for one before it
       continue;
-    const bool wanted =
-      this->Now - record.lastSeen<Lately&& this->Ring.Age(numbers[n])> this->Ring.Capacity() / 2;
+    const bool wanted = this->Now - record.lastSeen < Lately && this->Ring.Old(numbers[n]);
     if (!layers[n].clusters.empty() && !wanted && this->Ring.Holds(numbers[n], layers[n]))
       continue;
     this->Remove(numbers[n]);
     if (!layers[n].clusters.empty())
-      this->Insert(record.key, layers[n], record.lastSeen);
+      this->Insert(record.key, layers[n], record.lastSeen).lastWanted = record.lastWanted;
   }
 }
 
-void RayCache::Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen)
+ClusterRing::Record& RayCache::Insert(
+  const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen)
 {
-  const std::uint32_t number =
-    this->Ring.Add(key, layer, seen, [this](std::uint32_t oldest) { this->Remove(oldest); });
+  const std::uint32_t number = this->Ring.Add(key, layer, seen,
+    [this](std::uint32_t oldest)
+    {
+      this->Remove(oldest);
+      this->Map.Drop(this->Ring[oldest].key, this->Now);
+      this->FullUntil = this->Now + Lately / 2;
+    });
   this->Map.Set(key, number);
   this->Gathered[key.level] = nullptr;
+  return this->Ring[number];
 }
 
 void RayCache::Remove(std::uint32_t number)

@@ -3,6 +3,7 @@
 #include "Isosurface/RaySampler.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace hasp
@@ -24,8 +25,17 @@ struct RayCacheSettings
 /// is drawn as any clustered cells are, with the exact root in each cell. Nothing is built for an
 /// isovalue: a new one makes the clusters that are there anew, and rays find the rest.
 ///
-/// Levels of detail: cells of level l are 2^l samples long. Where levels meet their surfaces
-/// differ; a ray through the gap finds the coarse block there and adds the next finer one.
+/// Levels of detail: cells of level l are 2^l samples long, and no place is held, or drawn, at two
+/// levels. Where a hit wants finer cells than there are, because the viewer has come near or
+/// because it went through the gap that is left where levels meet, the coarse block gives way to
+/// all finer ones of its place at once. Where a hit wants coarser cells, the finer that are there
+/// do, and what is missing beside them is added as fine; only while the ring has no room for all
+/// that is seen do those that no hit has wanted so fine in the last 64 calls give way to the coarse
+/// block.
+///
+/// The windows of the clipmap follow one eye: the first that is sampled, until it has not been for
+/// 64 calls; then the next. So several eyes cannot pull them to and fro; where the others look from
+/// elsewhere in a volume of more than 512 cells an axis, they see coarser cells.
 ///
 /// Deviations from the paper: rays are cast on the CPU and skip blocks without surface; a brick is
 /// a cluster of 8^3 cells of which the active ones have samples; the clipmap holds numbers of
@@ -42,7 +52,13 @@ public:
     std::int64_t hits = 0;    ///< that met the surface
     std::int64_t known = 0;   ///< of these, what the cache held when they met it
     std::int64_t added = 0;   ///< clusters
+    std::int64_t dropped = 0; ///< of these, what was dropped to make room in the last 64 calls
     std::int64_t checked = 0; ///< clusters, by upkeep
+
+    /// Will more frames of this view complete the picture? Not if nothing is added, or if half of
+    /// that or more had to be dropped lately: then the cache cannot hold all that is seen, and
+    /// only changes what is missing.
+    bool Refining() const { return this->added > 2 * this->dropped; }
   };
 
   /// Throws std::invalid_argument if the blocks are of another grid, the isovalue is not finite or
@@ -71,13 +87,26 @@ public:
   std::size_t Bytes() const { return this->Ring.Bytes() + this->Map.Bytes(); }
 
 private:
-  struct Missing;
+  static constexpr std::uint32_t Lately = 64; ///< calls of Sample
+  /// A block that is to be added.
+  struct Missing
+  {
+    BlockKey key;
+    glm::ivec3 cell;      ///< of the volume, where a ray met it
+    bool met;             ///< or it only takes its part of a coarse block's place
+    std::uint32_t wanted; ///< when a hit last wanted it so fine
+  };
   bool Note(const SampledHit& hit, std::vector<Missing>& missing);
-  std::int64_t Add(std::vector<Missing> missing);
+  int WantedLevel(const SampledHit& hit) const;
+  int LevelAt(const glm::ivec3& cell) const;
+  std::uint32_t FinerWanted(const BlockKey& key) const;
+  bool KeepsFiner(const BlockKey& key) const;
+  void TakeApart(const BlockKey& key, std::vector<Missing>& missing) const;
+  void Add(std::vector<Missing> missing, Frame& frame);
   void Follow(std::span<const SampledEye> eyes);
   std::int64_t CheckShare();
   void Renew(const std::vector<std::uint32_t>& numbers);
-  void Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen);
+  ClusterRing::Record& Insert(const BlockKey& key, const ClusterLayer& layer, std::uint32_t seen);
   void Remove(std::uint32_t number);
   ClusteredCells Gather(int level) const;
 
@@ -88,8 +117,11 @@ private:
   OccupancyClipmap Map;
   ClusterRing Ring;
   RaySampler Sampler;
-  std::uint32_t Now = 0;                                       ///< counts calls of Sample
-  std::uint32_t Cursor = 0;                                    ///< the record that is checked next
+  std::uint32_t Now = 0;     ///< counts calls of Sample
+  std::optional<int> Leader; ///< the eye that windows follow
+  std::uint32_t LeaderSeen = 0;
+  std::uint32_t FullUntil = 0; ///< the ring has dropped clusters to make room lately
+  std::uint32_t Cursor = 0;    ///< the record that is checked next
   std::vector<std::shared_ptr<const ClusteredCells>> Gathered; ///< a level; null after a change
 };
 

@@ -15,7 +15,8 @@ namespace hasp
 namespace
 {
 
-constexpr int PredictedShare = 4; // of the rays of an eye
+constexpr int PredictedShare = 4;             // of the rays of an eye
+constexpr std::uint32_t ForgottenAfter = 256; // calls
 
 /// A well-mixed number (Wellons 2018, lowbias32).
 std::uint32_t Hash(std::uint32_t n)
@@ -65,7 +66,8 @@ struct RaySampler::Tile
 };
 
 RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRays& rays,
-  const SampledEye& eye, const glm::ivec2& place, int count, float misses) const
+  const SampledEye& eye, const glm::ivec2& place, int count, const Memory& memory,
+  float misses) const
 {
   const glm::ivec2 from = place * TileSide, to = glm::min(from + TileSide, eye.view.size);
   const std::uint32_t shift = Hash(std::uint32_t(place.x) | std::uint32_t(place.y) << 16);
@@ -75,9 +77,10 @@ RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRa
       for (int x = from.x; x < to.x; ++x)
         if (eye.depth[std::size_t(y) * eye.view.size.x + x] >= 1.0F)
           holes.emplace_back(x, y);
-  // One ray is kept for holes where none found anything: what is there may change.
-  const int intoHoles =
-    holes.empty() ? 0 : std::max(std::min(1, count), int(0.5F * count * (1.0F - misses)));
+  // One ray is kept for holes where none found anything: what is there may change. If there is no
+  // other, the rest of the tile has its turns, too.
+  const int least = count > 1 || memory.frames % 2 == 0 ? std::min(1, count) : 0;
+  const int intoHoles = holes.empty() ? 0 : std::max(least, int(0.5F * count * (1.0F - misses)));
 
   const VoxelPixels pixels(eye.view);
   Tile tile;
@@ -86,7 +89,7 @@ RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRa
   for (int n = 0; n < count; ++n)
   {
     const bool aimed = n < intoHoles;
-    const std::uint32_t number = this->Now * std::uint32_t(count) + std::uint32_t(n);
+    const std::uint32_t number = memory.cast + std::uint32_t(n);
     const glm::dvec2 spread = glm::dvec2(from) + glm::dvec2(to - from) * SpreadPoint(number, shift);
     const glm::dvec2 at =
       aimed ? glm::dvec2(holes[Hash(number ^ shift) % holes.size()]) + 0.5 : spread;
@@ -104,8 +107,8 @@ RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRa
   return tile;
 }
 
-void RaySampler::SampleEye(const RayCaster& caster, const SampledEye& eye, int count,
-  std::vector<float>& misses, Frame& frame) const
+void RaySampler::SampleEye(
+  const RayCaster& caster, const SampledEye& eye, int count, Memory& memory, Frame& frame) const
 {
   const glm::ivec2& size = eye.view.size;
   if (size.x < 0 || size.y < 0 ||
@@ -114,13 +117,14 @@ void RaySampler::SampleEye(const RayCaster& caster, const SampledEye& eye, int c
   const PictureRays rays(eye.view);
   const glm::ivec2 tiles = (size + TileSide - 1) / TileSide;
   std::vector<Tile> sampled(std::size_t(tiles.x) * tiles.y);
+  std::vector<float>& misses = memory.misses;
   misses.resize(sampled.size());
   ParallelFor(0, std::int64_t(sampled.size()), 16,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
         sampled[n] = this->SampleTile(
-          caster, rays, eye, glm::ivec2(n % tiles.x, n / tiles.x), count, misses[n]);
+          caster, rays, eye, glm::ivec2(n % tiles.x, n / tiles.x), count, memory, misses[n]);
     });
   for (std::size_t n = 0; n < sampled.size(); ++n)
   {
@@ -128,19 +132,24 @@ void RaySampler::SampleEye(const RayCaster& caster, const SampledEye& eye, int c
     frame.rays += sampled[n].rays;
     frame.hits.insert(frame.hits.end(), sampled[n].hits.begin(), sampled[n].hits.end());
   }
+  memory.cast += std::uint32_t(count);
+  ++memory.frames;
+  memory.sampled = this->Now;
 }
 
 RaySampler::Frame RaySampler::Sample(const RayCaster& caster, std::span<const SampledEye> eyes,
   std::span<const PictureView> predicted, int count)
 {
   Frame frame;
-  for (const SampledEye& eye : eyes)
-    this->SampleEye(caster, eye, count, this->EyeMisses[eye.number], frame);
-  std::vector<float> none;
-  for (const PictureView& view : predicted)
-    this->SampleEye(
-      caster, { view, {}, 0 }, (count + PredictedShare - 1) / PredictedShare, none, frame);
   ++this->Now;
+  std::erase_if(this->Eyes,
+    [this](const auto& eye) { return this->Now - eye.second.sampled > ForgottenAfter; });
+  for (const SampledEye& eye : eyes)
+    this->SampleEye(caster, eye, count, this->Eyes[eye.number], frame);
+  const int share = (count + PredictedShare - 1) / PredictedShare;
+  this->Predictions.resize(std::max(this->Predictions.size(), predicted.size()));
+  for (std::size_t n = 0; n < predicted.size(); ++n)
+    this->SampleEye(caster, { predicted[n], {}, 0 }, share, this->Predictions[n], frame);
   return frame;
 }
 

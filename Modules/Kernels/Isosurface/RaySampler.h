@@ -29,8 +29,11 @@ struct SampledHit
 };
 
 /// Spreads a fixed number of rays over each tile of the pictures (thesis 3.2.1): half of them by
-/// a low-discrepancy sequence (R2, Roberts 2018) that goes on from frame to frame, half at pixels
-/// where nothing was drawn, as long as rays there still find something.
+/// a low-discrepancy sequence (R2, Roberts 2018) that goes on from frame to frame of an eye, half
+/// at pixels where nothing was drawn, as long as rays there still find something. A single ray goes
+/// to such pixels in every other frame.
+///
+/// What is remembered of an eye is forgotten when 256 calls of Sample have gone by without it.
 ///
 /// Threads: one; Sample uses all cores inside. The same hits with any number of them.
 class RaySampler
@@ -50,14 +53,22 @@ public:
 
 private:
   struct Tile;
+  /// What is remembered of an eye.
+  struct Memory
+  {
+    std::vector<float> misses; ///< a tile: the share of the rays into its holes that met nothing
+    std::uint32_t cast = 0;    ///< rays a tile so far, modulo 2^32: where its sequence goes on
+    std::uint32_t frames = 0;
+    std::uint32_t sampled = 0; ///< the last call
+  };
   Tile SampleTile(const RayCaster& caster, const PictureRays& rays, const SampledEye& eye,
-    const glm::ivec2& place, int count, float misses) const;
-  void SampleEye(const RayCaster& caster, const SampledEye& eye, int count,
-    std::vector<float>& misses, Frame& frame) const;
+    const glm::ivec2& place, int count, const Memory& memory, float misses) const;
+  void SampleEye(
+    const RayCaster& caster, const SampledEye& eye, int count, Memory& memory, Frame& frame) const;
 
-  std::uint32_t Now = 0; ///< counts frames
-  /// By eye: of each tile, the share of the rays into its holes that met nothing.
-  std::map<int, std::vector<float>> EyeMisses;
+  std::uint32_t Now = 0; ///< counts calls
+  std::map<int, Memory> Eyes;
+  std::vector<Memory> Predictions; ///< of the first predicted view, and so on
 };
 
 } // namespace hasp

@@ -34,7 +34,6 @@ TEST(ClusterRing, HoldsTheYoungestThatFit)
   for (const std::size_t words : { 729U, 2000U, 100'000U })
   {
     hasp::ClusterRing ring(50, words);
-    const std::size_t bytes = ring.Bytes();
     std::mt19937 random(5);
     std::deque<Expected> queue;
     std::uint32_t next = 0;
@@ -72,18 +71,36 @@ TEST(ClusterRing, HoldsTheYoungestThatFit)
       ASSERT_EQ(ring.Live(), numbers.size());
     }
     EXPECT_GE(queue.size(), words == 729 ? 1U : 10U); // not everything is thrown out for each
-    EXPECT_EQ(ring.Bytes(), bytes);
   }
 }
 
-TEST(ClusterRing, CountsAgeInRecords)
+/// By trial: a record is old if adding half of what fits drops it. Limited by records, or by words.
+TEST(ClusterRing, KnowsWhatItWillSoonDrop)
 {
-  hasp::ClusterRing ring(4, 1000);
-  std::vector<std::uint32_t> numbers;
-  for (int n = 0; n < 6; ++n)
-    numbers.push_back(ring.Add({}, Layer(3, 0), 0, [](std::uint32_t) {}));
-  for (int n = 2; n < 6; ++n)
-    EXPECT_EQ(ring.Age(numbers[n]), std::size_t(5 - n));
+  constexpr std::size_t length = 10;
+  for (const auto& [records, words] : { std::pair(100U, 100'000U), std::pair(10'000U, 1000U) })
+    for (const int added : { 1, 40, 60, 99, 100, 101, 130, 175, 260 })
+    {
+      hasp::ClusterRing ring(records, words);
+      const auto add = [&](std::vector<std::uint32_t>* dropped)
+      {
+        return ring.Add({}, Layer(length, 0), 0,
+          [&](std::uint32_t number)
+          {
+            if (dropped)
+              dropped->push_back(number);
+          });
+      };
+      for (int n = 0; n < added; ++n)
+        add(nullptr);
+      std::vector<std::uint32_t> old, dropped;
+      for (const std::uint32_t number : ring.Numbers())
+        if (ring.Old(number))
+          old.push_back(number);
+      for (int n = 0; n < 50; ++n) // of 100, whichever is short
+        add(&dropped);
+      EXPECT_EQ(old, dropped) << records << " records, " << added << " added";
+    }
 }
 
 TEST(ClusterRing, KnowsWhatItHolds)

@@ -1,79 +1,15 @@
 #include "Isosurface/RayCache.h"
 
-#include "Grid/AnalyticVolumes.h"
-#include "Isosurface/ActiveCells.h"
+#include "Isosurface/Testing/RayCacheFixture.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <algorithm>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 namespace
 {
 
-constexpr int Side = hasp::MinMaxBlocks::Side;
-
-/// Bone in a box, and a camera that goes round it.
-class RayCache : public ::testing::Test
-{
-protected:
-  explicit RayCache(const glm::ivec3& dims = { 70, 61, 55 })
-    : Geometry{ dims, { 3, 4, 5 }, { 0.7, 0.9, 1.1 }, glm::dmat3(1) },
-      Samples(hasp::SampleAnalytic<std::int16_t>(hasp::AnalyticGyroid(20), this->Geometry, 100, 0)),
-      Grid(hasp::GridView<const std::int16_t>{ this->Samples.data(), this->Geometry }),
-      Blocks(this->Grid)
-  {
-  }
-
-  hasp::PictureView View(double angle, double distance = 160) const
-  {
-    const glm::dvec3 middle = 0.5 * glm::dvec3(this->Geometry.dims);
-    const glm::dvec3 eye = middle + distance * glm::dvec3(std::sin(angle), -std::cos(angle), 0.2);
-    return { glm::perspective(0.5, 1.0, 1.0, 1000.0) *
-               glm::lookAt(eye, middle, glm::dvec3(0, 0, 1)),
-      { 160, 160 }, {} };
-  }
-  hasp::RayCache::Frame Sample(hasp::RayCache& cache, const hasp::PictureView& view, int rays = 16)
-  {
-    const hasp::SampledEye eye{ view, {}, 0 };
-    return cache.Sample({ &eye, 1 }, {}, rays);
-  }
-
-  /// Every cluster of level 0 is the one that a whole extraction has there, bit for bit.
-  void ExpectClustersOfTheWhole(hasp::RayCache& cache, double isovalue)
-  {
-    const auto some = cache.Cells(0);
-    const hasp::ClusteredCells all =
-      ExtractActiveCells(this->Grid, hasp::MinMaxBlocks(this->Grid), isovalue);
-    EXPECT_EQ(some->isovalue, all.isovalue);
-    EXPECT_GT(some->clusters.size(), 20U);
-    std::size_t next = 0, cells = 0;
-    for (const hasp::CellCluster& cluster : some->clusters)
-    {
-      while (next < all.clusters.size() && all.clusters[next].place != cluster.place)
-        ++next;
-      ASSERT_LT(next, all.clusters.size()) << "not in the whole, or not in raster order";
-      const hasp::CellCluster& other = all.clusters[next];
-      ASSERT_EQ(cluster.active, other.active);
-      ASSERT_EQ(cluster.cornersBefore, other.cornersBefore);
-      ASSERT_EQ(cluster.firstCell, cells);
-      cells += cluster.CellCount();
-      const std::size_t words = (cluster.CornerCount() * cluster.Width() + 31) / 32;
-      ASSERT_TRUE(std::equal(some->corners.begin() + cluster.firstWord,
-        some->corners.begin() + cluster.firstWord + std::ptrdiff_t(words),
-        all.corners.begin() + other.firstWord));
-    }
-    EXPECT_EQ(some->Count(), cells);
-  }
-
-  hasp::GridGeometry Geometry;
-  std::vector<std::int16_t> Samples;
-  hasp::AnyGridView Grid;
-  hasp::MinMaxBlocks Blocks;
-};
+using RayCache = hasp::testing::RayCacheScene;
 
 TEST_F(RayCache, HoldsClustersOfTheWholeSurface)
 {
@@ -88,22 +24,11 @@ TEST_F(RayCache, BecomesCompleteForAViewAtRest)
 {
   hasp::RayCache cache(Grid, Blocks, 7.0);
   const hasp::PictureView view = View(0.3);
-  for (int f = 0; f < 200; ++f)
+  for (int f = 0; f < 400; ++f)
     Sample(cache, view);
   EXPECT_EQ(Sample(cache, view).added, 0);
-  const auto cells = cache.Cells(0);
-  const hasp::RayCaster caster(Grid, Blocks, 7.0);
-  const hasp::PictureRays rays(view);
   int met = 0, missing = 0;
-  for (int y = 0; y < 160; ++y)
-    for (int x = 0; x < 160; ++x)
-    {
-      hasp::CellRay ray;
-      ASSERT_TRUE(rays.Of({ x + 0.5, y + 0.5 }, ray));
-      const auto hit = caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
-      met += hit.has_value();
-      missing += hit && !cells->Find(hit->cell);
-    }
+  CountMissing(cache, view, met, missing);
   EXPECT_GT(met, 5000);
   EXPECT_LE(missing, met / 1000); // blocks of which a corner of a pixel shows
 }
@@ -113,15 +38,7 @@ TEST_F(RayCache, HoldsEachBlockOnce)
   hasp::RayCache cache(Grid, Blocks, 7.0);
   for (int f = 0; f < 30; ++f)
     Sample(cache, View(0.2 * f), 4);
-  std::size_t distinct = 0;
-  for (int level = 0; level < cache.Levels(); ++level)
-  {
-    auto clusters = cache.Cells(level)->clusters;
-    const auto end = std::unique(clusters.begin(), clusters.end(),
-      [](const auto& a, const auto& b) { return a.Origin() == b.Origin(); });
-    distinct += std::size_t(end - clusters.begin());
-  }
-  EXPECT_EQ(distinct, cache.Live());
+  ExpectPlacesOnce(cache);
 }
 
 TEST_F(RayCache, FollowsTheIsovalueAtOnce)
@@ -176,20 +93,115 @@ TEST_F(RayCache, ChecksItselfInTurns)
   ExpectClustersOfTheWhole(cache, 7.0);
 }
 
-/// A ring far too small for what is seen: memory stays, and what is there is right.
+/// A ring far too small for what is seen: what is there is no more than fits, and right.
 TEST_F(RayCache, StaysWithinItsMemory)
+{
+  for (const bool words : { false, true })
+  {
+    hasp::RayCacheSettings settings;
+    (words ? settings.words : settings.clusters) = words ? 3000 : 60;
+    hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+    std::size_t mostWords = 0, mostClusters = 0;
+    for (int f = 0; f < 100; ++f)
+    {
+      Sample(cache, View(0.15 * f), 4);
+      mostClusters = std::max(mostClusters, cache.Live());
+      mostWords = std::max(mostWords, cache.Cells(0)->corners.size() - hasp::PaddingWords);
+    }
+    EXPECT_LE(mostClusters, settings.clusters);
+    EXPECT_LE(mostWords, settings.words);
+    // Nor does it leave room unused, but for what does not fit before the end.
+    EXPECT_GT(words ? mostWords : mostClusters, words ? 2700U : 58U);
+    ExpectClustersOfTheWhole(cache, 7.0);
+  }
+}
+
+/// A ring that cannot hold what is seen is full, not refining; until the view changes.
+TEST_F(RayCache, SaysThatItIsFull)
 {
   hasp::RayCacheSettings settings;
   settings.clusters = 60;
-  settings.words = 5000;
   hasp::RayCache cache(Grid, Blocks, 7.0, settings);
-  const std::size_t bytes = cache.Bytes();
-  for (int f = 0; f < 300; ++f)
+  for (const double angle : { 0.0, 3.1 })
   {
-    Sample(cache, View(0.05 * f), 4);
-    ASSERT_LE(cache.Live(), settings.clusters);
-    ASSERT_EQ(cache.Bytes(), bytes);
+    const auto first = Sample(cache, View(angle));
+    EXPECT_GT(first.added, 60);
+    EXPECT_TRUE(first.Refining());
+    for (int f = 0; f < 10; ++f)
+      Sample(cache, View(angle));
+    for (int f = 0; f < 50; ++f)
+    {
+      const auto frame = Sample(cache, View(angle));
+      EXPECT_GT(frame.added, 20);
+      EXPECT_FALSE(frame.Refining()) << frame.added << " added, " << frame.dropped << " dropped";
+    }
   }
+}
+
+TEST_F(RayCache, RefinesAsLongAsItFinds)
+{
+  hasp::RayCache cache(Grid, Blocks, 7.0);
+  for (int f = 0; f < 20; ++f)
+  {
+    const auto frame = Sample(cache, View(0.1 * f));
+    EXPECT_EQ(frame.dropped, 0);
+    EXPECT_EQ(frame.Refining(), frame.added > 0);
+  }
+}
+
+/// What an eye at rest sees stays while another goes round and fills the ring: whether records are
+/// short, or words.
+TEST_F(RayCache, KeepsWhatWasSeenLately)
+{
+  for (const bool words : { false, true })
+  {
+    hasp::RayCacheSettings settings;
+    (words ? settings.words : settings.clusters) = words ? 15'000 : 200;
+    hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+    const auto zoomed = [&](double angle)
+    {
+      hasp::PictureView part = View(angle);
+      part.indexToClip = glm::scale(glm::dmat4(1), glm::dvec3(3, 3, 1)) * part.indexToClip;
+      return part;
+    };
+    const hasp::PictureView part = zoomed(0);
+    for (int f = 0; f < 40; ++f)
+      Sample(cache, part);
+    int met = 0, missing = 0;
+    for (int f = 0; f < 300; ++f)
+    {
+      const hasp::SampledEye eyes[] = { { part, {}, 0 }, { zoomed(0.02 * f), {}, 1 } };
+      cache.Sample(eyes, {}, 1);
+      if (f % 20 == 19)
+        CountMissing(cache, part, met, missing);
+    }
+    EXPECT_GT(met, 5000);
+    // What no ray has met in 64 frames, as it shows a corner of a pixel, may go.
+    EXPECT_LE(missing, met / 4000) << (words ? "words" : "records") << " are short";
+  }
+}
+
+/// A full ring whose clusters change: one that upkeep makes anew may take the place of another that
+/// it is about to make anew.
+TEST_F(RayCache, KeepsClustersApartWhileTheRingTurns)
+{
+  hasp::RayCacheSettings settings;
+  settings.clusters = 60;
+  settings.upkeepShare = 1;
+  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
+  std::mt19937 random(1);
+  for (int f = 0; f < 100; ++f)
+  {
+    if (f % 3 == 2)
+    {
+      for (std::int16_t& sample : Samples)
+        sample = static_cast<std::int16_t>(sample + int(random() % 5) - 2);
+      Blocks = hasp::MinMaxBlocks(Grid);
+    }
+    Sample(cache, View(0.05 * f), 2);
+    ASSERT_NO_FATAL_FAILURE(ExpectPlacesOnce(cache)) << f;
+  }
+  cache.MarkModified({ 0, 0, 0 }, Geometry.dims - 1);
   ExpectClustersOfTheWhole(cache, 7.0);
 }
 
@@ -203,72 +215,6 @@ TEST_F(RayCache, GivesTheSamePointerWhileNothingChanges)
   EXPECT_EQ(cache.Cells(0), before);
   cache.SetIsovalue(9);
   EXPECT_NE(cache.Cells(0), before);
-}
-
-/// Longer than a window: far away, cells are twice as long, and are those of the volume that has
-/// every other sample.
-class LongRayCache : public RayCache
-{
-protected:
-  LongRayCache() : RayCache({ 1030, 20, 24 }) {}
-};
-
-TEST_F(LongRayCache, HasCoarserCellsFarAway)
-{
-  hasp::RayCache cache(Grid, Blocks, 7.0);
-  ASSERT_EQ(cache.Levels(), 3);
-  const glm::dvec3 eye(-20, 10, 12);
-  const hasp::PictureView view{ glm::perspective(0.3, 1.0, 1.0, 3000.0) *
-                                  glm::lookAt(eye, glm::dvec3(500, 10, 12), glm::dvec3(0, 0, 1)),
-    { 64, 64 }, { { -1, 0, 0, 1030 }, { 1, 0, 0, -700 } } }; // what lies in front is cut away
-  for (int f = 0; f < 30; ++f)
-    Sample(cache, view);
-  const auto coarse = cache.Cells(1);
-  ASSERT_GT(coarse->clusters.size(), 5U);
-  EXPECT_EQ(coarse->geometry.dims, glm::ivec3(515, 10, 12));
-  EXPECT_EQ(coarse->geometry.spacing, 2.0 * Geometry.spacing);
-
-  std::vector<std::int16_t> every;
-  const hasp::GridView<const std::int16_t> fine{ Samples.data(), Geometry };
-  for (int k = 0; k < 24; k += 2)
-    for (int j = 0; j < 20; j += 2)
-      for (int i = 0; i < 1030; i += 2)
-        every.push_back(fine(i, j, k));
-  const hasp::AnyGridView second =
-    hasp::GridView<const std::int16_t>{ every.data(), coarse->geometry };
-  const auto all = ExtractActiveCells(second, hasp::MinMaxBlocks(second), 7.0);
-  for (std::size_t n = 0; n < coarse->Count(); ++n)
-  {
-    const auto same = all.Find(coarse->Cell(n));
-    ASSERT_TRUE(same);
-    ASSERT_EQ(coarse->Corners(n), all.Corners(*same));
-  }
-}
-
-/// Rays through gaps between levels find the coarse block there, and add a finer one.
-TEST_F(RayCache, MendsHolesWithFinerCells)
-{
-  hasp::RayCacheSettings settings;
-  settings.pixelsACell = 3;
-  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
-  EXPECT_EQ(cache.Levels(), 1); // of a small volume: nothing to mend, nothing coarser
-  Sample(cache, View(0));
-  EXPECT_GT(cache.Live(), 0U);
-}
-
-TEST_F(LongRayCache, MendsHolesWithFinerCells)
-{
-  hasp::RayCacheSettings settings;
-  settings.pixelsACell = 4;
-  hasp::RayCache cache(Grid, Blocks, 7.0, settings);
-  const hasp::PictureView view = View(0, 700);
-  const std::vector<float> nothing(160 * 160, 1.0F);
-  const hasp::SampledEye eye{ view, nothing, 0 };
-  cache.Sample({ &eye, 1 }, {}, 16);
-  EXPECT_EQ(cache.Cells(0)->Count(), 0U);
-  for (int f = 0; f < 4; ++f)
-    cache.Sample({ &eye, 1 }, {}, 16);
-  EXPECT_GT(cache.Cells(0)->Count(), 0U);
 }
 
 TEST_F(RayCache, RefusesWhatItCannotUse)

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -64,28 +65,71 @@ TEST_F(RaySampler, MeetsCellsOfTheSurface)
   }
 }
 
+/// A wall that fills a picture of one tile, a pixel to some voxels.
+class WallSampler : public RaySampler
+{
+protected:
+  WallSampler()
+  {
+    for (std::size_t n = 0; n < this->Samples.size(); ++n)
+      this->Samples[n] = float(n / 41 % 41) - 20.5F;
+    this->Blocks = hasp::MinMaxBlocks(this->Grid);
+    this->Eye.view.indexToClip =
+      glm::ortho(0.0, 40.0, 0.0, 40.0, -100.0, 100.0) *
+      glm::lookAt(glm::dvec3(0, -50, 0), glm::dvec3(0), glm::dvec3(0, 0, 1));
+    this->Eye.view.size = { 16, 16 };
+  }
+  std::vector<hasp::SampledHit> Hits(hasp::RaySampler& sampler, int rays)
+  {
+    return sampler.Sample(this->Caster, { &this->Eye, 1 }, {}, rays).hits;
+  }
+};
+
 /// The share of a tile's rays in each quarter of it goes to a quarter, as 1 / n, which chance would
 /// not reach: for random points the difference falls as 1 / sqrt(n).
-TEST_F(RaySampler, SpreadsRaysEvenly)
+TEST_F(WallSampler, SpreadsRaysEvenly)
 {
-  Eye.view.planes = {}; // a wall that fills the picture
-  std::vector<float> wall(Geometry.Size());
-  for (std::size_t n = 0; n < wall.size(); ++n)
-    wall[n] = float(n / 41 % 41) - 20.5F;
-  const hasp::AnyGridView grid = hasp::GridView<const float>{ wall.data(), Geometry };
-  const hasp::MinMaxBlocks blocks(grid);
-  const hasp::RayCaster caster(grid, blocks, 0.0);
-  Eye.view.indexToClip = glm::ortho(0.0, 40.0, 0.0, 40.0, -100.0, 100.0) *
-                         glm::lookAt(glm::dvec3(0, -50, 0), glm::dvec3(0), glm::dvec3(0, 0, 1));
-  Eye.view.size = { 16, 16 };
   std::map<std::pair<bool, bool>, int> quarters;
   constexpr int frames = 64, rays = 16;
   for (int f = 0; f < frames; ++f)
-    for (const hasp::SampledHit& hit : Sampler.Sample(caster, { &Eye, 1 }, {}, rays).hits)
+    for (const hasp::SampledHit& hit : Hits(Sampler, rays))
       ++quarters[{ hit.cell.x >= 20, hit.cell.z >= 20 }];
   ASSERT_EQ(quarters.size(), 4U);
   for (const auto& [quarter, count] : quarters)
     EXPECT_NEAR(count, frames * rays / 4, 8); // chance: 14 is one standard deviation
+}
+
+/// However many rays each frame has, and whatever other eyes do.
+TEST_F(WallSampler, GoesOnFromFrameToFrame)
+{
+  hasp::RaySampler even, odd;
+  std::vector<glm::ivec3> some, others;
+  for (int f = 0; f < 8; ++f)
+    for (const hasp::SampledHit& hit : Hits(even, 8))
+      some.push_back(hit.cell);
+  const hasp::SampledEye other{ Eye.view, {}, 7 };
+  for (const int rays : { 5, 11, 1, 0, 30, 2, 15 })
+  {
+    for (const hasp::SampledHit& hit : Hits(odd, rays))
+      others.push_back(hit.cell);
+    odd.Sample(Caster, { &other, 1 }, {}, 3);
+  }
+  EXPECT_EQ(some.size(), 64U);
+  EXPECT_EQ(some, others);
+}
+
+/// One ray a tile, and a hole in it where there is nothing to find.
+TEST_F(WallSampler, CastsASingleRayElsewhereToo)
+{
+  std::vector<float> depth(16 * 16, 0.5F);
+  depth[0] = 1.0F;
+  Eye.depth = depth;
+  int aimed = 0, spread = 0;
+  for (int f = 0; f < 100; ++f)
+    for (const hasp::SampledHit& hit : Hits(Sampler, 1))
+      ++(hit.inHole ? aimed : spread);
+  EXPECT_EQ(aimed, 50);
+  EXPECT_EQ(spread, 50);
 }
 
 TEST_F(RaySampler, AimsHalfOfTheRaysAtHoles)
@@ -117,6 +161,32 @@ TEST_F(RaySampler, GivesUpHolesWhereRaysMeetNothing)
   EXPECT_GT(first, 50U);
   EXPECT_GT(last, first / 2); // tiles of the ball go on
   EXPECT_LE(last, first);
+}
+
+/// Another eye may get the number of one that has gone.
+TEST_F(RaySampler, ForgetsAnEyeThatHasGone)
+{
+  const auto aimed = [&](hasp::RaySampler& sampler)
+  {
+    const auto hits = sampler.Sample(Caster, { &Eye, 1 }, {}, 16).hits;
+    return std::count_if(
+      hits.begin(), hits.end(), [](const hasp::SampledHit& hit) { return hit.inHole; });
+  };
+  const std::vector<float> depth(150 * 100, 1.0F);
+  Eye.depth = depth;
+  hasp::RaySampler fresh;
+  const auto first = aimed(fresh);
+  const glm::dmat4 ball = Eye.view.indexToClip;
+  Eye.view.indexToClip = glm::translate(ball, glm::dvec3(500, 0, 0)); // nothing to find
+  for (int f = 0; f < 8; ++f)
+    EXPECT_EQ(aimed(Sampler), 0);
+  Eye.view.indexToClip = ball;
+  hasp::RaySampler early = Sampler;
+  EXPECT_LT(aimed(early), first / 2);
+  const hasp::SampledEye other{ { ball, { 16, 16 }, {} }, {}, 1 };
+  for (int f = 0; f < 256; ++f)
+    Sampler.Sample(Caster, { &other, 1 }, {}, 1);
+  EXPECT_EQ(aimed(Sampler), first);
 }
 
 TEST_F(RaySampler, StopsAtClippingPlanes)
