@@ -20,7 +20,7 @@ void CacheProgress::Sampled(const hasp::RayCache::Frame& frame, int rays, double
   this->Last = frame;
   this->Rays = rays;
   this->SampleMilliseconds = milliseconds;
-  this->QuietFrames = frame.added > 0 ? 0 : std::min(this->QuietFrames + 1, RestsAfter);
+  this->QuietFrames = frame.Refining() ? 0 : std::min(this->QuietFrames + 1, RestsAfter);
   if (frame.hits == 0)
     return; // says nothing of how full the cache is
   const bool full = double(frame.known) >= Full * double(frame.hits);

@@ -34,7 +34,7 @@ private:
   static constexpr int FilledAfter = 4, RestsAfter = 4; // frames
   static constexpr double Full = 0.995;                 // of the hits: 0.5 % are holes
   int FullFrames = 0;
-  int QuietFrames = 0; ///< in which nothing was added
+  int QuietFrames = 0; ///< in which nothing more was found
   hasp::RayCache::Frame Last;
   int Rays = 0;
   double SampleMilliseconds = 0.0, DrawMilliseconds = 0.0;
