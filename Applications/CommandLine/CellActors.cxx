@@ -63,21 +63,28 @@ vtkSmartPointer<vtkHaspRayCachingMapper> RayMapper(vtkImageData* image, double i
   return mapper;
 }
 
+/// What both mappers of active cells know.
+template <typename Mapper>
+void SetDrawing(const vtkSmartPointer<Mapper>& mapper, const SurfaceDrawing& drawing)
+{
+  const auto& names = CellRendererNames(); // in the order of the mappers' Renderers
+  mapper->SetRenderer(
+    static_cast<int>(std::find(names.begin(), names.end(), drawing.renderer) - names.begin()));
+  ThrowVtkError(ExitCode::WrongUse, "--renderer " + drawing.renderer);
+  mapper->SetAmbientOcclusion(drawing.ambientOcclusionMm.has_value());
+  if (drawing.ambientOcclusionMm)
+    mapper->SetAmbientOcclusionDistance(*drawing.ambientOcclusionMm);
+  mapper->SetShadows(drawing.shadows);
+}
+
 } // namespace
 
 SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const SurfaceDrawing& drawing)
 {
   auto mapper = vtkSmartPointer<vtkHaspClusteredCellMapper>::New();
-  const auto& names = CellRendererNames(); // in the order of the mapper's Renderers
-  mapper->SetRenderer(
-    static_cast<int>(std::find(names.begin(), names.end(), drawing.renderer) - names.begin()));
-  ThrowVtkError(ExitCode::WrongUse, "--renderer " + drawing.renderer);
+  SetDrawing(mapper, drawing);
   if (drawing.compact)
     mapper->SetPrecisionToCompact();
-  mapper->SetAmbientOcclusion(drawing.ambientOcclusionMm.has_value());
-  if (drawing.ambientOcclusionMm)
-    mapper->SetAmbientOcclusionDistance(*drawing.ambientOcclusionMm);
-  mapper->SetShadows(drawing.shadows);
   mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();
@@ -102,15 +109,13 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const SurfaceD
 SurfaceActor MakeCachingActor(vtkImageData* image, double isoValue, const SurfaceDrawing& drawing)
 {
   const auto mapper = RayMapper(image, isoValue,
-    drawing.interactive ? vtkHaspRayCachingMapper::Automatic : vtkHaspRayCachingMapper::Cache);
+    drawing.interactive || drawing.Lit() ? vtkHaspRayCachingMapper::Automatic
+                                         : vtkHaspRayCachingMapper::Cache);
+  SetDrawing(mapper, drawing);
   if (drawing.interactive)
     mapper->SetFrameBudget(WindowBudget);
   else
     mapper->SetRaysPerTile(256); // one picture, complete soon
-  mapper->SetAmbientOcclusion(drawing.ambientOcclusionMm.has_value());
-  if (drawing.ambientOcclusionMm)
-    mapper->SetAmbientOcclusionDistance(*drawing.ambientOcclusionMm);
-  mapper->SetShadows(drawing.shadows);
   SurfaceActor result = MakeRayActor(mapper);
   result.refining = [mapper] { return mapper->IsRefining(); };
   return result;

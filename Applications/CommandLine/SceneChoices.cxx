@@ -49,7 +49,7 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
   verb
     .add_option("--ambient-occlusion", drawing.ambientOcclusionMm,
       "Darken what stands close to other bone: within so many mm, say 25. Rays on the CPU; of "
-      "active cells")
+      "active cells; raycaching then draws these")
     ->check(Within(1e-3, 1e6));
   verb.add_flag("--shadows", drawing.shadows,
     std::string("A lamp up to the left of ") +
@@ -98,7 +98,7 @@ void AddCameraOptions(CLI::App& verb, CameraOptions& camera)
     ->capture_default_str();
 }
 
-/// Light takes traced rays; what else is said of active cells is for them alone.
+/// Light takes traced rays; what else is said of active cells is for what draws them.
 void RequireFittingDrawing(const SurfaceDrawing& drawing)
 {
   if (drawing.Lit() && drawing.renderer == "rasterize")
@@ -106,18 +106,11 @@ void RequireFittingDrawing(const SurfaceDrawing& drawing)
       "--ambient-occlusion and --shadows take traced rays; leave out --renderer rasterize");
   if (drawing.mapper == "cells")
     return;
-  if (drawing.interactive && drawing.mapper == "raycaching") // draws active cells where lit
-  {
-    if (drawing.renderer != "automatic" || drawing.compact)
-      throw Failure(
-        ExitCode::WrongUse, "--renderer and --compact are for --mapper cells; leave them out");
-    return;
-  }
-  if (drawing.renderer != "automatic" || drawing.compact || drawing.Lit())
-    throw Failure(ExitCode::WrongUse,
-      std::string("--renderer, --compact, --ambient-occlusion and --shadows are for --mapper "
-                  "cells") +
-        (drawing.interactive ? ", the last two for raycaching, too" : "") + "; leave them out");
+  if (drawing.compact)
+    throw Failure(ExitCode::WrongUse, "--compact is for --mapper cells; leave it out");
+  if (drawing.mapper != "raycaching" && (drawing.renderer != "automatic" || drawing.Lit()))
+    throw Failure(ExitCode::WrongUse, "--renderer, --ambient-occlusion and --shadows are for "
+                                      "--mapper cells and raycaching; leave them out");
 }
 
 /// From a .hcells file: the volume need not be there.
