@@ -52,16 +52,19 @@ void Require(bool condition, const std::string& what)
 struct CellTracer::Scene::Rays
 {
   RTCIntersectContext context; // first: Embree hands its address back
-  CellWalkRay* walks;
+  CellWalkRay* single = nullptr;
+  CellPacket* packet = nullptr;
 
-  Rays(CellWalkRay* first, RTCIntersectContextFlags flags) : walks(first)
+  explicit Rays(CellWalkRay& ray) : single(&ray) { this->Begin(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT); }
+  explicit Rays(CellPacket& rays) : packet(&rays) { this->Begin(RTC_INTERSECT_CONTEXT_FLAG_COHERENT); }
+
+  static const Rays& Of(const RTCIntersectContext* context) { return *reinterpret_cast<const Rays*>(context); }
+
+private:
+  void Begin(RTCIntersectContextFlags flags)
   {
     rtcInitIntersectContext(&this->context);
     this->context.flags = flags;
-  }
-  static CellWalkRay& Of(RTCIntersectContext* context, unsigned ray)
-  {
-    return reinterpret_cast<Rays*>(context)->walks[ray];
   }
 };
 
@@ -89,11 +92,11 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
     Require(glm::all(glm::lessThan(box.High(), last)),
       "cluster " + std::to_string(box.cluster) + " reaches beyond the volume");
 
-  this->Store = { c.clusters.data(), c.corners.data(), this->Boxes.data(), c.isovalue, {} };
+  this->Store = { ChooseCellWalk(c.cornerType, c.precision), c.clusters.data(), c.corners.data(), this->Boxes.data(), c.isovalue, {} };
   if (c.precision == CellPrecision::Compact)
     for (int code = 0; code < 256; ++code)
       this->Store.levels.push_back(code & 128 ? -c.levels[code & 127] : c.levels[code & 127]);
-  this->Walk = ChooseCellWalk(c.cornerType, c.precision);
+  this->WalkPacket = ChooseCellPacketWalk(c.cornerType, c.precision);
   this->Margin = 1e-6F * static_cast<float>(std::max({ 64, last.x, last.y, last.z }));
 
   this->Device = rtcNewDevice(nullptr);
@@ -166,26 +169,36 @@ void CellTracer::Scene::Intersect(const RTCIntersectFunctionNArguments* argument
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
   RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
   RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
-  for (unsigned n = 0; n < arguments->N; ++n)
+  const auto keep = [&](unsigned n, double t)
   {
-    if (arguments->valid[n] == 0)
-      continue;
-    CellWalkRay& walk = Rays::Of(arguments->context, RTCRayN_id(rays, arguments->N, n));
-    if (!scene.Walk(scene.Store, arguments->primID, walk))
-      continue;
-    RTCRayN_tfar(rays, arguments->N, n) = static_cast<float>(walk.t);
+    RTCRayN_tfar(rays, arguments->N, n) = static_cast<float>(t);
     RTCHitN_geomID(hits, arguments->N, n) = arguments->geomID;
+  };
+  const Rays& ours = Rays::Of(arguments->context);
+  if (ours.single != nullptr)
+  {
+    if (scene.Store.walk(scene.Store, arguments->primID, *ours.single))
+      keep(0, ours.single->t);
+    return;
+  }
+  // Embree hands a packet on as it is, ray by ray in its lane.
+  CellPacket::Rays valid = 0;
+  for (unsigned n = 0; n < CellPacket::Size; ++n)
+    valid |= CellPacket::Rays(arguments->valid[n] & 1) << n;
+  CellPacket::Rays nearer = scene.WalkPacket(scene.Store, arguments->primID, valid, *ours.packet);
+  for (; nearer != 0; nearer &= nearer - 1)
+  {
+    const auto n = static_cast<unsigned>(std::countr_zero(nearer));
+    keep(n, ours.packet->t[n]);
   }
 }
 
 void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
-  for (unsigned n = 0; n < arguments->N; ++n)
-    if (arguments->valid[n] != 0 &&
-        scene.Walk(scene.Store, arguments->primID,
-          Rays::Of(arguments->context, RTCRayN_id(arguments->ray, arguments->N, n))))
-      RTCRayN_tfar(arguments->ray, arguments->N, n) = -std::numeric_limits<float>::infinity();
+  const Rays& ours = Rays::Of(arguments->context);
+  if (scene.Store.walk(scene.Store, arguments->primID, *ours.single))
+    RTCRayN_tfar(arguments->ray, arguments->N, 0) = -std::numeric_limits<float>::infinity();
 }
 
 bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
@@ -217,7 +230,7 @@ void SetRay(Ray& ray, const CellWalkRay& walk)
 
 void CellTracer::Scene::Nearest(CellWalkRay& walk) const
 {
-  Rays rays(&walk, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  Rays rays(walk);
   RTCRayHit ray;
   SetRay(ray.ray, walk);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -226,7 +239,7 @@ void CellTracer::Scene::Nearest(CellWalkRay& walk) const
 
 bool CellTracer::Scene::Any(CellWalkRay& walk) const
 {
-  Rays rays(&walk, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  Rays rays(walk);
   RTCRay ray;
   SetRay(ray, walk);
   rtcOccluded1(this->Tree, &rays.context, &ray);
@@ -235,7 +248,9 @@ bool CellTracer::Scene::Any(CellWalkRay& walk) const
 
 void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
 {
-  Rays rays(walks, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  CellPacket p{};
+  for (int n = 0; n < PacketSize; ++n) p.SetRay(n, walks[n]);
+  Rays rays(p);
   alignas(64) int valid[PacketSize];
   RTCRayHit16 packet;
   for (int n = 0; n < PacketSize; ++n)
@@ -257,6 +272,13 @@ void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
     packet.hit.geomID[n] = RTC_INVALID_GEOMETRY_ID;
   }
   rtcIntersect16(valid, this->Tree, &rays.context, &packet);
+  for (int n = 0; n < PacketSize; ++n)
+  {
+    CellWalkRay& w = walks[n];
+    w.t = p.t[n]; w.cluster = unsigned(p.cluster[n]); w.place = unsigned(p.place[n]);
+    for (int c = 0; c < 4; ++c) { w.low[c] = p.corners[c][n]; w.high[c] = p.corners[c + 4][n]; }
+    for (int c = 0; c < 3; ++c) w.local[c] = p.local[c][n];
+  }
 }
 
 CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const

@@ -1,6 +1,6 @@
 #pragma once
 // Private to CellTracer: Embree's side of it.
-#include "Isosurface/CellWalk.h"
+#include "Isosurface/CellPacket.h"
 
 #include <embree3/rtcore.h>
 
@@ -45,7 +45,7 @@ private:
   std::vector<CellBox> Boxes;
   glm::ivec3 CellCounts{ 0 }; ///< of the volume
   CellStore Store;
-  CellWalk Walk;
+  CellPacketWalk WalkPacket;
   float Margin; ///< voxels by which Embree's boxes are larger: what float may round off
   std::atomic<std::int64_t> DeviceBytes{ 0 };
   RTCDevice Device = nullptr;

@@ -1,0 +1,315 @@
+// Private to CellPacketWalk.cxx, and compiled there once an instruction set: what CellSegment.h
+// does for a ray's segment in an active cell, for as many rays as there are lanes. The same
+// operations in the same order, so that results agree bit for bit.
+#if defined(HASP_CELL_PACKET_SEGMENT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HASP_CELL_PACKET_SEGMENT_INL
+#undef HASP_CELL_PACKET_SEGMENT_INL
+#else
+#define HASP_CELL_PACKET_SEGMENT_INL
+#endif
+
+#include "Isosurface/CellPacket.h"
+#include "Isosurface/CellSegment.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hasp::HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+using cells::Kind;
+
+constexpr hn::CappedTag<float, CellPacket::Size> floats;
+constexpr hn::RebindToSigned<decltype(floats)> ints;
+constexpr hn::RebindToUnsigned<decltype(floats)> words;
+constexpr hn::Half<decltype(floats)> halfFloats;
+constexpr hn::Half<decltype(ints)> halfInts;
+constexpr hn::Half<decltype(words)> halfWords;
+constexpr hn::Rebind<double, decltype(halfFloats)> doubles;
+constexpr hn::Rebind<std::uint64_t, decltype(halfFloats)> longs;
+constexpr int Lanes = static_cast<int>(hn::MaxLanes(floats));
+
+using Floats = hn::Vec<decltype(floats)>;
+using Ints = hn::Vec<decltype(ints)>;
+using Words = hn::Vec<decltype(words)>;
+using Doubles = hn::Vec<decltype(doubles)>;
+using Mask = hn::Mask<decltype(ints)>;
+
+HWY_INLINE Floats Splat(float v)
+{
+  return hn::Set(floats, v);
+}
+HWY_INLINE Ints Splat(std::int32_t v)
+{
+  return hn::Set(ints, v);
+}
+template <typename V>
+HWY_INLINE V Select(Mask mask, V yes, V no)
+{
+  return hn::IfThenElse(hn::RebindMask(hn::DFromV<V>(), mask), yes, no);
+}
+HWY_INLINE Mask MaskOf(hn::Mask<decltype(floats)> mask)
+{
+  return hn::RebindMask(ints, mask);
+}
+HWY_INLINE CellPacket::Rays BitsOf(Mask mask)
+{
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(ints, mask, bits);
+  return static_cast<CellPacket::Rays>(bits[0] | bits[1] << 8);
+}
+HWY_INLINE Mask MaskOf(CellPacket::Rays rays)
+{
+  const std::uint8_t bits[8] = { static_cast<std::uint8_t>(rays),
+    static_cast<std::uint8_t>(rays >> 8U) };
+  return hn::LoadMaskBits(ints, bits);
+}
+
+/// 64 bytes to look up in, by lane.
+class ByteTable
+{
+public:
+  HWY_INLINE explicit ByteTable(const void* bytes) : Bytes(static_cast<const std::uint32_t*>(bytes))
+  {
+  }
+  /// The word that byte n of the table lies in.
+  HWY_INLINE Words WordOf(Words n) const
+  {
+    if constexpr (Lanes == 16)
+      return hn::TableLookupLanes(
+        hn::LoadU(words, this->Bytes), hn::IndicesFromVec(words, hn::ShiftRight<2>(n)));
+    else
+      return hn::GatherIndex(
+        words, this->Bytes, hn::BitCast(ints, hn::ShiftRight<2>(n)));
+  }
+  HWY_INLINE Words operator[](Words n) const
+  {
+    const Words shift = hn::ShiftLeft<3>(hn::And(n, hn::Set(words, 3U)));
+    return hn::And(hn::Shr(this->WordOf(n), shift), hn::Set(words, 255U));
+  }
+
+private:
+  const std::uint32_t* Bytes;
+};
+
+/// Where the corners of a cluster are stored. By slice and row, the corners in the rows before and
+/// the row's corners at x = 0..7; for a cell's own row and the next in both its slices. What
+/// PlacesOfPairs counts, a cell's row of 8 bits in place of its slice of 64.
+struct CornerTables
+{
+  struct Slice
+  {
+    alignas(64) std::uint64_t before[8], row[8], beforeNext[8], nextRow[8];
+  };
+  Slice low, high;
+  std::uint32_t slices[16]; ///< corners before each of 9 slices
+
+  HWY_INLINE explicit CornerTables(const CellCluster& cluster)
+  {
+    std::uint64_t cells[10] = {}; // of the slices -1 to 8
+    std::copy(cluster.active.begin(), cluster.active.end(), cells + 1);
+    this->slices[0] = 0;
+    std::copy(cluster.cornersBefore.begin(), cluster.cornersBefore.end(), this->slices + 1);
+    Fill(this->low, cells);
+    Fill(this->high, cells + 1);
+  }
+
+private:
+  HWY_INLINE static void Fill(Slice& slice, const std::uint64_t* cells)
+  {
+    const hn::CappedTag<std::uint64_t, 8> d;
+    const hn::Repartition<std::uint8_t, decltype(d)> bytes;
+    const auto column = hn::Set(d, 0x8080808080808080U);
+    for (std::size_t z = 0; z < 8; z += hn::Lanes(d))
+    {
+      const auto touching = hn::Or(hn::LoadU(d, cells + z), hn::LoadU(d, cells + z + 1));
+      const auto wide = hn::Or(touching, hn::ShiftLeft<1>(hn::AndNot(column, touching)));
+      const auto square = hn::Or(wide, hn::ShiftLeft<8>(wide));
+      const auto edge = hn::ShiftRight<7>(hn::And(touching, column)); // corners at x = 8
+      const auto inRow = hn::BitCast(d, hn::PopulationCount(hn::BitCast(bytes, square))) + hn::Or(edge, hn::ShiftLeft<8>(edge));
+      auto until = inRow + hn::ShiftLeft<8>(inRow);
+      until = until + hn::ShiftLeft<16>(until);
+      until = until + hn::ShiftLeft<32>(until);
+      const auto nextRow = hn::Or(
+        hn::ShiftRight<8>(square), hn::ShiftLeft<56>(hn::ShiftRight<56>(wide)));
+      hn::Store(hn::ShiftLeft<8>(until), d, slice.before + z);
+      hn::Store(square, d, slice.row + z);
+      hn::Store(until, d, slice.beforeNext + z);
+      hn::Store(nextRow, d, slice.nextRow + z);
+    }
+  }
+};
+
+/// The 8 corners of an active cell a lane minus the isovalue, x fastest. Lanes that are not `on`
+/// read any corners of the cluster.
+template <Kind kind>
+HWY_INLINE void Decode(const CellStore& store, const CellCluster& cluster,
+  const CornerTables& tables, Ints placeOf, Mask on, Floats (&corners)[8])
+{
+  const Words place = hn::BitCast(words, placeOf), row = hn::ShiftRight<3>(place),
+              slice = hn::ShiftRight<6>(place);
+  const Words ones = hn::Set(words, 1U);
+  const Words left = hn::Shl(ones, hn::And(place, hn::Set(words, 7U))) - ones;
+  const ByteTable slices(tables.slices);
+  const auto at = [&](const Words& before, const std::uint64_t* rowsBefore, const std::uint64_t* rows) HWY_ATTR
+  {
+    const Words count = before + ByteTable(rowsBefore)[row] +
+                        hn::PopulationCount(hn::And(ByteTable(rows)[row], left));
+    return hn::IfThenElseZero(hn::RebindMask(words, on), count);
+  };
+  const Words beforeLow = slices.WordOf(hn::ShiftLeft<2>(slice)),
+              beforeHigh = slices.WordOf(hn::ShiftLeft<2>(slice + ones));
+  const Words pairs[4] = { at(beforeLow, tables.low.before, tables.low.row),
+    at(beforeLow, tables.low.beforeNext, tables.low.nextRow),
+    at(beforeHigh, tables.high.before, tables.high.row),
+    at(beforeHigh, tables.high.beforeNext, tables.high.nextRow) };
+  const std::uint32_t* stream = store.corners + cluster.firstWord;
+
+  for (int p = 0; p < 4; ++p)
+  {
+    if constexpr (kind == Kind::Float32)
+    {
+      const Floats isovalue = Splat(store.isovalue);
+      const auto* samples = reinterpret_cast<const float*>(stream);
+      const Ints n = hn::BitCast(ints, pairs[p]);
+      corners[2 * p] = hn::GatherIndex(floats, samples, n) - isovalue;
+      corners[2 * p + 1] = hn::GatherIndex(floats, samples + 1, n) - isovalue;
+    }
+    else if constexpr (kind == Kind::Compact)
+    {
+      const Words pair = hn::GatherOffset(words, stream, hn::BitCast(ints, pairs[p]));
+      const Words byte = hn::Set(words, 255U);
+      const auto level = [&](const Words& code) HWY_ATTR
+      { return hn::GatherIndex(floats, store.levels.data(), hn::BitCast(ints, code)); };
+      corners[2 * p] = level(hn::And(pair, byte));
+      corners[2 * p + 1] = level(hn::And(hn::ShiftRight<8>(pair), byte));
+    }
+    else
+    {
+      const auto width = static_cast<int>(cluster.place.x >> 26U);
+      const Words bits = pairs[p] * hn::Set(words, static_cast<std::uint32_t>(width));
+      const auto load = [&](const auto& half) HWY_ATTR
+      {
+        const auto bit = hn::PromoteTo(longs, half);
+        const auto* base = reinterpret_cast<const std::uint64_t*>(stream);
+        const auto loaded = hn::GatherOffset(longs, base, hn::BitCast(hn::RebindToSigned<decltype(longs)>(), hn::ShiftRight<3>(bit)));
+        return hn::TruncateTo(halfWords, hn::Shr(loaded, hn::And(bit, hn::Set(longs, 7U))));
+      };
+      const Words pair = hn::Combine(words, load(hn::UpperHalf(halfWords, bits)), load(hn::LowerHalf(halfWords, bits)));
+      const Words mask = hn::Set(words, (1U << width) - 1U);
+      const std::uint32_t base = cluster.place.y >> 16U;
+      const Ints added = Splat(kind == Kind::Int16 ? std::int32_t(static_cast<std::int16_t>(base)) : std::int32_t(base));
+      const Floats isovalue = Splat(store.isovalue);
+      const auto sample = [&](const Words& code) HWY_ATTR
+      { return hn::ConvertTo(floats, hn::BitCast(ints, hn::And(code, mask)) + added) - isovalue; };
+      corners[2 * p] = sample(pair);
+      corners[2 * p + 1] = sample(hn::ShiftRightSame(pair, width));
+    }
+  }
+}
+
+/// Bernstein: the coefficients, and where not all of the 8 values have one sign.
+HWY_INLINE Mask Bernstein(
+  const Floats (&c)[8], const Floats (&a)[3], const Floats (&b)[3], Floats (&coefficients)[4])
+{
+  const Floats one = Splat(1.0F);
+  Floats value[2][2][2]; // x, y, z of a (0) or b (1)
+  auto allIn = MaskOf(~0U), anyIn = MaskOf(0U);
+  for (int z = 0; z < 2; ++z)
+  {
+    const Floats tz = z ? b[2] : a[2], rz = one - tz;
+    Floats plane[4];
+    for (int n = 0; n < 4; ++n)
+      plane[n] = c[n] * rz + c[n + 4] * tz;
+    for (int x = 0; x < 2; ++x)
+    {
+      const Floats tx = x ? b[0] : a[0], rx = one - tx;
+      const Floats y0 = rx * plane[0] + tx * plane[1], y1 = rx * plane[2] + tx * plane[3];
+      for (int y = 0; y < 2; ++y)
+      {
+        const Floats ty = y ? b[1] : a[1], v = y0 * (one - ty) + y1 * ty;
+        value[x][y][z] = v;
+        const Mask in = MaskOf(v >= Splat(0.0F));
+        allIn = hn::And(allIn, in);
+        anyIn = hn::Or(anyIn, in);
+      }
+    }
+  }
+  const Floats third = Splat(1.0F / 3.0F);
+  coefficients[0] = value[0][0][0];
+  coefficients[1] = (value[1][0][0] + value[0][1][0] + value[0][0][1]) * third;
+  coefficients[2] = (value[0][1][1] + value[1][0][1] + value[1][1][0]) * third;
+  coefficients[3] = value[1][1][1];
+  return hn::AndNot(allIn, anyIn);
+}
+
+/// cells::QuickRoot.
+HWY_INLINE Mask QuickRoot(const Floats (&c)[4], Floats& s)
+{
+  const Floats zero = Splat(0.0F), two = Splat(2.0F), three = Splat(3.0F);
+  const Floats d0 = c[1] - c[0], d1 = c[2] - c[1], d2 = c[3] - c[2];
+  const auto rises = hn::And(hn::And(d0 > zero, d1 > zero), d2 > zero),
+             falls = hn::And(hn::And(d0 < zero, d1 < zero), d2 < zero);
+  const auto turns = hn::Xor(c[0] >= zero, c[3] >= zero);
+  const Floats A = d2 - two * d1 + d0, B = three * (d1 - d0), C = three * d0;
+  const auto step = [&](const Floats& at) HWY_ATTR
+  {
+    return (((A * at + B) * at + C) * at + c[0]) / ((three * A * at + two * B) * at + C);
+  };
+  const Floats first = c[0] / (c[0] - c[3]), second = first - step(first), change = step(second);
+  s = second - change;
+  const auto good = hn::And(hn::Abs(change) < Splat(1e-4F), hn::And(s >= zero, s <= Splat(1.0F)));
+  return MaskOf(hn::And(hn::And(hn::Or(rises, falls), turns), good));
+}
+
+/// cells::FirstRoot in lanes that are `on`; those `onStart` begin on the surface.
+template <Kind kind>
+HWY_INLINE Mask FirstRoot(const Floats (&given)[8], const Floats (&a)[3], const Floats (&b)[3],
+  Mask on, CellPacket::Rays onStart, CellPacket::Rays startInside, Floats& s)
+{
+  Floats corners[8];
+  std::copy(given, given + 8, corners);
+  if constexpr (kind == Kind::Float32)
+  {
+    Floats most[4];
+    for (int n = 0; n < 4; ++n)
+      most[n] = hn::Max(hn::Max(corners[n], hn::Neg(corners[n])), hn::Max(corners[n + 4], hn::Neg(corners[n + 4])));
+    const Floats largest = hn::Max(hn::Max(most[3], most[2]), hn::Max(most[1], most[0]));
+    const auto tiny = largest < Splat(cells::Tiny), huge = largest > Splat(cells::Huge);
+    const Floats scale = hn::IfThenElse(
+      tiny, Splat(0x1p96F), hn::IfThenElse(huge, Splat(0x1p-24F), Splat(1.0F)));
+    for (Floats& corner : corners)
+      corner = corner * scale;
+  }
+  Floats c[4];
+  const Mask starts = MaskOf(onStart);
+  const Mask crosses = hn::And(on, hn::AndNot(starts, Bernstein(corners, a, b, c)));
+  Mask found = MaskOf(0U);
+  if (!hn::AllFalse(ints, crosses))
+    found = hn::And(crosses, QuickRoot(c, s));
+  // What is seldom goes by itself.
+  CellPacket::Rays rest = BitsOf(hn::AndNot(found, hn::Or(crosses, hn::And(on, starts))));
+  if (rest == 0)
+    return found;
+  alignas(64) float each[4][Lanes], roots[Lanes];
+  for (int k = 0; k < 4; ++k)
+    hn::Store(c[k], floats, each[k]);
+  hn::Store(s, floats, roots);
+  CellPacket::Rays more = 0;
+  for (; rest != 0; rest &= rest - 1)
+  {
+    const int n = std::countr_zero(rest);
+    const glm::vec4 one(each[0][n], each[1][n], each[2][n], each[3][n]);
+    const bool has = onStart >> n & 1U
+                       ? cells::RootAfterStart(one, startInside >> n & 1U, roots[n])
+                       : glsl::HaspFirstRoot(one, roots[n]);
+    more |= CellPacket::Rays(has) << n;
+  }
+  s = hn::Load(floats, roots);
+  return hn::Or(found, MaskOf(more));
+}
+
+} // namespace hasp::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
