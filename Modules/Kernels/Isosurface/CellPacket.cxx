@@ -1,7 +1,29 @@
 #include "Isosurface/CellPacket.h"
+#include "Isosurface/RayRoot.h"
+
+#include <algorithm>
+#include <bit>
 
 namespace hasp
 {
+
+void CellRays::Set(int n, const CellRay& ray)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->origin[axis][n] = ray.origin[axis];
+    this->direction[axis][n] = ray.direction[axis];
+  }
+  this->tMin[n] = ray.tMin;
+  this->tMax[n] = ray.tMax;
+}
+
+CellRay CellRays::operator[](int n) const
+{
+  return { { this->origin[0][n], this->origin[1][n], this->origin[2][n] },
+    { this->direction[0][n], this->direction[1][n], this->direction[2][n] }, this->tMin[n],
+    this->tMax[n] };
+}
 
 CellWalkRay CellPacket::Ray(int n) const
 {
@@ -50,5 +72,99 @@ void CellPacket::SetHit(int n, const CellWalkRay& ray)
   for (int axis = 0; axis < 3; ++axis)
     this->local[axis][n] = ray.local[axis];
 }
+
+namespace singly
+{
+
+CellPacket::Rays Begin(
+  const CellRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet)
+{
+  CellPacket::Rays meet = 0;
+  for (; which != 0; which &= which - 1)
+  {
+    const int n = std::countr_zero(which);
+    CellWalkRay ray;
+    CellWalkEntry entry;
+    if (!BeginWalk(rays[n], cells, ray, entry))
+      continue;
+    packet.SetRay(n, ray);
+    meet |= 1U << n;
+  }
+  return meet;
+}
+
+CellPacket::Rays Walk(
+  const CellStore& store, std::uint32_t n, CellPacket::Rays rays, CellPacket& packet)
+{
+  CellPacket::Rays nearer = 0;
+  for (; rays != 0; rays &= rays - 1)
+  {
+    const int lane = std::countr_zero(rays);
+    CellWalkRay ray = packet.Ray(lane);
+    if (!store.walk(store, n, ray))
+      continue;
+    packet.SetHit(lane, ray);
+    nearer |= 1U << lane;
+  }
+  return nearer;
+}
+
+void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,
+  const glm::dmat4& indexToClip, CellPixels& pixels)
+{
+  const auto four = [&](int first, int n)
+  {
+    const auto& c = packet.corners;
+    return glm::vec4(c[first][n], c[first + 1][n], c[first + 2][n], c[first + 3][n]);
+  };
+  for (int n = 0; n < CellPacket::Size; ++n)
+  {
+    glm::vec3 local(0.0F);
+    glm::vec4 gradient(0.0F, 0.0F, 0.0F, TracedPicture::NoDepth);
+    if (hits >> n & 1U)
+    {
+      local = { packet.local[0][n], packet.local[1][n], packet.local[2][n] };
+      const std::uint32_t place = static_cast<std::uint32_t>(packet.place[n]);
+      const glm::ivec3 cell = store.clusters[packet.cluster[n]].Origin() +
+                              glm::ivec3(place & 7U, place >> 3U & 7U, place >> 6U);
+      const glm::dvec4 clip =
+        indexToClip * glm::dvec4(glm::dvec3(cell) + glm::dvec3(local), 1.0);
+      gradient = { glsl::HaspTrilinearGradient(four(0, n), four(4, n), local),
+        static_cast<float>(std::clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0)) };
+    }
+    std::copy(&local.x, &local.x + 3, pixels.places[n]);
+    std::copy(&gradient.x, &gradient.x + 4, pixels.gradients[n]);
+  }
+  NumberCells(store, packet, hits, pixels);
+}
+
+} // namespace singly
+
+void NumberCells(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels)
+{
+  for (int n = 0; n < CellPacket::Size; ++n)
+    pixels.cells[n] = hits >> n & 1U ? CellNumber(store.clusters[packet.cluster[n]],
+                                         static_cast<std::uint32_t>(packet.place[n]))
+                                     : TracedPicture::Nothing;
+}
+
+#if !HASP_WITH_HIGHWAY
+CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& cells, CellPacket& packet)
+{
+  packet.fromSurface = packet.startInside = 0;
+  return singly::Begin(rays, CellPacket::All, cells, packet);
+}
+
+CellPacketWalk ChooseCellPacketWalk(CornerType, CellPrecision)
+{
+  return &singly::Walk;
+}
+
+void EndCellPacket(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,
+  const glm::dmat4& indexToClip, CellPixels& pixels)
+{
+  singly::End(store, packet, hits, indexToClip, pixels);
+}
+#endif
 
 } // namespace hasp

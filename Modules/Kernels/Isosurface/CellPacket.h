@@ -5,11 +5,22 @@
 namespace hasp
 {
 
+/// CellRays, [axis][ray].
+struct alignas(64) CellRays
+{
+  static constexpr int Size = 16;
+  double origin[3][Size], direction[3][Size], tMin[Size], tMax[Size];
+
+  void Set(int n, const CellRay& ray);
+  CellRay operator[](int n) const;
+};
+
 /// Rays on their way, as CellWalkRay, number by number: [axis][ray].
 struct alignas(64) CellPacket
 {
-  static constexpr int Size = 16;
+  static constexpr int Size = CellRays::Size;
   using Rays = std::uint32_t; ///< a bit a ray
+  static constexpr Rays All = (1U << Size) - 1U;
 
   double origin[3][Size], direction[3][Size], inverse[3][Size], end[Size];
   float directionF[3][Size], inverseF[3][Size];
@@ -27,11 +38,40 @@ struct alignas(64) CellPacket
   void SetHit(int n, const CellWalkRay& ray); ///< its nearest hit
 };
 
-/// CellWalk for all rays given; which of them it was nearer for. The same hits, bit for bit.
+/// A packet's part of a TracedPicture.
+struct alignas(64) CellPixels
+{
+  float gradients[CellPacket::Size][4], places[CellPacket::Size][3];
+  std::uint32_t cells[CellPacket::Size];
+};
+
+/// BeginWalk for the rays of a packet; which of them meet the volume.
+CellPacket::Rays BeginCellPacket(
+  const CellRays& rays, const glm::ivec3& cells, CellPacket& packet);
+
+/// CellWalk for the rays given; which of them it was nearer for.
 using CellPacketWalk = CellPacket::Rays (*)(
   const CellStore& store, std::uint32_t n, CellPacket::Rays rays, CellPacket& packet);
-
-/// In the CPU's widest instructions, rays side by side; where there are none, one after the other.
 CellPacketWalk ChooseCellPacketWalk(CornerType type, CellPrecision precision);
+
+/// Those given have a nearest hit, the others nothing.
+void EndCellPacket(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,
+  const glm::dmat4& indexToClip, CellPixels& pixels);
+
+/// The numbers of the cells hit.
+void NumberCells(
+  const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels);
+
+/// The same for rays by themselves. All of the above work side by side in the CPU's widest
+/// instructions, or so where there are none; results agree bit for bit.
+namespace singly
+{
+CellPacket::Rays Begin(
+  const CellRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet);
+CellPacket::Rays Walk(
+  const CellStore& store, std::uint32_t n, CellPacket::Rays rays, CellPacket& packet);
+void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,
+  const glm::dmat4& indexToClip, CellPixels& pixels);
+} // namespace singly
 
 } // namespace hasp

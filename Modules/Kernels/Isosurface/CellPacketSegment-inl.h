@@ -8,63 +8,14 @@
 #define HASP_CELL_PACKET_SEGMENT_INL
 #endif
 
-#include "Isosurface/CellPacket.h"
+#include "Isosurface/CellLanes-inl.h"
 #include "Isosurface/CellSegment.h"
-
-#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
 {
 
-namespace hn = hwy::HWY_NAMESPACE;
 using cells::Kind;
-
-constexpr hn::CappedTag<float, CellPacket::Size> floats;
-constexpr hn::RebindToSigned<decltype(floats)> ints;
-constexpr hn::RebindToUnsigned<decltype(floats)> words;
-constexpr hn::Half<decltype(floats)> halfFloats;
-constexpr hn::Half<decltype(ints)> halfInts;
-constexpr hn::Half<decltype(words)> halfWords;
-constexpr hn::Rebind<double, decltype(halfFloats)> doubles;
-constexpr hn::Rebind<std::uint64_t, decltype(halfFloats)> longs;
-constexpr int Lanes = static_cast<int>(hn::MaxLanes(floats));
-
-using Floats = hn::Vec<decltype(floats)>;
-using Ints = hn::Vec<decltype(ints)>;
-using Words = hn::Vec<decltype(words)>;
-using Doubles = hn::Vec<decltype(doubles)>;
-using Mask = hn::Mask<decltype(ints)>;
-
-HWY_INLINE Floats Splat(float v)
-{
-  return hn::Set(floats, v);
-}
-HWY_INLINE Ints Splat(std::int32_t v)
-{
-  return hn::Set(ints, v);
-}
-template <typename V>
-HWY_INLINE V Select(Mask mask, V yes, V no)
-{
-  return hn::IfThenElse(hn::RebindMask(hn::DFromV<V>(), mask), yes, no);
-}
-HWY_INLINE Mask MaskOf(hn::Mask<decltype(floats)> mask)
-{
-  return hn::RebindMask(ints, mask);
-}
-HWY_INLINE CellPacket::Rays BitsOf(Mask mask)
-{
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(ints, mask, bits);
-  return static_cast<CellPacket::Rays>(bits[0] | bits[1] << 8);
-}
-HWY_INLINE Mask MaskOf(CellPacket::Rays rays)
-{
-  const std::uint8_t bits[8] = { static_cast<std::uint8_t>(rays),
-    static_cast<std::uint8_t>(rays >> 8U) };
-  return hn::LoadMaskBits(ints, bits);
-}
 
 /// 64 bytes to look up in, by lane.
 class ByteTable

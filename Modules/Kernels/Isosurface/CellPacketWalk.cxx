@@ -9,110 +9,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "Isosurface/CellSegment.h"
 #if HWY_TARGET != HWY_SCALAR
 #include "Isosurface/CellPacketSegment-inl.h"
-#endif
 
 HWY_BEFORE_NAMESPACE();
-#if HWY_TARGET != HWY_SCALAR
 namespace hasp::HWY_NAMESPACE
 {
-
-/// Double precision for as many rays as there are lanes of floats.
-struct Wide
-{
-  Doubles low, high;
-
-  HWY_INLINE Wide(Doubles first, Doubles second) : low(first), high(second) {}
-  HWY_INLINE explicit Wide(double v) : low(hn::Set(doubles, v)), high(low) {}
-  HWY_INLINE explicit Wide(const double* from)
-    : low(hn::Load(doubles, from)),
-      high(hn::Load(doubles, from + Lanes / 2))
-  {
-  }
-  HWY_INLINE explicit Wide(Floats v)
-    : low(hn::PromoteTo(doubles, hn::LowerHalf(halfFloats, v))),
-      high(hn::PromoteTo(doubles, hn::UpperHalf(halfFloats, v)))
-  {
-  }
-  HWY_INLINE explicit Wide(Ints v)
-    : low(hn::PromoteTo(doubles, hn::LowerHalf(halfInts, v))),
-      high(hn::PromoteTo(doubles, hn::UpperHalf(halfInts, v)))
-  {
-  }
-  HWY_INLINE Floats ToFloats() const
-  {
-    return hn::Combine(floats, hn::DemoteTo(halfFloats, this->high),
-      hn::DemoteTo(halfFloats, this->low));
-  }
-  HWY_INLINE Ints ToInts() const
-  {
-    return hn::Combine(
-      ints, hn::DemoteTo(halfInts, this->high), hn::DemoteTo(halfInts, this->low));
-  }
-};
-struct WideMask
-{
-  hn::Mask<decltype(doubles)> low, high;
-
-  HWY_INLINE CellPacket::Rays Bits() const
-  {
-    std::uint8_t bits[16] = {};
-    hn::StoreMaskBits(doubles, this->low, bits);
-    hn::StoreMaskBits(doubles, this->high, bits + 8);
-    return static_cast<CellPacket::Rays>(bits[0] | bits[8] << Lanes / 2);
-  }
-};
-HWY_INLINE WideMask WideMaskOf(CellPacket::Rays rays)
-{
-  const std::uint8_t low[8] = { static_cast<std::uint8_t>(rays & ((1U << Lanes / 2) - 1U)) };
-  const std::uint8_t high[8] = { static_cast<std::uint8_t>(rays >> Lanes / 2) };
-  return { hn::LoadMaskBits(doubles, low), hn::LoadMaskBits(doubles, high) };
-}
-HWY_INLINE Wide operator+(Wide a, Wide b)
-{
-  return { a.low + b.low, a.high + b.high };
-}
-HWY_INLINE Wide operator-(Wide a, Wide b)
-{
-  return { a.low - b.low, a.high - b.high };
-}
-HWY_INLINE Wide operator*(Wide a, Wide b)
-{
-  return { a.low * b.low, a.high * b.high };
-}
-HWY_INLINE WideMask operator<(Wide a, Wide b)
-{
-  return { a.low < b.low, a.high < b.high };
-}
-HWY_INLINE WideMask operator<=(Wide a, Wide b)
-{
-  return { a.low <= b.low, a.high <= b.high };
-}
-HWY_INLINE WideMask operator==(Wide a, Wide b)
-{
-  return { a.low == b.low, a.high == b.high };
-}
-HWY_INLINE Wide Least(Wide a, Wide b)
-{
-  return { hn::Min(a.low, b.low), hn::Min(a.high, b.high) };
-}
-HWY_INLINE Wide Most(Wide a, Wide b)
-{
-  return { hn::Max(a.low, b.low), hn::Max(a.high, b.high) };
-}
-HWY_INLINE Wide Select(WideMask mask, Wide yes, Wide no)
-{
-  return { hn::IfThenElse(mask.low, yes.low, no.low),
-    hn::IfThenElse(mask.high, yes.high, no.high) };
-}
-HWY_INLINE void StoreWhere(CellPacket::Rays rays, Wide v, double* to)
-{
-  const WideMask mask = WideMaskOf(rays);
-  hn::BlendedStore(v.low, mask.low, doubles, to);
-  hn::BlendedStore(v.high, mask.high, doubles, to + Lanes / 2);
-}
 
 /// Lanes rays of a packet, from the first on, through box n in step: WalkBox's ways and arithmetic.
 template <Kind kind>
@@ -351,31 +253,6 @@ CellPacket::Rays WalkPacket(
   return hits;
 }
 
-#else
-
-namespace hasp::HWY_NAMESPACE
-{
-
-using cells::Kind;
-
-template <Kind kind>
-CellPacket::Rays WalkPacket(
-  const CellStore& store, std::uint32_t n, CellPacket::Rays rays, CellPacket& packet)
-{
-  CellPacket::Rays hits = 0;
-  for (; rays != 0; rays &= rays - 1)
-  {
-    const int ray = std::countr_zero(rays);
-    CellWalkRay walk = packet.Ray(ray);
-    if (!store.walk(store, n, walk))
-      continue;
-    packet.SetHit(ray, walk);
-    hits |= 1U << ray;
-  }
-  return hits;
-}
-#endif
-
 CellPacketWalk Choose(CornerType type, CellPrecision precision)
 {
   if (precision == CellPrecision::Compact)
@@ -384,6 +261,18 @@ CellPacketWalk Choose(CornerType type, CellPrecision precision)
          : type == CornerType::UInt16 ? &WalkPacket<Kind::UInt16>
                                       : &WalkPacket<Kind::Float32>;
 }
+
+#else
+
+HWY_BEFORE_NAMESPACE();
+namespace hasp::HWY_NAMESPACE
+{
+
+CellPacketWalk Choose(CornerType, CellPrecision)
+{
+  return &singly::Walk;
+}
+#endif
 
 } // namespace hasp::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

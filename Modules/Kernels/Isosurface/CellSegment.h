@@ -13,13 +13,6 @@
 namespace hasp::cells
 {
 
-// Ways along the ray inside a box, 8 sqrt(3) voxels at most, are whole numbers of 2^-26 voxel:
-// an integer's minimum and sum take a cycle each, a float's four. LongWay stands for what is never
-// met.
-constexpr double TicksPerVoxel = 67108864.0;
-constexpr float LongWay = 1.0e9F; // ticks, more than any; twice as many are still an integer
-constexpr double OnStart = 1e-4;  // voxels: segments that begin this close to the start touch it
-
 constexpr float Tiny = 1e-30F,
                 Huge = 1e36F; // corners are scaled into this range: no under- or overflow
 

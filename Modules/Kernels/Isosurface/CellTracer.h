@@ -30,10 +30,12 @@ struct CellHit
 struct TracedPicture
 {
   static constexpr std::uint32_t Nothing = 0xFFFFFFFFU;
+  static constexpr float NoDepth = 2.0F;
   glm::ivec2 size{ 0 };
   std::vector<std::uint32_t> cells; ///< number of the active cell met, or Nothing
-  std::vector<glm::vec4> places;    ///< hit in the cell, [0,1]^3; depth, [0,1] as in a window
-  std::vector<glm::vec4> gradients; ///< per index step, as CellHit's; w is 0
+  /// Per index step, as CellHit's; depth, [0,1] as in a window, or NoDepth.
+  std::vector<glm::vec4> gradients;
+  std::vector<glm::vec3> places; ///< hit in the cell, [0,1]^3; 0 where nothing is
 };
 
 struct AmbientOcclusionSettings

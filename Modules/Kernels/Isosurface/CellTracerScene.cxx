@@ -246,39 +246,43 @@ bool CellTracer::Scene::Any(CellWalkRay& walk) const
   return ray.tfar < 0.0F;
 }
 
-void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
+CellPacket::Rays CellTracer::Scene::Enter(const CellRays& rays, CellPacket& packet) const
 {
-  CellPacket p{};
-  for (int n = 0; n < PacketSize; ++n) p.SetRay(n, walks[n]);
-  Rays rays(p);
-  alignas(64) int valid[PacketSize];
-  RTCRayHit16 packet;
-  for (int n = 0; n < PacketSize; ++n)
+  return this->Boxes.empty() ? 0 : BeginCellPacket(rays, this->CellCounts, packet);
+}
+
+void CellTracer::Scene::Nearest(CellPacket::Rays which, CellPacket& packet) const
+{
+  Rays rays(packet);
+  alignas(64) int valid[CellPacket::Size];
+  RTCRayHit16 ray;
+  for (int n = 0; n < CellPacket::Size; ++n)
   {
-    const CellWalkRay& walk = walks[n];
-    valid[n] = walk.End() >= 0.0 ? -1 : 0;
-    packet.ray.org_x[n] = static_cast<float>(walk.origin[0]);
-    packet.ray.org_y[n] = static_cast<float>(walk.origin[1]);
-    packet.ray.org_z[n] = static_cast<float>(walk.origin[2]);
-    packet.ray.dir_x[n] = walk.directionF[0];
-    packet.ray.dir_y[n] = walk.directionF[1];
-    packet.ray.dir_z[n] = walk.directionF[2];
-    packet.ray.tnear[n] = 0.0F;
-    packet.ray.tfar[n] = static_cast<float>(walk.End()) * 1.000001F;
-    packet.ray.time[n] = 0.0F;
-    packet.ray.mask[n] = ~0U;
-    packet.ray.id[n] = static_cast<unsigned>(n);
-    packet.ray.flags[n] = 0;
-    packet.hit.geomID[n] = RTC_INVALID_GEOMETRY_ID;
+    valid[n] = which >> n & 1U ? -1 : 0;
+    ray.ray.org_x[n] = static_cast<float>(packet.origin[0][n]);
+    ray.ray.org_y[n] = static_cast<float>(packet.origin[1][n]);
+    ray.ray.org_z[n] = static_cast<float>(packet.origin[2][n]);
+    ray.ray.dir_x[n] = packet.directionF[0][n];
+    ray.ray.dir_y[n] = packet.directionF[1][n];
+    ray.ray.dir_z[n] = packet.directionF[2][n];
+    ray.ray.tnear[n] = 0.0F;
+    ray.ray.tfar[n] = static_cast<float>(packet.end[n]) * 1.000001F;
+    ray.ray.time[n] = 0.0F;
+    ray.ray.mask[n] = ~0U;
+    ray.ray.id[n] = static_cast<unsigned>(n);
+    ray.ray.flags[n] = 0;
+    ray.hit.geomID[n] = RTC_INVALID_GEOMETRY_ID;
   }
-  rtcIntersect16(valid, this->Tree, &rays.context, &packet);
-  for (int n = 0; n < PacketSize; ++n)
-  {
-    CellWalkRay& w = walks[n];
-    w.t = p.t[n]; w.cluster = unsigned(p.cluster[n]); w.place = unsigned(p.place[n]);
-    for (int c = 0; c < 4; ++c) { w.low[c] = p.corners[c][n]; w.high[c] = p.corners[c + 4][n]; }
-    for (int c = 0; c < 3; ++c) w.local[c] = p.local[c][n];
-  }
+  rtcIntersect16(valid, this->Tree, &rays.context, &ray);
+}
+
+void CellTracer::Scene::PixelsOf(const CellPacket& packet, CellPacket::Rays which,
+  const glm::dmat4& indexToClip, CellPixels& pixels) const
+{
+  CellPacket::Rays hits = 0;
+  for (int n = 0; n < CellPacket::Size; ++n)
+    hits |= CellPacket::Rays(packet.t[n] < Infinity) << n;
+  EndCellPacket(this->Store, packet, hits & which, indexToClip, pixels);
 }
 
 CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const

@@ -13,8 +13,6 @@ namespace hasp
 class CellTracer::Scene
 {
 public:
-  static constexpr int PacketSize = 16;
-
   explicit Scene(std::shared_ptr<const ClusteredCells> cells);
   ~Scene();
   Scene(const Scene&) = delete;
@@ -28,8 +26,12 @@ public:
 
   void Nearest(CellWalkRay& walk) const;
   bool Any(CellWalkRay& walk) const;
-  /// Nearest for rays that lie close together; those with End() < 0 are left out.
-  void Nearest(CellWalkRay (&walks)[PacketSize]) const;
+
+  /// The same for rays that lie close together: those that can hit anything, and their hits.
+  CellPacket::Rays Enter(const CellRays& rays, CellPacket& packet) const;
+  void Nearest(CellPacket::Rays which, CellPacket& packet) const;
+  void PixelsOf(const CellPacket& packet, CellPacket::Rays which, const glm::dmat4& indexToClip,
+    CellPixels& pixels) const;
 
   CellHit HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const;
 

@@ -220,14 +220,13 @@ HASP_CLONES bool BeginWalk(
   entry.length = scale * length;
 
   // +-0 counts as positive: a ray within a face belongs to the cell above it, everywhere.
-  constexpr double slack = 1e-9; // voxels: what a turn into index coordinates may round off
   const Long4 still = given == zero;
   const Double4 plain = one / SelectWide(still, zero, given) * length; // not -0
   const Double4 inverse = Least(Most(plain, -huge), huge);
   const Double4 u = -origin * inverse, v = (most - origin) * inverse;
   const Double4 near = SelectWide(still, -huge, Least(u, v)),
                 far = SelectWide(still, huge, Most(u, v));
-  const Long4 beside = still & ~((origin >= -slack) & (origin <= most + slack));
+  const Long4 beside = still & ~((origin >= -Slack) & (origin <= most + Slack));
   const double t0 =
     std::max(std::max(near[0], near[1]), std::max(near[2], ray.tMin * entry.length));
   const double t1 = std::min(std::min(far[0], far[1]), std::min(far[2], ray.tMax * entry.length));
@@ -237,7 +236,7 @@ HASP_CLONES bool BeginWalk(
 
   // In the last face of the volume a ray that stays there belongs to the cell below it.
   const Double4 moved = origin + one * t0 * direction;
-  const Double4 end = most - SelectWide(still, one * slack, zero);
+  const Double4 end = most - SelectWide(still, one * Slack, zero);
   const Double4 last{ 0, 0, 0, span };
   walk.origin = Least(Most(moved, zero), end);
   walk.direction = direction;

@@ -6,6 +6,17 @@
 namespace hasp
 {
 
+namespace cells
+{
+// Ways along the ray inside a box, 8 sqrt(3) voxels at most, are whole numbers of 2^-26 voxel:
+// an integer's minimum and sum take a cycle each, a float's four. LongWay stands for what is never
+// met.
+constexpr double TicksPerVoxel = 67108864.0;
+constexpr float LongWay = 1.0e9F; // ticks, more than any; twice as many are still an integer
+constexpr double OnStart = 1e-4;  // voxels: segments that begin this close to the start touch it
+constexpr double Slack = 1e-9;    // voxels: what a turn into index coordinates may round off
+} // namespace cells
+
 /// The part of a cluster that Embree's tree knows as one thing.
 struct CellBox
 {

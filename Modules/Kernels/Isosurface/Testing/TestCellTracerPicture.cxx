@@ -55,15 +55,16 @@ int ExpectSingleRays(const hasp::CellTracer& tracer, const hasp::PictureView& vi
       }
       if (!hit)
       {
-        EXPECT_EQ(picture.places[n].w, 1.0F);
+        EXPECT_EQ(picture.gradients[n], glm::vec4(0, 0, 0, hasp::TracedPicture::NoDepth));
+        EXPECT_EQ(picture.places[n], glm::vec3(0));
         continue;
       }
       ++hits;
-      EXPECT_LT(glm::distance(glm::vec3(picture.places[n]), hit->local), 1e-4F);
+      EXPECT_LT(glm::distance(picture.places[n], hit->local), 1e-4F);
       EXPECT_LT(glm::distance(glm::vec3(picture.gradients[n]), hit->gradient),
         1e-3F * glm::length(hit->gradient));
       const glm::dvec4 clip = view.indexToClip * glm::dvec4(hit->Position(), 1.0);
-      EXPECT_NEAR(picture.places[n].w, 0.5 * clip.z / clip.w + 0.5, 1e-6);
+      EXPECT_NEAR(picture.gradients[n].w, 0.5 * clip.z / clip.w + 0.5, 1e-6);
     }
   EXPECT_LE(different, hits / 1000);
   return hits;
@@ -136,7 +137,7 @@ TEST(CellTracerPicture, PlanesAndNearPlaneCutRays)
     moved += uncut && uncut->number != hit->number;
     for (const glm::dvec4& plane : view.planes)
       EXPECT_GE(glm::dot(plane, glm::dvec4(hit->Position(), 1)), -1e-4);
-    EXPECT_GE(picture.places[n].w, 0.0F);
+    EXPECT_GE(picture.gradients[n].w, 0.0F);
   }
   EXPECT_GT(hits, 300);
   EXPECT_GT(moved, 200);
