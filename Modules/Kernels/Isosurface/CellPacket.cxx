@@ -76,6 +76,19 @@ void CellPacket::SetHit(int n, const CellWalkRay& ray)
 namespace singly
 {
 
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+{
+  CellPacket::Rays some = 0;
+  for (int n = 0; n < CellPacket::Size; ++n)
+  {
+    const glm::ivec2 at = from + glm::ivec2(n % CellPacket::Side, n / CellPacket::Side);
+    CellRay ray;
+    some |= CellPacket::Rays(picture.Of(glm::dvec2(at) + 0.5, ray)) << n;
+    rays.Set(n, ray);
+  }
+  return some;
+}
+
 CellPacket::Rays Begin(
   const CellRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet)
 {
@@ -149,6 +162,11 @@ void NumberCells(const CellStore& store, const CellPacket& packet, CellPacket::R
 }
 
 #if !HASP_WITH_HIGHWAY
+CellPacket::Rays PixelCellRays(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+{
+  return singly::Pixels(picture, from, rays);
+}
+
 CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& cells, CellPacket& packet)
 {
   packet.fromSurface = packet.startInside = 0;

@@ -19,6 +19,7 @@ struct alignas(64) CellRays
 struct alignas(64) CellPacket
 {
   static constexpr int Size = CellRays::Size;
+  static constexpr int Side = 4; ///< of one of a picture, pixels
   using Rays = std::uint32_t; ///< a bit a ray
   static constexpr Rays All = (1U << Size) - 1U;
 
@@ -45,6 +46,10 @@ struct alignas(64) CellPixels
   std::uint32_t cells[CellPacket::Size];
 };
 
+/// The rays of the pixels from `from` on, Side a row; which of them the picture's planes leave.
+CellPacket::Rays PixelCellRays(
+  const PictureRays& picture, const glm::ivec2& from, CellRays& rays);
+
 /// BeginWalk for the rays of a packet; which of them meet the volume.
 CellPacket::Rays BeginCellPacket(
   const CellRays& rays, const glm::ivec3& cells, CellPacket& packet);
@@ -66,6 +71,7 @@ void NumberCells(
 /// instructions, or so where there are none; results agree bit for bit.
 namespace singly
 {
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays);
 CellPacket::Rays Begin(
   const CellRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet);
 CellPacket::Rays Walk(

@@ -25,10 +25,62 @@ HWY_INLINE Wide operator/(Wide a, Wide b)
 {
   return { a.low / b.low, a.high / b.high };
 }
+HWY_INLINE Wide Negative(Wide v)
+{
+  return { hn::Neg(v.low), hn::Neg(v.high) };
+}
 HWY_INLINE void Store(Wide v, double* to)
 {
   hn::Store(v.low, doubles, to);
   hn::Store(v.high, doubles, to + Lanes / 2);
+}
+
+/// PictureRays::Of for Lanes pixels of a packet, from the first on.
+HWY_INLINE CellPacket::Rays PixelLanes(
+  const PictureRays& picture, const glm::ivec2& from, int first, CellRays& rays)
+{
+  static_assert(CellPacket::Side == 4);
+  const Ints n = hn::Iota(ints, first);
+  const Wide half(0.5), one(1.0), zero(0.0), infinity(std::numeric_limits<double>::infinity());
+  const glm::dvec2 size = picture.GetPixelSize();
+  const Wide x = (Wide(hn::And(n, Splat(3)) + Splat(from.x)) + half) * Wide(size.x) - one,
+             y = (Wide(hn::ShiftRight<2>(n) + Splat(from.y)) + half) * Wide(size.y) - one;
+  const glm::dmat4& m = picture.GetToIndex();
+  const auto a = [&](int row) HWY_ATTR
+  { return Wide(m[0][row]) * x + Wide(m[1][row]) * y + Wide(m[3][row]); };
+  const Wide aw = a(3), bw(m[2][3]);
+  const Wide origin[3] = { a(0) / aw, a(1) / aw, a(2) / aw };
+  const Wide direction[3] = { Wide(m[2][0]) * aw - a(0) * bw, Wide(m[2][1]) * aw - a(1) * bw,
+    Wide(m[2][2]) * aw - a(2) * bw };
+  Wide tMin = Negative(infinity), tMax = infinity;
+  CellPacket::Rays outside = 0;
+  for (const glm::dvec4& plane : picture.GetPlanes())
+  {
+    const Wide px(plane.x), py(plane.y), pz(plane.z);
+    const Wide at = px * origin[0] + py * origin[1] + pz * origin[2] + Wide(plane.w);
+    const Wide slope = px * direction[0] + py * direction[1] + pz * direction[2];
+    const WideMask towards = zero < slope, away = slope < zero;
+    const Wide t = Negative(at) / slope;
+    tMin = Select(towards, Select(tMin < t, t, tMin), tMin);
+    tMax = Select(away, Select(t < tMax, t, tMax), tMax);
+    outside |= ~towards.Bits() & ~away.Bits() & (at < zero).Bits();
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Store(origin[axis], rays.origin[axis] + first);
+    Store(direction[axis], rays.direction[axis] + first);
+  }
+  Store(tMin, rays.tMin + first);
+  Store(tMax, rays.tMax + first);
+  return (tMin <= tMax).Bits() & ~outside;
+}
+
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+{
+  CellPacket::Rays some = 0;
+  for (int first = 0; first < CellPacket::Size; first += Lanes)
+    some |= PixelLanes(picture, from, first, rays) << first;
+  return some;
 }
 
 /// BeginWalk for Lanes rays of a packet, from the first on; those that meet the volume. odd: rays
@@ -45,7 +97,7 @@ HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& v
     Root(given[0] * given[0] + given[1] * given[1] + given[2] * given[2]);
   const Wide tMin(rays.tMin + first), tMax(rays.tMax + first);
   const Wide sum = origin[0] + origin[1] + origin[2], most(std::numeric_limits<double>::max());
-  const CellPacket::Rays good = (tMin <= tMax).Bits() & (sum <= most).Bits() & (zero - most <= sum).Bits();
+  const CellPacket::Rays good = (tMin <= tMax).Bits() & (sum <= most).Bits() & (Negative(most) <= sum).Bits();
   const CellPacket::Rays usual = (Wide(1e-100) < length).Bits() & (length < Wide(1e100)).Bits();
   odd = good & ~usual;
 
@@ -58,11 +110,11 @@ HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& v
     const Wide size(double(volume[axis])), o = origin[axis];
     const WideMask stays = still[axis] = given[axis] == zero;
     const Wide plain = one / Select(stays, zero, given[axis]) * length;
-    const Wide inverse = Least(Most(plain, zero - huge), huge);
-    const Wide u = (zero - o) * inverse, v = (size - o) * inverse;
-    near[axis] = Select(stays, zero - huge, Least(u, v));
+    const Wide inverse = Least(Most(plain, Negative(huge)), huge);
+    const Wide u = Negative(o) * inverse, v = (size - o) * inverse;
+    near[axis] = Select(stays, Negative(huge), Least(u, v));
     far[axis] = Select(stays, huge, Most(u, v));
-    beside |= stays.Bits() & ~((zero - slack <= o).Bits() & (o <= size + slack).Bits());
+    beside |= stays.Bits() & ~((Negative(slack) <= o).Bits() & (o <= size + slack).Bits());
     Store(given[axis] * perLength, packet.direction[axis] + first);
     Store(inverse, packet.inverse[axis] + first);
   }
@@ -169,6 +221,11 @@ HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
 {
 
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+{
+  return singly::Pixels(picture, from, rays);
+}
+
 CellPacket::Rays Begin(const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)
 {
   packet.fromSurface = packet.startInside = 0;
@@ -189,8 +246,15 @@ HWY_AFTER_NAMESPACE();
 namespace hasp
 {
 
+HWY_EXPORT(Pixels);
 HWY_EXPORT(Begin);
 HWY_EXPORT(End);
+
+CellPacket::Rays PixelCellRays(
+  const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+{
+  return HWY_DYNAMIC_DISPATCH(Pixels)(picture, from, rays);
+}
 
 CellPacket::Rays BeginCellPacket(
   const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)

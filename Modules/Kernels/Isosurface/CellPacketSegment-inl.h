@@ -214,6 +214,98 @@ HWY_INLINE Mask QuickRoot(const Floats (&c)[4], Floats& s)
   return MaskOf(hn::And(hn::And(hn::Or(rises, falls), turns), good));
 }
 
+HWY_INLINE Floats BernsteinValue(const Floats (&c)[4], Floats s)
+{
+  const Floats r = Splat(1.0F) - s, three = Splat(3.0F);
+  return r * r * (r * c[0] + three * s * c[1]) + s * s * (three * r * c[2] + s * c[3]);
+}
+
+/// HaspMonotoneRoot in lanes of the mask.
+HWY_INLINE Floats MonotoneRoot(const Floats (&c)[4], Mask lanes, Floats from, Floats to,
+  Floats valueFrom, Floats valueTo)
+{
+  const Floats zero = hn::Zero(floats), two = Splat(2.0F), three = Splat(3.0F);
+  const Mask inside = MaskOf(valueFrom >= zero);
+  Floats s = from + (to - from) * (valueFrom / (valueFrom - valueTo));
+  for (int i = 0; i < 24 && !hn::AllFalse(ints, lanes); ++i)
+  {
+    const Floats value = BernsteinValue(c, s), r = Splat(1.0F) - s;
+    const Floats slope = three * (r * r * (c[1] - c[0]) + two * r * s * (c[2] - c[1]) +
+                                   s * s * (c[3] - c[2]));
+    const Mask other = hn::Xor(MaskOf(value >= zero), inside);
+    from = Select(other, from, s);
+    to = Select(other, s, to);
+    const Floats newton = s - value / slope;
+    const auto within = hn::And(newton >= from, newton <= to);
+    const Floats next = hn::IfThenElse(within, newton, Splat(0.5F) * (from + to));
+    const Floats change = hn::Abs(next - s);
+    s = Select(lanes, next, s);
+    lanes = hn::AndNot(MaskOf(change < Splat(1e-4F)), lanes);
+  }
+  return s;
+}
+
+/// HaspFirstRoot in lanes of the mask; where there is a root.
+HWY_INLINE Mask FirstRootOf(const Floats (&given)[4], Mask lanes, Floats& s)
+{
+  const Floats zero = hn::Zero(floats), one = Splat(1.0F);
+  const Mask inside = MaskOf(given[0] >= zero);
+  const auto differs = [&](const Floats& v) HWY_ATTR { return hn::Xor(MaskOf(v >= zero), inside); };
+  lanes = hn::And(
+    lanes, hn::Or(hn::Or(differs(given[1]), differs(given[2])), differs(given[3])));
+  const Floats largest = hn::Max(hn::Max(hn::Abs(given[3]), hn::Abs(given[2])),
+    hn::Max(hn::Abs(given[1]), hn::Abs(given[0])));
+  lanes = hn::And(lanes, MaskOf(largest <= Splat(3.4e38F)));
+  const Floats scale = one / largest;
+  const Floats c[4] = { given[0] * scale, given[1] * scale, given[2] * scale, given[3] * scale };
+
+  const Floats d0 = c[1] - c[0], d1 = c[2] - c[1], d2 = c[3] - c[2];
+  const Floats A = d0 - Splat(2.0F) * d1 + d2, B = d1 - d0, C = d0;
+  const Floats discriminant = B * B - A * C;
+  const Floats sign = hn::IfThenElse(B < zero, Splat(-1.0F), one);
+  const Floats q = hn::Neg(B + sign * hn::Sqrt(discriminant));
+  const auto split = [&](const Floats& above, const Floats& below) HWY_ATTR
+  {
+    const Floats at = above / below;
+    const auto good = hn::And(hn::And(at > zero, at < one), discriminant > zero);
+    return hn::IfThenElseZero(hn::And(good, below != zero), at);
+  };
+  const Floats s1 = split(C, q), s2 = split(q, A);
+  const Floats first = hn::Min(s1, s2), second = hn::Max(s1, s2);
+  const Floats valueFirst = BernsteinValue(c, first), valueSecond = BernsteinValue(c, second);
+
+  const Mask inFirst = hn::And(MaskOf(first > zero), differs(valueFirst));
+  const Mask inSecond =
+    hn::AndNot(inFirst, hn::And(MaskOf(second > zero), differs(valueSecond)));
+  const Mask inLast = hn::AndNot(hn::Or(inFirst, inSecond), differs(c[3]));
+  lanes = hn::And(lanes, hn::Or(hn::Or(inFirst, inSecond), inLast));
+  const Floats from = Select(inFirst, zero, Select(inSecond, first, second));
+  const Floats to = Select(inFirst, first, Select(inSecond, second, one));
+  const Floats valueFrom = Select(inFirst, c[0], Select(inSecond, valueFirst, valueSecond));
+  const Floats valueTo = Select(inFirst, valueFirst, Select(inSecond, valueSecond, c[3]));
+  s = Select(lanes, MonotoneRoot(c, lanes, from, to, valueFrom, valueTo), s);
+  return lanes;
+}
+
+/// RootAfterStart, lane by lane: few rays begin on a surface at a time.
+HWY_INLINE Mask RootsAfterStart(
+  const Floats (&c)[4], CellPacket::Rays lanes, CellPacket::Rays startInside, Floats& s)
+{
+  alignas(64) float each[4][Lanes], roots[Lanes];
+  for (int k = 0; k < 4; ++k)
+    hn::Store(c[k], floats, each[k]);
+  hn::Store(s, floats, roots);
+  CellPacket::Rays found = 0;
+  for (; lanes != 0; lanes &= lanes - 1)
+  {
+    const int n = std::countr_zero(lanes);
+    const glm::vec4 one(each[0][n], each[1][n], each[2][n], each[3][n]);
+    found |= CellPacket::Rays(cells::RootAfterStart(one, startInside >> n & 1U, roots[n])) << n;
+  }
+  s = hn::Load(floats, roots);
+  return MaskOf(found);
+}
+
 /// cells::FirstRoot in lanes that are `on`; those `onStart` begin on the surface.
 template <Kind kind>
 HWY_INLINE Mask FirstRoot(const Floats (&given)[8], const Floats (&a)[3], const Floats (&b)[3],
@@ -234,31 +326,22 @@ HWY_INLINE Mask FirstRoot(const Floats (&given)[8], const Floats (&a)[3], const 
       corner = corner * scale;
   }
   Floats c[4];
-  const Mask starts = MaskOf(onStart);
-  const Mask crosses = hn::And(on, hn::AndNot(starts, Bernstein(corners, a, b, c)));
+  const Mask crosses = Bernstein(corners, a, b, c);
   Mask found = MaskOf(0U);
-  if (!hn::AllFalse(ints, crosses))
-    found = hn::And(crosses, QuickRoot(c, s));
-  // What is seldom goes by itself.
-  CellPacket::Rays rest = BitsOf(hn::AndNot(found, hn::Or(crosses, hn::And(on, starts))));
-  if (rest == 0)
-    return found;
-  alignas(64) float each[4][Lanes], roots[Lanes];
-  for (int k = 0; k < 4; ++k)
-    hn::Store(c[k], floats, each[k]);
-  hn::Store(s, floats, roots);
-  CellPacket::Rays more = 0;
-  for (; rest != 0; rest &= rest - 1)
+  if (onStart != 0)
   {
-    const int n = std::countr_zero(rest);
-    const glm::vec4 one(each[0][n], each[1][n], each[2][n], each[3][n]);
-    const bool has = onStart >> n & 1U
-                       ? cells::RootAfterStart(one, startInside >> n & 1U, roots[n])
-                       : glsl::HaspFirstRoot(one, roots[n]);
-    more |= CellPacket::Rays(has) << n;
+    found = RootsAfterStart(c, onStart & BitsOf(on), startInside, s);
+    on = hn::AndNot(MaskOf(onStart), on);
   }
-  s = hn::Load(floats, roots);
-  return hn::Or(found, MaskOf(more));
+  on = hn::And(on, crosses);
+  if (hn::AllFalse(ints, on))
+    return found;
+  Floats quick = s;
+  const Mask soon = hn::And(on, QuickRoot(c, quick));
+  s = Select(soon, quick, s);
+  found = hn::Or(found, soon);
+  on = hn::AndNot(soon, on);
+  return hn::AllFalse(ints, on) ? found : hn::Or(found, FirstRootOf(c, on, s));
 }
 
 } // namespace hasp::HWY_NAMESPACE

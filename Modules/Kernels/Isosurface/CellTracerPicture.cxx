@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int TileSide = 16;  // pixels: one piece of work
-constexpr int PacketSide = 4; // rays of a packet lie close together
+constexpr int PacketSide = CellPacket::Side;
 
 /// What a picture has where nothing is hit.
 const CellPixels& Background()
@@ -63,14 +63,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
   const auto packet = [&](const glm::ivec2& from)
   {
     CellRays given;
-    CellPacket::Rays some = 0;
-    for (int n = 0; n < CellPacket::Size; ++n)
-    {
-      const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
-      CellRay ray;
-      some |= CellPacket::Rays(rays.Of(glm::dvec2(at) + 0.5, ray)) << n;
-      given.Set(n, ray);
-    }
+    CellPacket::Rays some = PixelCellRays(rays, from, given);
     CellPacket walks;
     some &= this->Embree->Enter(given, walks);
     if (some == 0)
