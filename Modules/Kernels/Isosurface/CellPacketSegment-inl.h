@@ -160,7 +160,7 @@ HWY_INLINE void Decode(const CellStore& store, const CellCluster& cluster,
   }
 }
 
-/// Bernstein: the coefficients, and where not all of the 8 values have one sign.
+/// Bernstein: the coefficients, and where they have not all one sign.
 HWY_INLINE Mask Bernstein(
   const Floats (&c)[8], const Floats (&a)[3], const Floats (&b)[3], Floats (&coefficients)[4])
 {
@@ -192,13 +192,16 @@ HWY_INLINE Mask Bernstein(
   coefficients[1] = (value[1][0][0] + value[0][1][0] + value[0][0][1]) * third;
   coefficients[2] = (value[0][1][1] + value[1][0][1] + value[1][1][0]) * third;
   coefficients[3] = value[1][1][1];
-  return hn::AndNot(allIn, anyIn);
+  // Nor must the 8 values have: in lanes that have no root for this reason, rounding may give one.
+  const auto in = [&](int n) HWY_ATTR { return MaskOf(coefficients[n] >= Splat(0.0F)); };
+  return hn::And(hn::AndNot(allIn, anyIn),
+    hn::Or(hn::Or(hn::Xor(in(0), in(1)), hn::Xor(in(0), in(2))), hn::Xor(in(0), in(3))));
 }
 
-/// cells::QuickRoot.
-HWY_INLINE Mask QuickRoot(const Floats (&c)[4], Floats& s)
+/// cells::QuickRoot in lanes of the mask.
+HWY_INLINE Mask QuickRoot(const Floats (&c)[4], Mask lanes, Floats& s)
 {
-  const Floats zero = Splat(0.0F), two = Splat(2.0F), three = Splat(3.0F);
+  const Floats zero = hn::Zero(floats), two = Splat(2.0F), three = Splat(3.0F);
   const Floats d0 = c[1] - c[0], d1 = c[2] - c[1], d2 = c[3] - c[2];
   const auto rises = hn::And(hn::And(d0 > zero, d1 > zero), d2 > zero),
              falls = hn::And(hn::And(d0 < zero, d1 < zero), d2 < zero);
@@ -208,10 +211,20 @@ HWY_INLINE Mask QuickRoot(const Floats (&c)[4], Floats& s)
   {
     return (((A * at + B) * at + C) * at + c[0]) / ((three * A * at + two * B) * at + C);
   };
-  const Floats first = c[0] / (c[0] - c[3]), second = first - step(first), change = step(second);
-  s = second - change;
-  const auto good = hn::And(hn::Abs(change) < Splat(1e-4F), hn::And(s >= zero, s <= Splat(1.0F)));
-  return MaskOf(hn::And(hn::And(hn::Or(rises, falls), turns), good));
+  Floats root = c[0] / (c[0] - c[3]);
+  root = root - step(root);
+  lanes = hn::And(lanes, MaskOf(hn::And(hn::Or(rises, falls), turns)));
+  Mask found = MaskOf(0U);
+  for (int n = 0; n < 3 && !hn::AllFalse(ints, lanes); ++n)
+  {
+    const Floats change = step(root);
+    root = root - change;
+    const Mask last = hn::And(lanes, MaskOf(hn::Abs(change) < Splat(1e-4F)));
+    s = Select(last, root, s);
+    found = hn::Or(found, last);
+    lanes = hn::AndNot(last, lanes);
+  }
+  return hn::And(found, MaskOf(hn::And(s >= zero, s <= Splat(1.0F))));
 }
 
 HWY_INLINE Floats BernsteinValue(const Floats (&c)[4], Floats s)
@@ -336,9 +349,7 @@ HWY_INLINE Mask FirstRoot(const Floats (&given)[8], const Floats (&a)[3], const 
   on = hn::And(on, crosses);
   if (hn::AllFalse(ints, on))
     return found;
-  Floats quick = s;
-  const Mask soon = hn::And(on, QuickRoot(c, quick));
-  s = Select(soon, quick, s);
+  const Mask soon = QuickRoot(c, on, s);
   found = hn::Or(found, soon);
   on = hn::AndNot(soon, on);
   return hn::AllFalse(ints, on) ? found : hn::Or(found, FirstRootOf(c, on, s));
