@@ -164,29 +164,34 @@ void CellTracer::Scene::Bounds(const RTCBoundsFunctionArguments* arguments)
   bounds.upper_z = high.z;
 }
 
+CellPacket::Rays CellTracer::Scene::Meet(
+  unsigned box, const int* valid, CellPacket& packet) const
+{
+  // Embree hands a packet on as it is, ray by ray in its lane.
+  CellPacket::Rays rays = 0;
+  for (unsigned n = 0; n < CellPacket::Size; ++n)
+    rays |= CellPacket::Rays(valid[n] & 1) << n;
+  return this->WalkPacket(this->Store, box, rays, packet);
+}
+
 void CellTracer::Scene::Intersect(const RTCIntersectFunctionNArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
-  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
+  const Rays& ours = Rays::Of(arguments->context);
+  const unsigned count = arguments->N, box = arguments->primID;
   const auto keep = [&](unsigned n, double t)
   {
-    RTCRayN_tfar(rays, arguments->N, n) = static_cast<float>(t);
-    RTCHitN_geomID(hits, arguments->N, n) = arguments->geomID;
+    RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, count), count, n) = static_cast<float>(t);
+    RTCHitN_geomID(RTCRayHitN_HitN(arguments->rayhit, count), count, n) = arguments->geomID;
   };
-  const Rays& ours = Rays::Of(arguments->context);
-  if (ours.single != nullptr)
+  if (ours.packet == nullptr)
   {
-    if (scene.Store.walk(scene.Store, arguments->primID, *ours.single))
+    if (scene.Store.walk(scene.Store, box, *ours.single))
       keep(0, ours.single->t);
     return;
   }
-  // Embree hands a packet on as it is, ray by ray in its lane.
-  CellPacket::Rays valid = 0;
-  for (unsigned n = 0; n < CellPacket::Size; ++n)
-    valid |= CellPacket::Rays(arguments->valid[n] & 1) << n;
-  CellPacket::Rays nearer = scene.WalkPacket(scene.Store, arguments->primID, valid, *ours.packet);
-  for (; nearer != 0; nearer &= nearer - 1)
+  for (auto nearer = scene.Meet(box, arguments->valid, *ours.packet); nearer != 0;
+       nearer &= nearer - 1)
   {
     const auto n = static_cast<unsigned>(std::countr_zero(nearer));
     keep(n, ours.packet->t[n]);
@@ -197,8 +202,13 @@ void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
   const Rays& ours = Rays::Of(arguments->context);
-  if (scene.Store.walk(scene.Store, arguments->primID, *ours.single))
-    RTCRayN_tfar(arguments->ray, arguments->N, 0) = -std::numeric_limits<float>::infinity();
+  CellPacket::Rays blocked =
+    ours.packet != nullptr
+      ? scene.Meet(arguments->primID, arguments->valid, *ours.packet)
+      : CellPacket::Rays(scene.Store.walk(scene.Store, arguments->primID, *ours.single));
+  for (; blocked != 0; blocked &= blocked - 1)
+    RTCRayN_tfar(arguments->ray, arguments->N, static_cast<unsigned>(std::countr_zero(blocked))) =
+      -std::numeric_limits<float>::infinity();
 }
 
 bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
@@ -224,6 +234,26 @@ void SetRay(Ray& ray, const CellWalkRay& walk)
   ray.mask = ~0U;
   ray.id = 0;
   ray.flags = 0;
+}
+
+void SetRays(RTCRay16& ray, int* valid, CellPacket::Rays which, const CellPacket& packet)
+{
+  for (int n = 0; n < CellPacket::Size; ++n)
+  {
+    valid[n] = which >> n & 1U ? -1 : 0;
+    ray.org_x[n] = static_cast<float>(packet.origin[0][n]);
+    ray.org_y[n] = static_cast<float>(packet.origin[1][n]);
+    ray.org_z[n] = static_cast<float>(packet.origin[2][n]);
+    ray.dir_x[n] = packet.directionF[0][n];
+    ray.dir_y[n] = packet.directionF[1][n];
+    ray.dir_z[n] = packet.directionF[2][n];
+    ray.tnear[n] = 0.0F;
+    ray.tfar[n] = static_cast<float>(packet.end[n]) * 1.000001F;
+    ray.time[n] = 0.0F;
+    ray.mask[n] = ~0U;
+    ray.id[n] = static_cast<unsigned>(n);
+    ray.flags[n] = 0;
+  }
 }
 
 } // namespace
@@ -256,24 +286,22 @@ void CellTracer::Scene::Nearest(CellPacket::Rays which, CellPacket& packet) cons
   Rays rays(packet);
   alignas(64) int valid[CellPacket::Size];
   RTCRayHit16 ray;
-  for (int n = 0; n < CellPacket::Size; ++n)
-  {
-    valid[n] = which >> n & 1U ? -1 : 0;
-    ray.ray.org_x[n] = static_cast<float>(packet.origin[0][n]);
-    ray.ray.org_y[n] = static_cast<float>(packet.origin[1][n]);
-    ray.ray.org_z[n] = static_cast<float>(packet.origin[2][n]);
-    ray.ray.dir_x[n] = packet.directionF[0][n];
-    ray.ray.dir_y[n] = packet.directionF[1][n];
-    ray.ray.dir_z[n] = packet.directionF[2][n];
-    ray.ray.tnear[n] = 0.0F;
-    ray.ray.tfar[n] = static_cast<float>(packet.end[n]) * 1.000001F;
-    ray.ray.time[n] = 0.0F;
-    ray.ray.mask[n] = ~0U;
-    ray.ray.id[n] = static_cast<unsigned>(n);
-    ray.ray.flags[n] = 0;
-    ray.hit.geomID[n] = RTC_INVALID_GEOMETRY_ID;
-  }
+  SetRays(ray.ray, valid, which, packet);
+  std::fill_n(ray.hit.geomID, CellPacket::Size, RTC_INVALID_GEOMETRY_ID);
   rtcIntersect16(valid, this->Tree, &rays.context, &ray);
+}
+
+CellPacket::Rays CellTracer::Scene::Any(CellPacket::Rays which, CellPacket& packet) const
+{
+  Rays rays(packet);
+  alignas(64) int valid[CellPacket::Size];
+  RTCRay16 ray;
+  SetRays(ray, valid, which, packet);
+  rtcOccluded16(valid, this->Tree, &rays.context, &ray);
+  CellPacket::Rays met = 0;
+  for (int n = 0; n < CellPacket::Size; ++n)
+    met |= CellPacket::Rays(ray.tfar[n] < 0.0F) << n;
+  return met & which;
 }
 
 void CellTracer::Scene::PixelsOf(const CellPacket& packet, CellPacket::Rays which,

@@ -30,6 +30,7 @@ public:
   /// The same for rays that lie close together: those that can hit anything, and their hits.
   CellPacket::Rays Enter(const CellRays& rays, CellPacket& packet) const;
   void Nearest(CellPacket::Rays which, CellPacket& packet) const;
+  CellPacket::Rays Any(CellPacket::Rays which, CellPacket& packet) const; ///< those that hit
   void PixelsOf(const CellPacket& packet, CellPacket::Rays which, const glm::dmat4& indexToClip,
     CellPixels& pixels) const;
 
@@ -40,6 +41,8 @@ private:
   static void Bounds(const RTCBoundsFunctionArguments* arguments);
   static void Intersect(const RTCIntersectFunctionNArguments* arguments);
   static void Occlude(const RTCOccludedFunctionNArguments* arguments);
+  /// The rays of a packet through a box: those that it has a nearer hit for.
+  CellPacket::Rays Meet(unsigned box, const int* valid, CellPacket& packet) const;
   static bool CountMemory(void* scene, ssize_t bytes, bool post);
   void Build();
 
