@@ -1,4 +1,5 @@
-// Private to CellTracer's packets, and compiled once an instruction set: vectors of rays, one a lane.
+// Private to CellTracer's packets, and compiled once an instruction set: vectors of rays, one a
+// lane.
 #if defined(HASP_CELL_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HASP_CELL_LANES_INL
 #undef HASP_CELL_LANES_INL
@@ -86,13 +87,12 @@ struct Wide
   }
   HWY_INLINE Floats ToFloats() const
   {
-    return hn::Combine(floats, hn::DemoteTo(halfFloats, this->high),
-      hn::DemoteTo(halfFloats, this->low));
+    return hn::Combine(
+      floats, hn::DemoteTo(halfFloats, this->high), hn::DemoteTo(halfFloats, this->low));
   }
   HWY_INLINE Ints ToInts() const
   {
-    return hn::Combine(
-      ints, hn::DemoteTo(halfInts, this->high), hn::DemoteTo(halfInts, this->low));
+    return hn::Combine(ints, hn::DemoteTo(halfInts, this->high), hn::DemoteTo(halfInts, this->low));
   }
 };
 struct WideMask

@@ -28,7 +28,9 @@ CellRay CellRays::operator[](int n) const
 CellWalkRay CellPacket::Ray(int n) const
 {
   CellWalkRay ray;
-  const auto three = [&](const auto& values) { return decltype(ray.origin){ values[0][n], values[1][n], values[2][n], 0.0 }; };
+  const auto three = [&](const auto& values) {
+    return decltype(ray.origin){ values[0][n], values[1][n], values[2][n], 0.0 };
+  };
   ray.origin = three(this->origin);
   ray.direction = three(this->direction);
   ray.inverse = three(this->inverse);
@@ -140,20 +142,20 @@ void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits
       const std::uint32_t place = static_cast<std::uint32_t>(packet.place[n]);
       const glm::ivec3 cell = store.clusters[packet.cluster[n]].Origin() +
                               glm::ivec3(place & 7U, place >> 3U & 7U, place >> 6U);
-      const glm::dvec4 clip =
-        indexToClip * glm::dvec4(glm::dvec3(cell) + glm::dvec3(local), 1.0);
+      const glm::dvec4 clip = indexToClip * glm::dvec4(glm::dvec3(cell) + glm::dvec3(local), 1.0);
       gradient = { glsl::HaspTrilinearGradient(four(0, n), four(4, n), local),
         static_cast<float>(std::clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0)) };
     }
-    std::copy(&local.x, &local.x + 3, pixels.places[n]);
-    std::copy(&gradient.x, &gradient.x + 4, pixels.gradients[n]);
+    pixels.places[n] = local;
+    pixels.gradients[n] = gradient;
   }
   NumberCells(store, packet, hits, pixels);
 }
 
 } // namespace singly
 
-void NumberCells(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels)
+void NumberCells(
+  const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels)
 {
   for (int n = 0; n < CellPacket::Size; ++n)
     pixels.cells[n] = hits >> n & 1U ? CellNumber(store.clusters[packet.cluster[n]],

@@ -20,7 +20,7 @@ struct alignas(64) CellPacket
 {
   static constexpr int Size = CellRays::Size;
   static constexpr int Side = 4; ///< of one of a picture, pixels
-  using Rays = std::uint32_t; ///< a bit a ray
+  using Rays = std::uint32_t;    ///< a bit a ray
   static constexpr Rays All = (1U << Size) - 1U;
 
   double origin[3][Size], direction[3][Size], inverse[3][Size], end[Size];
@@ -42,17 +42,16 @@ struct alignas(64) CellPacket
 /// A packet's part of a TracedPicture.
 struct alignas(64) CellPixels
 {
-  float gradients[CellPacket::Size][4], places[CellPacket::Size][3];
+  glm::vec4 gradients[CellPacket::Size];
+  glm::vec3 places[CellPacket::Size];
   std::uint32_t cells[CellPacket::Size];
 };
 
 /// The rays of the pixels from `from` on, Side a row; which of them the picture's planes leave.
-CellPacket::Rays PixelCellRays(
-  const PictureRays& picture, const glm::ivec2& from, CellRays& rays);
+CellPacket::Rays PixelCellRays(const PictureRays& picture, const glm::ivec2& from, CellRays& rays);
 
 /// BeginWalk for the rays of a packet; which of them meet the volume.
-CellPacket::Rays BeginCellPacket(
-  const CellRays& rays, const glm::ivec3& cells, CellPacket& packet);
+CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& cells, CellPacket& packet);
 
 /// CellWalk for the rays given; which of them it was nearer for.
 using CellPacketWalk = CellPacket::Rays (*)(

@@ -93,11 +93,11 @@ HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& v
     Wide(rays.direction[2] + first) };
   const Wide origin[3] = { Wide(rays.origin[0] + first), Wide(rays.origin[1] + first),
     Wide(rays.origin[2] + first) };
-  const Wide length =
-    Root(given[0] * given[0] + given[1] * given[1] + given[2] * given[2]);
+  const Wide length = Root(given[0] * given[0] + given[1] * given[1] + given[2] * given[2]);
   const Wide tMin(rays.tMin + first), tMax(rays.tMax + first);
   const Wide sum = origin[0] + origin[1] + origin[2], most(std::numeric_limits<double>::max());
-  const CellPacket::Rays good = (tMin <= tMax).Bits() & (sum <= most).Bits() & (Negative(most) <= sum).Bits();
+  const CellPacket::Rays good =
+    (tMin <= tMax).Bits() & (sum <= most).Bits() & (Negative(most) <= sum).Bits();
   const CellPacket::Rays usual = (Wide(1e-100) < length).Bits() & (length < Wide(1e100)).Bits();
   odd = good & ~usual;
 
@@ -133,7 +133,8 @@ HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& v
     const Wide end = Wide(double(volume[axis])) - Select(still[axis], slack, zero);
     const Wide moved = origin[axis] + t0 * direction;
     Store(Least(Most(moved, zero), end), packet.origin[axis] + first);
-    const Floats ticks = (Least(Most(inverse, Wide(-1e20)), Wide(1e20)) * Wide(cells::TicksPerVoxel)).ToFloats();
+    const Floats ticks =
+      (Least(Most(inverse, Wide(-1e20)), Wide(1e20)) * Wide(cells::TicksPerVoxel)).ToFloats();
     hn::Store(direction.ToFloats(), floats, packet.directionF[axis] + first);
     hn::Store(ticks, floats, packet.inverseF[axis] + first);
     hn::Store(hn::ConvertTo(ints, hn::Min(hn::Abs(ticks), Splat(cells::LongWay))), ints,
@@ -203,8 +204,8 @@ void EndLanes(const CellStore& store, const CellPacket& packet, Mask hits, int f
                gz = ((one - x) * d[0] + x * d[1]) * (one - y) + ((one - x) * d[2] + x * d[3]) * y;
   const Floats depth = DepthOf(store, packet, hits, first, indexToClip, local);
   hn::StoreInterleaved4(Select(hits, gx, zero), Select(hits, gy, zero), Select(hits, gz, zero),
-    Select(hits, depth, Splat(TracedPicture::NoDepth)), floats, pixels.gradients[first]);
-  hn::StoreInterleaved3(x, y, z, floats, pixels.places[first]);
+    Select(hits, depth, Splat(TracedPicture::NoDepth)), floats, &pixels.gradients[first].x);
+  hn::StoreInterleaved3(x, y, z, floats, &pixels.places[first].x);
 }
 
 void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,
@@ -250,14 +251,12 @@ HWY_EXPORT(Pixels);
 HWY_EXPORT(Begin);
 HWY_EXPORT(End);
 
-CellPacket::Rays PixelCellRays(
-  const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+CellPacket::Rays PixelCellRays(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
 {
   return HWY_DYNAMIC_DISPATCH(Pixels)(picture, from, rays);
 }
 
-CellPacket::Rays BeginCellPacket(
-  const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)
+CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)
 {
   return HWY_DYNAMIC_DISPATCH(Begin)(rays, volume, packet);
 }

@@ -1,7 +1,7 @@
 #include "Isosurface/CellPacket.h"
 
-// This file is compiled once for each of these instruction sets; Highway chooses at run time.
-// What has lanes for fewer than 8 rays walks them one after the other.
+// This file is compiled once for each of these instruction sets; Highway chooses at run time. Where
+// fewer than 8 rays would fit side by side, rays go by themselves.
 #define HWY_WANT_AVX3_DL
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
@@ -10,7 +10,8 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR
-#include "Isosurface/CellPacketSegment-inl.h"
+#include "Isosurface/CellPacketCorners-inl.h"
+#include "Isosurface/CellPacketRoots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
@@ -94,15 +95,14 @@ private:
       this->Far[axis] = Most(u, v);
     }
     this->From = Most(Most(near[0], near[2]), Most(near[1], Wide(0.0)));
-    this->Until = Least(Least(this->Far[0], this->Far[2]),
-      Least(this->Far[1], Wide(this->Packet.end + this->First)));
-    const CellPacket::Rays entered =
-      (this->From <= this->Until).Bits() &
-      (this->From <= Wide(this->Packet.t + this->First)).Bits();
+    this->Until = Least(
+      Least(this->Far[0], this->Far[2]), Least(this->Far[1], Wide(this->Packet.end + this->First)));
+    const CellPacket::Rays entered = (this->From <= this->Until).Bits() &
+                                     (this->From <= Wide(this->Packet.t + this->First)).Bits();
     if (entered != 0)
       for (int axis = 0; axis < 3; ++axis)
-        this->Entry[axis] = this->PointAt(axis, this->From, near[axis],
-          this->LastCell[axis] + 1, this->FirstCell[axis]);
+        this->Entry[axis] = this->PointAt(
+          axis, this->From, near[axis], this->LastCell[axis] + 1, this->FirstCell[axis]);
     return entered;
   }
 
@@ -119,8 +119,7 @@ private:
       const Ints cell = hn::Max(hn::Min(hn::ConvertTo(ints, this->Entry[axis]), last), first);
       const Ints face = cell + Select(forwards, Splat(1), Splat(0));
       const Floats way = (hn::ConvertTo(floats, face) - this->Entry[axis]) * inverse;
-      const Ints next =
-        hn::ConvertTo(ints, hn::Min(hn::Max(way, zero), Splat(cells::LongWay)));
+      const Ints next = hn::ConvertTo(ints, hn::Min(hn::Max(way, zero), Splat(cells::LongWay)));
       const Ints limit = Select(forwards, last, first);
       this->Next[axis] = Select(cell == limit, Splat(Never), next);
       this->Step[axis] = Select(forwards, Splat(1 << 3 * axis), Splat(-(1 << 3 * axis)));
@@ -180,15 +179,17 @@ private:
       const Mask forwards =
         MaskOf(hn::Load(floats, this->Packet.inverseF[axis] + this->First) >= zero);
       const Floats cell = hn::ConvertTo(floats,
-        hn::And(BitCast(ints, hn::Shr(hn::BitCast(words, this->Place), hn::Set(words, 3U * axis))), Splat(7)));
+        hn::And(BitCast(ints, hn::Shr(hn::BitCast(words, this->Place), hn::Set(words, 3U * axis))),
+          Splat(7)));
       const Floats from = this->Entry[axis] + ticks * direction - cell,
                    to = this->Entry[axis] + way * direction - cell;
       a[axis] = Select(this->Crossed[axis], Select(forwards, zero, one), from);
       b[axis] = Select(this->Crossing[axis], Select(forwards, one, zero), to);
       if (anyLast)
         b[axis] = Select(this->Last,
-          this->PointAt(axis, this->Until, this->Far[axis], this->FirstCell[axis],
-            this->LastCell[axis] + 1) - cell,
+          this->PointAt(
+            axis, this->Until, this->Far[axis], this->FirstCell[axis], this->LastCell[axis] + 1) -
+            cell,
           b[axis]);
       a[axis] = hn::Min(hn::Max(a[axis], zero), one);
       b[axis] = hn::Min(hn::Max(b[axis], zero), one);
@@ -201,8 +202,8 @@ private:
 
     Floats corners[8], s = zero;
     Decode<kind>(this->Store, this->Cluster, tables, this->Place, rays, corners);
-    const Mask found = FirstRoot<kind>(
-      corners, a, b, rays, onStart, this->Packet.startInside >> this->First, s);
+    const Mask found =
+      FirstRoot<kind>(corners, a, b, rays, onStart, this->Packet.startInside >> this->First, s);
     if (hn::AllFalse(ints, found))
       return found;
 
@@ -210,8 +211,7 @@ private:
     const Wide tB = Select(lastWide, this->Until, this->From + Wide(this->Way) * perTickWide);
     const Wide t = tA + Wide(s) * (tB - tA), best(this->Packet.t + this->First);
     const Ints cluster = Splat(static_cast<std::int32_t>(this->Box.cluster));
-    const Mask smaller =
-      hn::Load(ints, this->Packet.cluster + this->First) > cluster;
+    const Mask smaller = hn::Load(ints, this->Packet.cluster + this->First) > cluster;
     const CellPacket::Rays nearer =
       BitsOf(found) & ((t < best).Bits() | ((t == best).Bits() & BitsOf(smaller)));
     const Mask keep = MaskOf(nearer);

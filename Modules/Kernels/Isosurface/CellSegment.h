@@ -175,8 +175,8 @@ inline bool RootAfterStart(glm::vec4 c, bool startInside, float& s)
   return best <= 1.0;
 }
 
-/// The root of a cubic that rises or falls all the way and changes its sign, after two to four steps
-/// of Newton from the secant's root. False where it is no such cubic, or they were too few.
+/// The root of a cubic that rises or falls all the way and changes its sign, after two to four
+/// steps of Newton from the secant's root. False where it is no such cubic, or they were too few.
 HASP_INLINE bool QuickRoot(const glm::vec4& c, float& s)
 {
   const float d0 = c.y - c.x, d1 = c.z - c.y, d2 = c.w - c.z;

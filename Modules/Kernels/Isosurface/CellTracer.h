@@ -104,9 +104,9 @@ public:
   /// throws as above.
   float Light(const CellHit& hit, const ShadowSettings& settings, std::uint32_t seed = 0) const;
 
-  /// Which of at most PacketSize hits see a light, a bit each, as Light with a point says. light: in
-  /// the world; w 0: a direction towards it, not 0, else its place. In packets: hits that lie close
-  /// together cost a third. Throws std::invalid_argument on more hits.
+  /// Which of at most PacketSize hits see a light, a bit each, as Light with a point says. light:
+  /// in the world; w 0: a direction towards it, not 0, else its place. In packets: hits that lie
+  /// close together cost a third. Throws std::invalid_argument on more hits.
   static constexpr int PacketSize = 16;
   std::uint32_t Sees(std::span<const CellHit> hits, const glm::dvec4& light) const;
 

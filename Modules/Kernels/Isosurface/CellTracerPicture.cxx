@@ -12,7 +12,7 @@ namespace hasp
 namespace
 {
 
-constexpr int TileSide = 16;  // pixels: one piece of work
+constexpr int TileSide = 16; // pixels: one piece of work
 constexpr int PacketSide = CellPacket::Side;
 
 /// What a picture has where nothing is hit.
@@ -23,7 +23,7 @@ const CellPixels& Background()
     CellPixels none{};
     for (int n = 0; n < CellPacket::Size; ++n)
     {
-      none.gradients[n][3] = TracedPicture::NoDepth;
+      none.gradients[n].w = TracedPicture::NoDepth;
       none.cells[n] = TracedPicture::Nothing;
     }
     return none;
@@ -41,8 +41,8 @@ void Write(const CellPixels& pixels, const glm::ivec2& from, TracedPicture& pict
     const int first = y * PacketSide;
     const std::size_t pixel = static_cast<std::size_t>(from.y + y) * picture.size.x + from.x;
     std::copy_n(pixels.cells + first, columns, &picture.cells[pixel]);
-    std::copy_n(pixels.gradients[first], columns * 4, &picture.gradients[pixel].x);
-    std::copy_n(pixels.places[first], columns * 3, &picture.places[pixel].x);
+    std::copy_n(pixels.gradients + first, columns, &picture.gradients[pixel]);
+    std::copy_n(pixels.places + first, columns, &picture.places[pixel]);
   }
 }
 

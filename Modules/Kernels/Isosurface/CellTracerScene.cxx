@@ -55,10 +55,19 @@ struct CellTracer::Scene::Rays
   CellWalkRay* single = nullptr;
   CellPacket* packet = nullptr;
 
-  explicit Rays(CellWalkRay& ray) : single(&ray) { this->Begin(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT); }
-  explicit Rays(CellPacket& rays) : packet(&rays) { this->Begin(RTC_INTERSECT_CONTEXT_FLAG_COHERENT); }
+  explicit Rays(CellWalkRay& ray) : single(&ray)
+  {
+    this->Begin(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  }
+  explicit Rays(CellPacket& rays) : packet(&rays)
+  {
+    this->Begin(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  }
 
-  static const Rays& Of(const RTCIntersectContext* context) { return *reinterpret_cast<const Rays*>(context); }
+  static const Rays& Of(const RTCIntersectContext* context)
+  {
+    return *reinterpret_cast<const Rays*>(context);
+  }
 
 private:
   void Begin(RTCIntersectContextFlags flags)
@@ -92,7 +101,8 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
     Require(glm::all(glm::lessThan(box.High(), last)),
       "cluster " + std::to_string(box.cluster) + " reaches beyond the volume");
 
-  this->Store = { ChooseCellWalk(c.cornerType, c.precision), c.clusters.data(), c.corners.data(), this->Boxes.data(), c.isovalue, {} };
+  this->Store = { ChooseCellWalk(c.cornerType, c.precision), c.clusters.data(), c.corners.data(),
+    this->Boxes.data(), c.isovalue, {} };
   if (c.precision == CellPrecision::Compact)
     for (int code = 0; code < 256; ++code)
       this->Store.levels.push_back(code & 128 ? -c.levels[code & 127] : c.levels[code & 127]);
@@ -164,8 +174,7 @@ void CellTracer::Scene::Bounds(const RTCBoundsFunctionArguments* arguments)
   bounds.upper_z = high.z;
 }
 
-CellPacket::Rays CellTracer::Scene::Meet(
-  unsigned box, const int* valid, CellPacket& packet) const
+CellPacket::Rays CellTracer::Scene::Meet(unsigned box, const int* valid, CellPacket& packet) const
 {
   // Embree hands a packet on as it is, ray by ray in its lane.
   CellPacket::Rays rays = 0;

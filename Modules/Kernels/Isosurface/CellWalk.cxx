@@ -174,8 +174,8 @@ HASP_INLINE void FinishDirectionOf(CellWalkRay& walk)
   const Double4 one{ 1, 1, 1, 1 }, zero{ 0, 0, 0, 0 };
   walk.forwards = __builtin_convertvector(walk.direction < zero, Int4) + 1;
   walk.directionF = __builtin_convertvector(walk.direction, Float4);
-  walk.inverseF =
-    __builtin_convertvector(Least(Most(walk.inverse, one * -1e20), one * 1e20) * TicksPerVoxel, Float4);
+  walk.inverseF = __builtin_convertvector(
+    Least(Most(walk.inverse, one * -1e20), one * 1e20) * TicksPerVoxel, Float4);
   walk.delta =
     __builtin_convertvector(Least(Most(walk.inverseF, -walk.inverseF), Splat(LongWay)), Int4);
   walk.cellStep = __builtin_convertvector(walk.forwards * 2 - 1, Float4);

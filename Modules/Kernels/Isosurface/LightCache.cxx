@@ -99,7 +99,9 @@ class Shadows
 {
 public:
   Shadows(const CellTracer& tracer, const std::optional<glm::dvec4>& from, PictureLight& pixels)
-    : Tracer(tracer), From(from), Pixels(pixels)
+    : Tracer(tracer),
+      From(from),
+      Pixels(pixels)
   {
   }
   void Add(const CellHit& hit, std::size_t pixel)

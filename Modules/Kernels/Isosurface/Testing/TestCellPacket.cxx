@@ -90,9 +90,9 @@ std::vector<Store> AllKinds()
     const glm::vec3 p(n % dims.x, n / dims.x % dims.y, n / dims.x / dims.y);
     ball.push_back(static_cast<std::int16_t>(100 * (7 - glm::distance(p, glm::vec3(10, 9, 9)))));
   }
-  stores.emplace_back(hasp::testing::TracedVolume<std::int16_t>(
-    std::move(ball), hasp::testing::Cube(dims), 0.5)
-                        .cells);
+  stores.emplace_back(
+    hasp::testing::TracedVolume<std::int16_t>(std::move(ball), hasp::testing::Cube(dims), 0.5)
+      .cells);
   return stores;
 }
 
@@ -111,7 +111,7 @@ public:
     {
       const glm::dvec3 beside(0.3 * (n % 4), 0.3 * (n / 4), 0.1 * n);
       hasp::CellRay ray{ this->Point(0.3), this->Point(0.3) - this->Point(0.3) }; // anyhow
-      if (sort == 0) // of a picture
+      if (sort == 0)                                                              // of a picture
         ray = { eye, middle + beside - eye };
       else if (sort == 1) // parallel, along an axis: two components are 0, of either sign
       {
@@ -290,8 +290,9 @@ void ExpectSameAsSingly(const Store& scene, unsigned seed, int packets, Counts& 
     ASSERT_NO_FATAL_FAILURE(WalkBoth(scene, order, some, tied, tiedSingle, counts.ties));
 
     hasp::CellPixels pixels, singlePixels;
-    const glm::dmat4 toClip = glm::perspective(0.6, 1.0, 5.0, 90.0) *
-                              glm::lookAt(glm::dvec3(40, 50, 60), glm::dvec3(9), glm::dvec3(0, 0, 1));
+    const glm::dmat4 toClip =
+      glm::perspective(0.6, 1.0, 5.0, 90.0) *
+      glm::lookAt(glm::dvec3(40, 50, 60), glm::dvec3(9), glm::dvec3(0, 0, 1));
     CellPacket::Rays hits = 0;
     for (int n = 0; n < CellPacket::Size; ++n)
       hits |= CellPacket::Rays(packet.t[n] < std::numeric_limits<double>::infinity()) << n;
@@ -312,8 +313,7 @@ TEST(CellPacket, WalksAsRaysDoByThemselves)
       {
         SCOPED_TRACE(kind);
         Counts counts;
-        ASSERT_NO_FATAL_FAILURE(
-          ExpectSameAsSingly(stores[kind], 7 + unsigned(kind), 200, counts));
+        ASSERT_NO_FATAL_FAILURE(ExpectSameAsSingly(stores[kind], 7 + unsigned(kind), 200, counts));
         EXPECT_GT(counts.hits, 500);
         EXPECT_GT(counts.ties, 100);
       }
@@ -326,7 +326,8 @@ TEST(CellPacket, PixelsAreThoseOfPictureRays)
     []
     {
       hasp::PictureView view{ glm::perspective(0.6, 1.0, 5.0, 90.0) *
-                                glm::lookAt(glm::dvec3(40, 50, 60), glm::dvec3(9), glm::dvec3(0, 0, 1)),
+                                glm::lookAt(
+                                  glm::dvec3(40, 50, 60), glm::dvec3(9), glm::dvec3(0, 0, 1)),
         { 63, 41 }, { glm::dvec4(-1, 0.2, 0, 12), glm::dvec4(0, 0, 0, 1) } };
       const auto compare = [&]
       {
