@@ -125,6 +125,18 @@ HWY_INLINE Wide operator*(Wide a, Wide b)
 {
   return { a.low * b.low, a.high * b.high };
 }
+HWY_INLINE Wide Root(Wide v)
+{
+  return { hn::Sqrt(v.low), hn::Sqrt(v.high) };
+}
+HWY_INLINE Wide operator/(Wide a, Wide b)
+{
+  return { a.low / b.low, a.high / b.high };
+}
+HWY_INLINE Wide Negative(Wide v)
+{
+  return { hn::Neg(v.low), hn::Neg(v.high) };
+}
 HWY_INLINE WideMask operator<(Wide a, Wide b)
 {
   return { a.low < b.low, a.high < b.high };
@@ -149,6 +161,11 @@ HWY_INLINE Wide Select(WideMask mask, Wide yes, Wide no)
 {
   return { hn::IfThenElse(mask.low, yes.low, no.low),
     hn::IfThenElse(mask.high, yes.high, no.high) };
+}
+HWY_INLINE void Store(Wide v, double* to)
+{
+  hn::Store(v.low, doubles, to);
+  hn::Store(v.high, doubles, to + Lanes / 2);
 }
 HWY_INLINE void StoreWhere(CellPacket::Rays rays, Wide v, double* to)
 {

@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR
+#if HWY_TARGET & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)
 #include "Isosurface/CellLanes-inl.h"
 
 #include <limits>
@@ -16,24 +16,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
 {
-
-HWY_INLINE Wide Root(Wide v)
-{
-  return { hn::Sqrt(v.low), hn::Sqrt(v.high) };
-}
-HWY_INLINE Wide operator/(Wide a, Wide b)
-{
-  return { a.low / b.low, a.high / b.high };
-}
-HWY_INLINE Wide Negative(Wide v)
-{
-  return { hn::Neg(v.low), hn::Neg(v.high) };
-}
-HWY_INLINE void Store(Wide v, double* to)
-{
-  hn::Store(v.low, doubles, to);
-  hn::Store(v.high, doubles, to + Lanes / 2);
-}
 
 /// PictureRays::Of for Lanes pixels of a packet, from the first on.
 HWY_INLINE CellPacket::Rays PixelLanes(

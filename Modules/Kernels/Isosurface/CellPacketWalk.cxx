@@ -1,7 +1,7 @@
 #include "Isosurface/CellPacket.h"
 
-// This file is compiled once for each of these instruction sets; Highway chooses at run time. Where
-// fewer than 8 rays would fit side by side, rays go by themselves.
+// This file is compiled once for each instruction set, and Highway chooses at run time: 16 rays
+// side by side, or 8; where fewer would fit they go by themselves.
 #define HWY_WANT_AVX3_DL
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR
+#if HWY_TARGET & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)
 #include "Isosurface/CellPacketCorners-inl.h"
 #include "Isosurface/CellPacketRoots-inl.h"
 

@@ -85,8 +85,9 @@ public:
   /// Does it meet the surface at all? No dearer than Trace.
   bool Occluded(const CellRay& ray) const;
 
-  /// Trace for every pixel of a view, in packets, all threads, the same picture with any number of
-  /// them. Throws std::invalid_argument if the size is negative or indexToClip cannot be inverted.
+  /// Trace for every pixel of a view, in packets whose rays walk side by side (Decisions/0015), all
+  /// threads; the same picture, bit for bit, with any number of them and on any CPU. Throws
+  /// std::invalid_argument if the size is negative or indexToClip cannot be inverted.
   void TracePicture(const PictureView& view, TracedPicture& picture) const;
 
   /// The share of a cosine-weighted hemisphere over the hit, on the side the ray came from, that is
@@ -104,10 +105,10 @@ public:
   /// throws as above.
   float Light(const CellHit& hit, const ShadowSettings& settings, std::uint32_t seed = 0) const;
 
-  /// Which of at most PacketSize hits see a light, a bit each, as Light with a point says. light:
-  /// in the world; w 0: a direction towards it, not 0, else its place. In packets: hits that lie
-  /// close together cost a third. Throws std::invalid_argument on more hits.
-  static constexpr int PacketSize = 16;
+  static constexpr std::size_t PacketSize = 16;
+  /// Which of at most so many hits see a light, a bit each, as Light says of a point. light: in the
+  /// world; w 0: a direction towards it, else its place. In packets: hits that lie close together
+  /// cost half as much. Throws std::invalid_argument on more hits, or if light is 0 or not finite.
   std::uint32_t Sees(std::span<const CellHit> hits, const glm::dvec4& light) const;
 
 private:

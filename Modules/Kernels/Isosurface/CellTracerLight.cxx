@@ -129,6 +129,9 @@ std::uint32_t CellTracer::Sees(std::span<const CellHit> hits, const glm::dvec4& 
 {
   static_assert(PacketSize == CellPacket::Size);
   Require(hits.size() <= PacketSize, "number of hits", double(hits.size()), "at most 16");
+  const double size = glm::length(light);
+  Require(size > 0.0 && std::isfinite(size), "length of the light's direction or place", size,
+    "above 0, finite");
   const GridGeometry& g = this->Cells().geometry;
   CellRays rays{};
   CellPacket::Rays seen = 0, cast = 0, inside = 0;

@@ -83,6 +83,29 @@ TEST(CellTracerPicture, PixelsAreSingleRays)
   EXPECT_EQ(ExpectSingleRays(scene.tracer, parallel), 0);
 }
 
+TEST(CellTracerPicture, PixelsAreWhatTheirRaysMeetInEveryBit)
+{
+  const auto scene = Gyroid();
+  const hasp::PictureView view = Perspective({ 98, 67 });
+  const hasp::PictureRays rays(view);
+  hasp::TracedPicture picture;
+  scene.tracer.TracePicture(view, picture);
+  int hits = 0;
+  for (int n = 0; n < 98 * 67; ++n)
+  {
+    hasp::CellRay ray;
+    const bool kept = rays.Of(glm::dvec2(n % 98, n / 98) + 0.5, ray);
+    const auto hit = kept ? scene.tracer.Trace(ray) : std::nullopt;
+    ASSERT_EQ(picture.cells[n], hit ? hit->number : hasp::TracedPicture::Nothing) << n;
+    if (!hit)
+      continue;
+    ++hits;
+    ASSERT_EQ(picture.places[n], hit->local) << n;
+    ASSERT_EQ(glm::vec3(picture.gradients[n]), hit->gradient) << n;
+  }
+  EXPECT_GT(hits, 2000);
+}
+
 TEST(CellTracerPicture, EyeAMillionVoxelsAwayIsAsGoodAsANearOne)
 {
   const auto scene = Gyroid();
