@@ -236,7 +236,7 @@ HASP_CLONES bool BeginWalk(
 
   // In the last face of the volume a ray that stays there belongs to the cell below it.
   const Double4 moved = origin + one * t0 * direction;
-  const Double4 end = most - SelectWide(still, one * Slack, zero);
+  const Double4 end = most - SelectWide(still, Double4{ Slack, Slack, Slack, 0.0 }, zero);
   const Double4 last{ 0, 0, 0, span };
   walk.origin = Least(Most(moved, zero), end);
   walk.direction = direction;
