@@ -7,7 +7,7 @@
 namespace hasp
 {
 
-void CellRays::Set(int n, const CellRay& ray)
+void PacketRays::Set(int n, const CellRay& ray)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -18,7 +18,7 @@ void CellRays::Set(int n, const CellRay& ray)
   this->tMax[n] = ray.tMax;
 }
 
-CellRay CellRays::operator[](int n) const
+CellRay PacketRays::operator[](int n) const
 {
   return { { this->origin[0][n], this->origin[1][n], this->origin[2][n] },
     { this->direction[0][n], this->direction[1][n], this->direction[2][n] }, this->tMin[n],
@@ -78,7 +78,7 @@ void CellPacket::SetHit(int n, const CellWalkRay& ray)
 namespace singly
 {
 
-CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, PacketRays& rays)
 {
   CellPacket::Rays some = 0;
   for (int n = 0; n < CellPacket::Size; ++n)
@@ -92,7 +92,7 @@ CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, Cell
 }
 
 CellPacket::Rays Begin(
-  const CellRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet)
+  const PacketRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet)
 {
   CellPacket::Rays meet = 0;
   for (; which != 0; which &= which - 1)
@@ -164,12 +164,14 @@ void NumberCells(
 }
 
 #if !HASP_WITH_HIGHWAY
-CellPacket::Rays PixelCellRays(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+CellPacket::Rays PixelsOfPacket(
+  const PictureRays& picture, const glm::ivec2& from, PacketRays& rays)
 {
   return singly::Pixels(picture, from, rays);
 }
 
-CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& cells, CellPacket& packet)
+CellPacket::Rays BeginCellPacket(
+  const PacketRays& rays, const glm::ivec3& cells, CellPacket& packet)
 {
   packet.fromSurface = packet.startInside = 0;
   return singly::Begin(rays, CellPacket::All, cells, packet);

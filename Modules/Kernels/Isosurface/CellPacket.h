@@ -5,8 +5,8 @@
 namespace hasp
 {
 
-/// CellRays, [axis][ray].
-struct alignas(64) CellRays
+/// The CellRays of a packet, [axis][ray].
+struct alignas(64) PacketRays
 {
   static constexpr int Size = 16;
   double origin[3][Size], direction[3][Size], tMin[Size], tMax[Size];
@@ -15,10 +15,10 @@ struct alignas(64) CellRays
   CellRay operator[](int n) const;
 };
 
-/// Rays on their way, as CellWalkRay, number by number: [axis][ray].
+/// Rays on their way: CellWalkRay's numbers, [axis][ray]. What has no ray is left undefined.
 struct alignas(64) CellPacket
 {
-  static constexpr int Size = CellRays::Size;
+  static constexpr int Size = PacketRays::Size;
   static constexpr int Side = 4; ///< of one of a picture, pixels
   using Rays = std::uint32_t;    ///< a bit a ray
   static constexpr Rays All = (1U << Size) - 1U;
@@ -48,10 +48,12 @@ struct alignas(64) CellPixels
 };
 
 /// The rays of the pixels from `from` on, Side a row; which of them the picture's planes leave.
-CellPacket::Rays PixelCellRays(const PictureRays& picture, const glm::ivec2& from, CellRays& rays);
+CellPacket::Rays PixelsOfPacket(
+  const PictureRays& picture, const glm::ivec2& from, PacketRays& rays);
 
 /// BeginWalk for the rays of a packet; which of them meet the volume.
-CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& cells, CellPacket& packet);
+CellPacket::Rays BeginCellPacket(
+  const PacketRays& rays, const glm::ivec3& cells, CellPacket& packet);
 
 /// CellWalk for the rays given; which of them it was nearer for.
 using CellPacketWalk = CellPacket::Rays (*)(
@@ -66,13 +68,13 @@ void EndCellPacket(const CellStore& store, const CellPacket& packet, CellPacket:
 void NumberCells(
   const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels);
 
-/// The same for rays by themselves. All of the above work side by side in the CPU's widest
-/// instructions, or so where there are none; results agree bit for bit.
+/// What the functions above do side by side, in the CPU's widest instructions: one ray after the
+/// other, with the same results bit for bit. Where the CPU has none, they do this themselves.
 namespace singly
 {
-CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays);
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, PacketRays& rays);
 CellPacket::Rays Begin(
-  const CellRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet);
+  const PacketRays& rays, CellPacket::Rays which, const glm::ivec3& cells, CellPacket& packet);
 CellPacket::Rays Walk(
   const CellStore& store, std::uint32_t n, CellPacket::Rays rays, CellPacket& packet);
 void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,

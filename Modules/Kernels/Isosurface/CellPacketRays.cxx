@@ -1,14 +1,13 @@
 #include "Isosurface/CellPacket.h"
 
 // Compiled as CellPacketWalk.cxx is.
-#define HWY_WANT_AVX3_DL
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Isosurface/CellPacketRays.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)
+#if HWY_TARGET & (HWY_AVX2 | HWY_AVX3)
 #include "Isosurface/CellLanes-inl.h"
 
 #include <limits>
@@ -19,7 +18,7 @@ namespace hasp::HWY_NAMESPACE
 
 /// PictureRays::Of for Lanes pixels of a packet, from the first on.
 HWY_INLINE CellPacket::Rays PixelLanes(
-  const PictureRays& picture, const glm::ivec2& from, int first, CellRays& rays)
+  const PictureRays& picture, const glm::ivec2& from, int first, PacketRays& rays)
 {
   static_assert(CellPacket::Side == 4);
   const Ints n = hn::Iota(ints, first);
@@ -57,7 +56,7 @@ HWY_INLINE CellPacket::Rays PixelLanes(
   return (tMin <= tMax).Bits() & ~outside;
 }
 
-CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, PacketRays& rays)
 {
   CellPacket::Rays some = 0;
   for (int first = 0; first < CellPacket::Size; first += Lanes)
@@ -67,7 +66,7 @@ CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, Cell
 
 /// BeginWalk for Lanes rays of a packet, from the first on; those that meet the volume. odd: rays
 /// that need its care for lengths; not begun here.
-HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& volume, int first,
+HWY_INLINE CellPacket::Rays BeginLanes(const PacketRays& rays, const glm::ivec3& volume, int first,
   CellPacket& packet, CellPacket::Rays& odd)
 {
   const Wide zero(0.0), one(1.0), huge(1e300), slack(cells::Slack);
@@ -89,7 +88,7 @@ HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& v
   CellPacket::Rays beside = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Wide size(double(volume[axis])), o = origin[axis];
+    const Wide size(static_cast<double>(volume[axis])), o = origin[axis];
     const WideMask stays = still[axis] = given[axis] == zero;
     const Wide plain = one / Select(stays, zero, given[axis]) * length;
     const Wide inverse = Least(Most(plain, Negative(huge)), huge);
@@ -125,7 +124,7 @@ HWY_INLINE CellPacket::Rays BeginLanes(const CellRays& rays, const glm::ivec3& v
   return meet;
 }
 
-CellPacket::Rays Begin(const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)
+CellPacket::Rays Begin(const PacketRays& rays, const glm::ivec3& volume, CellPacket& packet)
 {
   packet.fromSurface = packet.startInside = 0;
   CellPacket::Rays meet = 0, odd = 0;
@@ -204,12 +203,12 @@ HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
 {
 
-CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+CellPacket::Rays Pixels(const PictureRays& picture, const glm::ivec2& from, PacketRays& rays)
 {
   return singly::Pixels(picture, from, rays);
 }
 
-CellPacket::Rays Begin(const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)
+CellPacket::Rays Begin(const PacketRays& rays, const glm::ivec3& volume, CellPacket& packet)
 {
   packet.fromSurface = packet.startInside = 0;
   return singly::Begin(rays, CellPacket::All, volume, packet);
@@ -233,12 +232,14 @@ HWY_EXPORT(Pixels);
 HWY_EXPORT(Begin);
 HWY_EXPORT(End);
 
-CellPacket::Rays PixelCellRays(const PictureRays& picture, const glm::ivec2& from, CellRays& rays)
+CellPacket::Rays PixelsOfPacket(
+  const PictureRays& picture, const glm::ivec2& from, PacketRays& rays)
 {
   return HWY_DYNAMIC_DISPATCH(Pixels)(picture, from, rays);
 }
 
-CellPacket::Rays BeginCellPacket(const CellRays& rays, const glm::ivec3& volume, CellPacket& packet)
+CellPacket::Rays BeginCellPacket(
+  const PacketRays& rays, const glm::ivec3& volume, CellPacket& packet)
 {
   return HWY_DYNAMIC_DISPATCH(Begin)(rays, volume, packet);
 }

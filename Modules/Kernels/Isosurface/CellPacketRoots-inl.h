@@ -11,7 +11,6 @@
 #include "Isosurface/CellLanes-inl.h"
 #include "Isosurface/CellSegment.h"
 
-#include <algorithm>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
@@ -52,7 +51,7 @@ HWY_INLINE Mask Bernstein(
   coefficients[1] = (value[1][0][0] + value[0][1][0] + value[0][0][1]) * third;
   coefficients[2] = (value[0][1][1] + value[1][0][1] + value[1][1][0]) * third;
   coefficients[3] = value[1][1][1];
-  // Nor must the 8 values have: in lanes that have no root for this reason, rounding may give one.
+  // Where the 8 values have one sign there is no root, whatever rounding makes of their sums.
   const auto in = [&](int n) HWY_ATTR { return MaskOf(coefficients[n] >= Splat(0.0F)); };
   return hn::And(hn::AndNot(allIn, anyIn),
     hn::Or(hn::Or(hn::Xor(in(0), in(1)), hn::Xor(in(0), in(2))), hn::Xor(in(0), in(3))));
@@ -181,7 +180,8 @@ HWY_INLINE Mask FirstRoot(const Floats (&given)[8], const Floats (&a)[3], const 
   Mask on, CellPacket::Rays onStart, CellPacket::Rays startInside, Floats& s)
 {
   Floats corners[8];
-  std::copy(given, given + 8, corners);
+  for (int n = 0; n < 8; ++n)
+    corners[n] = given[n];
   if constexpr (kind == Kind::Float32)
   {
     Floats most[4];

@@ -2,14 +2,13 @@
 
 // This file is compiled once for each instruction set, and Highway chooses at run time: 16 rays
 // side by side, or 8; where fewer would fit they go by themselves.
-#define HWY_WANT_AVX3_DL
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Isosurface/CellPacketWalk.cxx"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)
+#if HWY_TARGET & (HWY_AVX2 | HWY_AVX3)
 #include "Isosurface/CellPacketCorners-inl.h"
 #include "Isosurface/CellPacketRoots-inl.h"
 

@@ -133,7 +133,7 @@ std::uint32_t CellTracer::Sees(std::span<const CellHit> hits, const glm::dvec4& 
   Require(size > 0.0 && std::isfinite(size), "length of the light's direction or place", size,
     "above 0, finite");
   const GridGeometry& g = this->Cells().geometry;
-  CellRays rays{};
+  PacketRays rays{};
   CellPacket::Rays seen = 0, cast = 0, inside = 0;
   for (std::size_t n = 0; n < hits.size(); ++n)
   {

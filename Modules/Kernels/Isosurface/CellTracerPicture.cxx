@@ -62,8 +62,8 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
 
   const auto packet = [&](const glm::ivec2& from)
   {
-    CellRays given;
-    CellPacket::Rays some = PixelCellRays(rays, from, given);
+    PacketRays given;
+    CellPacket::Rays some = PixelsOfPacket(rays, from, given);
     CellPacket walks;
     some &= this->Embree->Enter(given, walks);
     if (some == 0)

@@ -285,7 +285,7 @@ bool CellTracer::Scene::Any(CellWalkRay& walk) const
   return ray.tfar < 0.0F;
 }
 
-CellPacket::Rays CellTracer::Scene::Enter(const CellRays& rays, CellPacket& packet) const
+CellPacket::Rays CellTracer::Scene::Enter(const PacketRays& rays, CellPacket& packet) const
 {
   return this->Boxes.empty() ? 0 : BeginCellPacket(rays, this->CellCounts, packet);
 }

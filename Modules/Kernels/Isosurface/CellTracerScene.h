@@ -28,7 +28,7 @@ public:
   bool Any(CellWalkRay& walk) const;
 
   /// The same for rays that lie close together: those that can hit anything, and their hits.
-  CellPacket::Rays Enter(const CellRays& rays, CellPacket& packet) const;
+  CellPacket::Rays Enter(const PacketRays& rays, CellPacket& packet) const;
   void Nearest(CellPacket::Rays which, CellPacket& packet) const;
   CellPacket::Rays Any(CellPacket::Rays which, CellPacket& packet) const; ///< those that hit
   void PixelsOf(const CellPacket& packet, CellPacket::Rays which, const glm::dmat4& indexToClip,

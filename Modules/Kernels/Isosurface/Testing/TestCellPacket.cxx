@@ -18,7 +18,7 @@ namespace
 {
 
 using hasp::CellPacket;
-using hasp::CellRays;
+using hasp::PacketRays;
 
 /// Runs the body once for each instruction set that Hasp was compiled for and this CPU has.
 void ForEachInstructionSet(const std::function<void()>& body)
@@ -102,9 +102,9 @@ class RayMaker
 public:
   RayMaker(const glm::ivec3& cells, unsigned seed) : Random(seed), Size(cells) {}
 
-  CellRays Next()
+  PacketRays Next()
   {
-    CellRays rays;
+    PacketRays rays;
     const int sort = this->Integer(0, 4);
     const glm::dvec3 eye = this->Point(1.0), middle = this->Point(0.0);
     for (int n = 0; n < CellPacket::Size; ++n)
@@ -246,9 +246,9 @@ void WalkBoth(const Store& scene, const std::vector<std::uint32_t>& order, CellP
 }
 
 /// Starts rays from the surface where the last were met.
-CellRays LeaveSurface(const Store& scene, const CellPacket& packet, RayMaker& make)
+PacketRays LeaveSurface(const Store& scene, const CellPacket& packet, RayMaker& make)
 {
-  CellRays rays = make.Next();
+  PacketRays rays = make.Next();
   for (int n = 0; n < CellPacket::Size; ++n)
     if (packet.t[n] < std::numeric_limits<double>::infinity())
       for (int axis = 0; axis < 3; ++axis)
@@ -268,7 +268,7 @@ void ExpectSameAsSingly(const Store& scene, unsigned seed, int packets, Counts& 
   for (int p = 0; p < packets; ++p)
   {
     const bool fromSurface = p % 3 == 2;
-    const CellRays rays = fromSurface ? LeaveSurface(scene, last, make) : make.Next();
+    const PacketRays rays = fromSurface ? LeaveSurface(scene, last, make) : make.Next();
     CellPacket packet{}, single{};
     CellPacket::Rays some = hasp::BeginCellPacket(rays, volume, packet);
     ASSERT_EQ(some, hasp::singly::Begin(rays, CellPacket::All, volume, single));
@@ -335,8 +335,8 @@ TEST(CellPacket, PixelsAreThoseOfPictureRays)
         for (int y = 0; y < view.size.y; y += 4)
           for (int x = 0; x < view.size.x; x += 4)
           {
-            CellRays one, other;
-            const auto some = hasp::PixelCellRays(picture, { x, y }, one);
+            PacketRays one, other;
+            const auto some = hasp::PixelsOfPacket(picture, { x, y }, one);
             ASSERT_EQ(some, hasp::singly::Pixels(picture, { x, y }, other));
             ExpectSame(one.origin[0], other.origin[0], 3, some, "origin");
             ExpectSame(one.direction[0], other.direction[0], 3, some, "direction");
