@@ -175,8 +175,8 @@ inline bool RootAfterStart(glm::vec4 c, bool startInside, float& s)
   return best <= 1.0;
 }
 
-/// The root of a cubic that rises or falls all the way and changes its sign, after two steps of
-/// Newton from the secant's root. False where it is no such cubic, or two steps were too few.
+/// The root of a cubic that rises or falls all the way and changes its sign, after two to four
+/// steps of Newton from the secant's root. False where it is no such cubic, or they were too few.
 HASP_INLINE bool QuickRoot(const glm::vec4& c, float& s)
 {
   const float d0 = c.y - c.x, d1 = c.z - c.y, d2 = c.w - c.z;
@@ -187,9 +187,16 @@ HASP_INLINE bool QuickRoot(const glm::vec4& c, float& s)
   const float A = d2 - 2.0F * d1 + d0, B = 3.0F * (d1 - d0), C = 3.0F * d0;
   const auto step = [&](float at)
   { return (((A * at + B) * at + C) * at + c.x) / ((3.0F * A * at + 2.0F * B) * at + C); };
-  const float first = c.x / (c.x - c.w), second = first - step(first), change = step(second);
-  s = second - change;
-  return std::abs(change) < 1e-4F && s >= 0.0F && s <= 1.0F; // the next step would be its square
+  s = c.x / (c.x - c.w);
+  s -= step(s);
+  for (int n = 0; n < 3; ++n)
+  {
+    const float change = step(s);
+    s -= change;
+    if (std::abs(change) < 1e-4F) // the next step would be its square
+      return s >= 0.0F && s <= 1.0F;
+  }
+  return false;
 }
 
 /// The first root in a cell between a and b; what HaspFirstRoot says.

@@ -30,10 +30,12 @@ struct CellHit
 struct TracedPicture
 {
   static constexpr std::uint32_t Nothing = 0xFFFFFFFFU;
+  static constexpr float NoDepth = 2.0F;
   glm::ivec2 size{ 0 };
   std::vector<std::uint32_t> cells; ///< number of the active cell met, or Nothing
-  std::vector<glm::vec4> places;    ///< hit in the cell, [0,1]^3; depth, [0,1] as in a window
-  std::vector<glm::vec4> gradients; ///< per index step, as CellHit's; w is 0
+  /// Per index step, as CellHit's; depth, [0,1] as in a window, or NoDepth.
+  std::vector<glm::vec4> gradients;
+  std::vector<glm::vec3> places; ///< hit in the cell, [0,1]^3; 0 where nothing is
 };
 
 struct AmbientOcclusionSettings
@@ -83,8 +85,9 @@ public:
   /// Does it meet the surface at all? No dearer than Trace.
   bool Occluded(const CellRay& ray) const;
 
-  /// Trace for every pixel of a view, in packets, all threads, the same picture with any number of
-  /// them. Throws std::invalid_argument if the size is negative or indexToClip cannot be inverted.
+  /// Trace for every pixel of a view, in packets whose rays walk side by side (Decisions/0015), all
+  /// threads; the same picture, bit for bit, with any number of them and on any CPU. Throws
+  /// std::invalid_argument if the size is negative or indexToClip cannot be inverted.
   void TracePicture(const PictureView& view, TracedPicture& picture) const;
 
   /// The share of a cosine-weighted hemisphere over the hit, on the side the ray came from, that is
@@ -101,6 +104,12 @@ public:
   /// point, between them in the half shadow of a disc. Cosines are the shading's business. seed and
   /// throws as above.
   float Light(const CellHit& hit, const ShadowSettings& settings, std::uint32_t seed = 0) const;
+
+  static constexpr std::size_t PacketSize = 16;
+  /// Which of at most so many hits see a light, a bit each, as Light says of a point. light: in the
+  /// world; w 0: a direction towards it, else its place. In packets: hits that lie close together
+  /// cost half as much. Throws std::invalid_argument on more hits, or if light is 0 or not finite.
+  std::uint32_t Sees(std::span<const CellHit> hits, const glm::dvec4& light) const;
 
 private:
   /// Does a ray that starts on the surface at the hit, towards a world direction, meet the surface

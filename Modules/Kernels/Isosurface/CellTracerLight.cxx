@@ -46,6 +46,13 @@ glm::dvec3 CosineWeighted(const glm::dvec2& p)
   return { r * std::cos(turn), r * std::sin(turn), std::sqrt(1.0 - p.y) };
 }
 
+/// Towards a world direction.
+CellRay RayFrom(
+  const CellHit& hit, const GridGeometry& g, const glm::dvec3& direction, double distanceMm)
+{
+  return { hit.Position(), glm::transpose(g.direction) * direction / g.spacing, 0.0, distanceMm };
+}
+
 void Require(bool condition, const char* what, double value, const char* range)
 {
   if (!condition)
@@ -58,11 +65,10 @@ void Require(bool condition, const char* what, double value, const char* range)
 bool CellTracer::LeavesBlocked(
   const CellHit& hit, const glm::dvec3& direction, double distanceMm) const
 {
-  const GridGeometry& g = this->Cells().geometry;
-  const glm::dvec3 along = glm::transpose(g.direction) * direction / g.spacing;
   CellWalkRay walk;
   CellWalkEntry entry;
-  if (!this->Embree->Enter({ hit.Position(), along, 0.0, distanceMm }, walk, entry))
+  const CellRay ray = RayFrom(hit, this->Cells().geometry, direction, distanceMm);
+  if (!this->Embree->Enter(ray, walk, entry))
     return false;
   walk.fromSurface = true;
   walk.startInside = hit.fromInside;
@@ -117,6 +123,45 @@ float CellTracer::Light(
     lit += reaches(frame * glm::dvec3(r * std::cos(turn), r * std::sin(turn), z));
   }
   return static_cast<float>(lit) / static_cast<float>(settings.rays);
+}
+
+std::uint32_t CellTracer::Sees(std::span<const CellHit> hits, const glm::dvec4& light) const
+{
+  static_assert(PacketSize == CellPacket::Size);
+  Require(hits.size() <= PacketSize, "number of hits", double(hits.size()), "at most 16");
+  const double size = glm::length(light);
+  Require(size > 0.0 && std::isfinite(size), "length of the light's direction or place", size,
+    "above 0, finite");
+  const GridGeometry& g = this->Cells().geometry;
+  PacketRays rays{};
+  CellPacket::Rays seen = 0, cast = 0, inside = 0;
+  for (std::size_t n = 0; n < hits.size(); ++n)
+  {
+    const CellHit& hit = hits[n];
+    glm::dvec3 way(light);
+    double distance = std::numeric_limits<double>::infinity(), length = glm::length(way);
+    if (light.w != 0.0)
+    {
+      way -= g.IndexToWorld(hit.Position());
+      distance = length = glm::length(way);
+    }
+    const CellPacket::Rays bit = 1U << n;
+    if (length == 0.0) // the light lies on the surface
+      seen |= bit;
+    else if (way /= length; glm::dot(way, Outwards(this->Cells(), hit)) > 0.0)
+    {
+      rays.Set(static_cast<int>(n), RayFrom(hit, g, way, distance));
+      cast |= bit;
+      inside |= hit.fromInside ? bit : 0U;
+    }
+  }
+  if (cast == 0)
+    return seen;
+  CellPacket packet;
+  const CellPacket::Rays entered = cast & this->Embree->Enter(rays, packet);
+  packet.fromSurface = entered;
+  packet.startInside = inside;
+  return seen | (cast & ~this->Embree->Any(entered, packet));
 }
 
 } // namespace hasp

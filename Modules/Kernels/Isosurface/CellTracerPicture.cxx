@@ -12,14 +12,38 @@ namespace hasp
 namespace
 {
 
-constexpr int TileSide = 16;  // pixels: one piece of work
-constexpr int PacketSide = 4; // rays of a packet lie close together
+constexpr int TileSide = 16; // pixels: one piece of work
+constexpr int PacketSide = CellPacket::Side;
 
-/// Depth of a place in a window, [0,1].
-float WindowDepth(const glm::dmat4& indexToClip, const glm::dvec3& place)
+/// What a picture has where nothing is hit.
+const CellPixels& Background()
 {
-  const glm::dvec4 clip = indexToClip * glm::dvec4(place, 1.0);
-  return static_cast<float>(std::clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0));
+  static const CellPixels pixels = []
+  {
+    CellPixels none{};
+    for (int n = 0; n < CellPacket::Size; ++n)
+    {
+      none.gradients[n].w = TracedPicture::NoDepth;
+      none.cells[n] = TracedPicture::Nothing;
+    }
+    return none;
+  }();
+  return pixels;
+}
+
+/// Writes the pixels of a packet that lie in the picture.
+void Write(const CellPixels& pixels, const glm::ivec2& from, TracedPicture& picture)
+{
+  const int columns = std::min(PacketSide, picture.size.x - from.x);
+  const int rows = std::min(PacketSide, picture.size.y - from.y);
+  for (int y = 0; y < rows; ++y)
+  {
+    const int first = y * PacketSide;
+    const std::size_t pixel = static_cast<std::size_t>(from.y + y) * picture.size.x + from.x;
+    std::copy_n(pixels.cells + first, columns, &picture.cells[pixel]);
+    std::copy_n(pixels.gradients + first, columns, &picture.gradients[pixel]);
+    std::copy_n(pixels.places + first, columns, &picture.places[pixel]);
+  }
 }
 
 } // namespace
@@ -32,40 +56,22 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
   const PictureRays rays(view);
   const std::size_t pixels = static_cast<std::size_t>(view.size.x) * view.size.y;
   picture.size = view.size;
-  picture.cells.assign(pixels, TracedPicture::Nothing);
-  picture.places.assign(pixels, glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
-  picture.gradients.assign(pixels, glm::vec4(0.0F));
+  picture.cells.resize(pixels);
+  picture.gradients.resize(pixels);
+  picture.places.resize(pixels);
 
   const auto packet = [&](const glm::ivec2& from)
   {
-    CellWalkRay walks[Scene::PacketSize];
-    CellWalkEntry entries[Scene::PacketSize];
-    bool any = false;
-    for (int n = 0; n < Scene::PacketSize; ++n)
-    {
-      const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
-      CellRay ray;
-      const bool meets = at.x < view.size.x && at.y < view.size.y &&
-                         rays.Of(glm::dvec2(at) + 0.5, ray) &&
-                         this->Embree->Enter(ray, walks[n], entries[n]);
-      if (!meets)
-        walks[n].inverse[3] = -1.0; // begins after its end
-      any |= meets;
-    }
-    if (!any)
-      return;
-    this->Embree->Nearest(walks);
-    for (int n = 0; n < Scene::PacketSize; ++n)
-    {
-      if (!walks[n].Hit())
-        continue;
-      const glm::ivec2 at = from + glm::ivec2(n % PacketSide, n / PacketSide);
-      const CellHit hit = this->Embree->HitOf(walks[n], entries[n]);
-      const std::size_t pixel = static_cast<std::size_t>(at.y) * view.size.x + at.x;
-      picture.cells[pixel] = hit.number;
-      picture.places[pixel] = { hit.local, WindowDepth(view.indexToClip, hit.Position()) };
-      picture.gradients[pixel] = { hit.gradient, 0.0F };
-    }
+    PacketRays given;
+    CellPacket::Rays some = PixelsOfPacket(rays, from, given);
+    CellPacket walks;
+    some &= this->Embree->Enter(given, walks);
+    if (some == 0)
+      return Write(Background(), from, picture);
+    this->Embree->Nearest(some, walks);
+    CellPixels found;
+    this->Embree->PixelsOf(walks, some, view.indexToClip, found);
+    Write(found, from, picture);
   };
   const glm::ivec2 tiles = (view.size + TileSide - 1) / TileSide;
   const auto tile = [&](std::int64_t first, std::int64_t last)

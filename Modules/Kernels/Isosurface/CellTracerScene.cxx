@@ -52,16 +52,28 @@ void Require(bool condition, const std::string& what)
 struct CellTracer::Scene::Rays
 {
   RTCIntersectContext context; // first: Embree hands its address back
-  CellWalkRay* walks;
+  CellWalkRay* single = nullptr;
+  CellPacket* packet = nullptr;
 
-  Rays(CellWalkRay* first, RTCIntersectContextFlags flags) : walks(first)
+  explicit Rays(CellWalkRay& ray) : single(&ray)
+  {
+    this->Begin(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  }
+  explicit Rays(CellPacket& rays) : packet(&rays)
+  {
+    this->Begin(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  }
+
+  static const Rays& Of(const RTCIntersectContext* context)
+  {
+    return *reinterpret_cast<const Rays*>(context);
+  }
+
+private:
+  void Begin(RTCIntersectContextFlags flags)
   {
     rtcInitIntersectContext(&this->context);
     this->context.flags = flags;
-  }
-  static CellWalkRay& Of(RTCIntersectContext* context, unsigned ray)
-  {
-    return reinterpret_cast<Rays*>(context)->walks[ray];
   }
 };
 
@@ -89,11 +101,12 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
     Require(glm::all(glm::lessThan(box.High(), last)),
       "cluster " + std::to_string(box.cluster) + " reaches beyond the volume");
 
-  this->Store = { c.clusters.data(), c.corners.data(), this->Boxes.data(), c.isovalue, {} };
+  this->Store = { ChooseCellWalk(c.cornerType, c.precision), c.clusters.data(), c.corners.data(),
+    this->Boxes.data(), c.isovalue, {} };
   if (c.precision == CellPrecision::Compact)
     for (int code = 0; code < 256; ++code)
       this->Store.levels.push_back(code & 128 ? -c.levels[code & 127] : c.levels[code & 127]);
-  this->Walk = ChooseCellWalk(c.cornerType, c.precision);
+  this->WalkPacket = ChooseCellPacketWalk(c.cornerType, c.precision);
   this->Margin = 1e-6F * static_cast<float>(std::max({ 64, last.x, last.y, last.z }));
 
   this->Device = rtcNewDevice(nullptr);
@@ -161,31 +174,50 @@ void CellTracer::Scene::Bounds(const RTCBoundsFunctionArguments* arguments)
   bounds.upper_z = high.z;
 }
 
+CellPacket::Rays CellTracer::Scene::Meet(unsigned box, const int* valid, CellPacket& packet) const
+{
+  // Embree hands a packet on as it is, ray by ray in its lane.
+  CellPacket::Rays rays = 0;
+  for (unsigned n = 0; n < CellPacket::Size; ++n)
+    rays |= CellPacket::Rays(valid[n] & 1) << n;
+  return this->WalkPacket(this->Store, box, rays, packet);
+}
+
 void CellTracer::Scene::Intersect(const RTCIntersectFunctionNArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
-  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
-  for (unsigned n = 0; n < arguments->N; ++n)
+  const Rays& ours = Rays::Of(arguments->context);
+  const unsigned count = arguments->N, box = arguments->primID;
+  const auto keep = [&](unsigned n, double t)
   {
-    if (arguments->valid[n] == 0)
-      continue;
-    CellWalkRay& walk = Rays::Of(arguments->context, RTCRayN_id(rays, arguments->N, n));
-    if (!scene.Walk(scene.Store, arguments->primID, walk))
-      continue;
-    RTCRayN_tfar(rays, arguments->N, n) = static_cast<float>(walk.t);
-    RTCHitN_geomID(hits, arguments->N, n) = arguments->geomID;
+    RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, count), count, n) = static_cast<float>(t);
+    RTCHitN_geomID(RTCRayHitN_HitN(arguments->rayhit, count), count, n) = arguments->geomID;
+  };
+  if (ours.packet == nullptr)
+  {
+    if (scene.Store.walk(scene.Store, box, *ours.single))
+      keep(0, ours.single->t);
+    return;
+  }
+  for (auto nearer = scene.Meet(box, arguments->valid, *ours.packet); nearer != 0;
+       nearer &= nearer - 1)
+  {
+    const auto n = static_cast<unsigned>(std::countr_zero(nearer));
+    keep(n, ours.packet->t[n]);
   }
 }
 
 void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
-  for (unsigned n = 0; n < arguments->N; ++n)
-    if (arguments->valid[n] != 0 &&
-        scene.Walk(scene.Store, arguments->primID,
-          Rays::Of(arguments->context, RTCRayN_id(arguments->ray, arguments->N, n))))
-      RTCRayN_tfar(arguments->ray, arguments->N, n) = -std::numeric_limits<float>::infinity();
+  const Rays& ours = Rays::Of(arguments->context);
+  CellPacket::Rays blocked =
+    ours.packet != nullptr
+      ? scene.Meet(arguments->primID, arguments->valid, *ours.packet)
+      : CellPacket::Rays(scene.Store.walk(scene.Store, arguments->primID, *ours.single));
+  for (; blocked != 0; blocked &= blocked - 1)
+    RTCRayN_tfar(arguments->ray, arguments->N, static_cast<unsigned>(std::countr_zero(blocked))) =
+      -std::numeric_limits<float>::infinity();
 }
 
 bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
@@ -213,11 +245,31 @@ void SetRay(Ray& ray, const CellWalkRay& walk)
   ray.flags = 0;
 }
 
+void SetRays(RTCRay16& ray, int* valid, CellPacket::Rays which, const CellPacket& packet)
+{
+  for (int n = 0; n < CellPacket::Size; ++n)
+  {
+    valid[n] = which >> n & 1U ? -1 : 0;
+    ray.org_x[n] = static_cast<float>(packet.origin[0][n]);
+    ray.org_y[n] = static_cast<float>(packet.origin[1][n]);
+    ray.org_z[n] = static_cast<float>(packet.origin[2][n]);
+    ray.dir_x[n] = packet.directionF[0][n];
+    ray.dir_y[n] = packet.directionF[1][n];
+    ray.dir_z[n] = packet.directionF[2][n];
+    ray.tnear[n] = 0.0F;
+    ray.tfar[n] = static_cast<float>(packet.end[n]) * 1.000001F;
+    ray.time[n] = 0.0F;
+    ray.mask[n] = ~0U;
+    ray.id[n] = static_cast<unsigned>(n);
+    ray.flags[n] = 0;
+  }
+}
+
 } // namespace
 
 void CellTracer::Scene::Nearest(CellWalkRay& walk) const
 {
-  Rays rays(&walk, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  Rays rays(walk);
   RTCRayHit ray;
   SetRay(ray.ray, walk);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -226,37 +278,48 @@ void CellTracer::Scene::Nearest(CellWalkRay& walk) const
 
 bool CellTracer::Scene::Any(CellWalkRay& walk) const
 {
-  Rays rays(&walk, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  Rays rays(walk);
   RTCRay ray;
   SetRay(ray, walk);
   rtcOccluded1(this->Tree, &rays.context, &ray);
   return ray.tfar < 0.0F;
 }
 
-void CellTracer::Scene::Nearest(CellWalkRay (&walks)[PacketSize]) const
+CellPacket::Rays CellTracer::Scene::Enter(const PacketRays& rays, CellPacket& packet) const
 {
-  Rays rays(walks, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-  alignas(64) int valid[PacketSize];
-  RTCRayHit16 packet;
-  for (int n = 0; n < PacketSize; ++n)
-  {
-    const CellWalkRay& walk = walks[n];
-    valid[n] = walk.End() >= 0.0 ? -1 : 0;
-    packet.ray.org_x[n] = static_cast<float>(walk.origin[0]);
-    packet.ray.org_y[n] = static_cast<float>(walk.origin[1]);
-    packet.ray.org_z[n] = static_cast<float>(walk.origin[2]);
-    packet.ray.dir_x[n] = walk.directionF[0];
-    packet.ray.dir_y[n] = walk.directionF[1];
-    packet.ray.dir_z[n] = walk.directionF[2];
-    packet.ray.tnear[n] = 0.0F;
-    packet.ray.tfar[n] = static_cast<float>(walk.End()) * 1.000001F;
-    packet.ray.time[n] = 0.0F;
-    packet.ray.mask[n] = ~0U;
-    packet.ray.id[n] = static_cast<unsigned>(n);
-    packet.ray.flags[n] = 0;
-    packet.hit.geomID[n] = RTC_INVALID_GEOMETRY_ID;
-  }
-  rtcIntersect16(valid, this->Tree, &rays.context, &packet);
+  return this->Boxes.empty() ? 0 : BeginCellPacket(rays, this->CellCounts, packet);
+}
+
+void CellTracer::Scene::Nearest(CellPacket::Rays which, CellPacket& packet) const
+{
+  Rays rays(packet);
+  alignas(64) int valid[CellPacket::Size];
+  RTCRayHit16 ray;
+  SetRays(ray.ray, valid, which, packet);
+  std::fill_n(ray.hit.geomID, CellPacket::Size, RTC_INVALID_GEOMETRY_ID);
+  rtcIntersect16(valid, this->Tree, &rays.context, &ray);
+}
+
+CellPacket::Rays CellTracer::Scene::Any(CellPacket::Rays which, CellPacket& packet) const
+{
+  Rays rays(packet);
+  alignas(64) int valid[CellPacket::Size];
+  RTCRay16 ray;
+  SetRays(ray, valid, which, packet);
+  rtcOccluded16(valid, this->Tree, &rays.context, &ray);
+  CellPacket::Rays met = 0;
+  for (int n = 0; n < CellPacket::Size; ++n)
+    met |= CellPacket::Rays(ray.tfar[n] < 0.0F) << n;
+  return met & which;
+}
+
+void CellTracer::Scene::PixelsOf(const CellPacket& packet, CellPacket::Rays which,
+  const glm::dmat4& indexToClip, CellPixels& pixels) const
+{
+  CellPacket::Rays hits = 0;
+  for (int n = 0; n < CellPacket::Size; ++n)
+    hits |= CellPacket::Rays(packet.t[n] < Infinity) << n;
+  EndCellPacket(this->Store, packet, hits & which, indexToClip, pixels);
 }
 
 CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const

@@ -1,6 +1,6 @@
 #pragma once
 // Private to CellTracer: Embree's side of it.
-#include "Isosurface/CellWalk.h"
+#include "Isosurface/CellPacket.h"
 
 #include <embree3/rtcore.h>
 
@@ -13,8 +13,6 @@ namespace hasp
 class CellTracer::Scene
 {
 public:
-  static constexpr int PacketSize = 16;
-
   explicit Scene(std::shared_ptr<const ClusteredCells> cells);
   ~Scene();
   Scene(const Scene&) = delete;
@@ -28,8 +26,13 @@ public:
 
   void Nearest(CellWalkRay& walk) const;
   bool Any(CellWalkRay& walk) const;
-  /// Nearest for rays that lie close together; those with End() < 0 are left out.
-  void Nearest(CellWalkRay (&walks)[PacketSize]) const;
+
+  /// The same for rays that lie close together: those that can hit anything, and their hits.
+  CellPacket::Rays Enter(const PacketRays& rays, CellPacket& packet) const;
+  void Nearest(CellPacket::Rays which, CellPacket& packet) const;
+  CellPacket::Rays Any(CellPacket::Rays which, CellPacket& packet) const; ///< those that hit
+  void PixelsOf(const CellPacket& packet, CellPacket::Rays which, const glm::dmat4& indexToClip,
+    CellPixels& pixels) const;
 
   CellHit HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const;
 
@@ -38,6 +41,8 @@ private:
   static void Bounds(const RTCBoundsFunctionArguments* arguments);
   static void Intersect(const RTCIntersectFunctionNArguments* arguments);
   static void Occlude(const RTCOccludedFunctionNArguments* arguments);
+  /// The rays of a packet through a box: those that it has a nearer hit for.
+  CellPacket::Rays Meet(unsigned box, const int* valid, CellPacket& packet) const;
   static bool CountMemory(void* scene, ssize_t bytes, bool post);
   void Build();
 
@@ -45,7 +50,7 @@ private:
   std::vector<CellBox> Boxes;
   glm::ivec3 CellCounts{ 0 }; ///< of the volume
   CellStore Store;
-  CellWalk Walk;
+  CellPacketWalk WalkPacket;
   float Margin; ///< voxels by which Embree's boxes are larger: what float may round off
   std::atomic<std::int64_t> DeviceBytes{ 0 };
   RTCDevice Device = nullptr;

@@ -22,13 +22,6 @@ namespace
 
 using namespace cells;
 
-// Ways along the ray inside a box, 8 sqrt(3) voxels at most, are whole numbers of 2^-26 voxel:
-// an integer's minimum and sum take a cycle each, a float's four. LongWay stands for what is never
-// met.
-constexpr double TicksPerVoxel = 67108864.0;
-constexpr float LongWay = 1.0e9F; // ticks, more than any; twice as many are still an integer
-constexpr double OnStart = 1e-4;  // voxels: segments that begin this close to the start touch it
-
 /// The largest integer, which no way reaches, in the lanes of the mask.
 HASP_INLINE Int4 NeverWhere(Int4 mask)
 {
@@ -176,6 +169,27 @@ CellBox::CellBox(const glm::ivec3& first, const glm::ivec3& last, std::uint32_t 
 {
 }
 
+HASP_INLINE void FinishDirectionOf(CellWalkRay& walk)
+{
+  const Double4 one{ 1, 1, 1, 1 }, zero{ 0, 0, 0, 0 };
+  walk.forwards = __builtin_convertvector(walk.direction < zero, Int4) + 1;
+  walk.directionF = __builtin_convertvector(walk.direction, Float4);
+  walk.inverseF = __builtin_convertvector(
+    Least(Most(walk.inverse, one * -1e20), one * 1e20) * TicksPerVoxel, Float4);
+  walk.delta =
+    __builtin_convertvector(Least(Most(walk.inverseF, -walk.inverseF), Splat(LongWay)), Int4);
+  walk.cellStep = __builtin_convertvector(walk.forwards * 2 - 1, Float4);
+  const std::int32_t x = walk.forwards[0] * 2 - 1, y = walk.forwards[1] * 16 - 8,
+                     z = walk.forwards[2] * 128 - 64;
+  const std::int32_t steps[8] = { 0, x, y, x + y, z, z + x, z + y, z + x + y };
+  std::copy(steps, steps + 8, walk.step);
+}
+
+HASP_CLONES void CellWalkRay::FinishDirection()
+{
+  FinishDirectionOf(*this);
+}
+
 HASP_CLONES bool BeginWalk(
   const CellRay& ray, const glm::ivec3& cells, CellWalkRay& walk, CellWalkEntry& entry)
 {
@@ -206,14 +220,13 @@ HASP_CLONES bool BeginWalk(
   entry.length = scale * length;
 
   // +-0 counts as positive: a ray within a face belongs to the cell above it, everywhere.
-  constexpr double slack = 1e-9; // voxels: what a turn into index coordinates may round off
   const Long4 still = given == zero;
   const Double4 plain = one / SelectWide(still, zero, given) * length; // not -0
   const Double4 inverse = Least(Most(plain, -huge), huge);
   const Double4 u = -origin * inverse, v = (most - origin) * inverse;
   const Double4 near = SelectWide(still, -huge, Least(u, v)),
                 far = SelectWide(still, huge, Most(u, v));
-  const Long4 beside = still & ~((origin >= -slack) & (origin <= most + slack));
+  const Long4 beside = still & ~((origin >= -Slack) & (origin <= most + Slack));
   const double t0 =
     std::max(std::max(near[0], near[1]), std::max(near[2], ray.tMin * entry.length));
   const double t1 = std::min(std::min(far[0], far[1]), std::min(far[2], ray.tMax * entry.length));
@@ -223,23 +236,12 @@ HASP_CLONES bool BeginWalk(
 
   // In the last face of the volume a ray that stays there belongs to the cell below it.
   const Double4 moved = origin + one * t0 * direction;
-  const Double4 end = most - SelectWide(still, one * slack, zero);
-  const Long4 negative = direction < zero;
+  const Double4 end = most - SelectWide(still, Double4{ Slack, Slack, Slack, 0.0 }, zero);
   const Double4 last{ 0, 0, 0, span };
   walk.origin = Least(Most(moved, zero), end);
   walk.direction = direction;
   walk.inverse = __builtin_shufflevector(inverse, last, 0, 1, 2, 7);
-  walk.forwards = __builtin_convertvector(negative, Int4) + 1;
-  walk.directionF = __builtin_convertvector(direction, Float4);
-  walk.inverseF =
-    __builtin_convertvector(Least(Most(inverse, one * -1e20), one * 1e20) * TicksPerVoxel, Float4);
-  walk.delta =
-    __builtin_convertvector(Least(Most(walk.inverseF, -walk.inverseF), Splat(LongWay)), Int4);
-  walk.cellStep = __builtin_convertvector(walk.forwards * 2 - 1, Float4);
-  const std::int32_t x = walk.forwards[0] * 2 - 1, y = walk.forwards[1] * 16 - 8,
-                     z = walk.forwards[2] * 128 - 64;
-  const std::int32_t steps[8] = { 0, x, y, x + y, z, z + x, z + y, z + x + y };
-  std::copy(steps, steps + 8, walk.step);
+  FinishDirectionOf(walk);
   entry.moved = t0;
   return true;
 }

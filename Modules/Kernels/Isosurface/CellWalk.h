@@ -6,6 +6,17 @@
 namespace hasp
 {
 
+namespace cells
+{
+// Ways along the ray inside a box, 8 sqrt(3) voxels at most, are whole numbers of 2^-26 voxel:
+// an integer's minimum and sum take a cycle each, a float's four. LongWay stands for what is never
+// met.
+constexpr double TicksPerVoxel = 67108864.0;
+constexpr float LongWay = 1.0e9F; // ticks, more than any; twice as many are still an integer
+constexpr double OnStart = 1e-4;  // voxels: segments that begin this close to the start touch it
+constexpr double Slack = 1e-9;    // voxels: what a turn into index coordinates may round off
+} // namespace cells
+
 /// The part of a cluster that Embree's tree knows as one thing.
 struct CellBox
 {
@@ -22,9 +33,17 @@ struct CellBox
   }
 };
 
+struct CellStore;
+struct CellWalkRay;
+
+/// Meets the ray with the cells of box n; if a hit is nearer than ray.t it is kept there. True
+/// then.
+using CellWalk = bool (*)(const CellStore& store, std::uint32_t n, CellWalkRay& ray);
+
 /// The cells as a walk reads them.
 struct CellStore
 {
+  CellWalk walk; ///< for cells of their kind
   const CellCluster* clusters;
   const std::uint32_t* corners;
   const CellBox* boxes;
@@ -49,6 +68,9 @@ struct CellWalkRay
   std::uint32_t cluster = 0, place = 0; ///< its cell: x | y << 3 | z << 6 in the cluster
   Float4 low, high, local;              ///< its corners minus the isovalue; the hit
 
+  /// What follows from direction and inverse.
+  void FinishDirection();
+
   double End() const { return this->inverse[3]; }
   bool Hit() const { return this->t < std::numeric_limits<double>::infinity(); }
 };
@@ -63,10 +85,6 @@ struct CellWalkEntry
 /// if the ray does not meet the volume or is not finite.
 bool BeginWalk(
   const CellRay& ray, const glm::ivec3& cells, CellWalkRay& walk, CellWalkEntry& entry);
-
-/// Meets the ray with the cells of box n; if a hit is nearer than ray.t it is kept there. True
-/// then.
-using CellWalk = bool (*)(const CellStore& store, std::uint32_t n, CellWalkRay& ray);
 
 /// The number of the active cell at a place x | y << 3 | z << 6 of the cluster.
 std::uint32_t CellNumber(const CellCluster& cluster, std::uint32_t place);

@@ -94,20 +94,42 @@ LightMean Known(const LightBlocks& blocks, LightBlocks::Finder& finder, const Li
     std::max(fine.samples, 1e-6F) };
 }
 
-/// Does the light reach the hit?
-bool Reaches(const CellTracer& tracer, const CellHit& hit, const glm::dvec4& light)
+/// Hits one after the other, of which many see the light at once.
+class Shadows
 {
-  ShadowSettings shadow;
-  shadow.towardsLight = glm::dvec3(light);
-  if (light.w != 0.0)
+public:
+  Shadows(const CellTracer& tracer, const std::optional<glm::dvec4>& from, PictureLight& pixels)
+    : Tracer(tracer),
+      From(from),
+      Pixels(pixels)
   {
-    shadow.towardsLight -= tracer.Cells().geometry.IndexToWorld(hit.Position());
-    shadow.distanceMm = glm::length(shadow.towardsLight);
-    if (shadow.distanceMm == 0.0)
-      return true; // the light lies on the surface
   }
-  return tracer.Light(hit, shadow) > 0.0F;
-}
+  void Add(const CellHit& hit, std::size_t pixel)
+  {
+    if (!this->From)
+      return;
+    this->Hits[this->Count] = hit;
+    this->Places[this->Count++] = pixel;
+    if (this->Count == CellTracer::PacketSize)
+      this->Finish();
+  }
+  void Finish()
+  {
+    if (this->Count == 0)
+      return;
+    const std::uint32_t seen = this->Tracer.Sees({ this->Hits, this->Count }, *this->From);
+    for (std::size_t n = 0; n < this->Count; ++n)
+      this->Pixels[this->Places[n]].y = seen >> n & 1U ? 255 : 0;
+    this->Count = 0;
+  }
+
+private:
+  const CellTracer& Tracer;
+  const std::optional<glm::dvec4>& From;
+  PictureLight& Pixels;
+  CellHit Hits[CellTracer::PacketSize];
+  std::size_t Places[CellTracer::PacketSize], Count = 0;
+};
 
 } // namespace
 
@@ -209,16 +231,17 @@ void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight
   if (tile)
     tile->Begin(static_cast<std::uint32_t>(number));
   LightBlocks::Finder finder(this->Blocks.get());
+  Shadows shadows(seen.tracer, settings.light, light);
   std::size_t cluster = 0;
   EachHit(seen.picture, number,
     [&](std::size_t pixel)
     {
       const CellHit hit = seen.view.HitOf(pixel, cluster);
-      if (settings.light)
-        light[pixel].y = Reaches(seen.tracer, hit, *settings.light) ? 255 : 0;
+      shadows.Add(hit, pixel);
       if (tile)
         light[pixel].x = ToByte(this->Gather(seen, hit, pixel, *tile, finder));
     });
+  shadows.Finish();
 }
 
 /// What is known of a hit's openness, and rays to know more.

@@ -54,7 +54,7 @@ CellHit LightView::HitOf(std::size_t pixel, std::size_t& cluster) const
   if (!holds(cluster))
     cluster = cells.ClusterOf(hit.number);
   hit.cell = cells.CellIn(cluster, hit.number);
-  hit.local = glm::vec3(this->Picture->places[pixel]);
+  hit.local = this->Picture->places[pixel];
   hit.gradient = glm::vec3(this->Picture->gradients[pixel]);
   const glm::dvec3 direction = hit.Position() * this->Eye.w - glm::dvec3(this->Eye);
   hit.fromInside = glm::dot(glm::dvec3(hit.gradient), direction) < 0.0;

@@ -43,6 +43,11 @@ public:
   /// and a far plane.
   bool Of(const glm::dvec2& place, CellRay& ray) const;
 
+  /// What Of computes with.
+  const glm::dmat4& GetToIndex() const { return this->ToIndex; }
+  const glm::dvec2& GetPixelSize() const { return this->PixelSize; }
+  const std::vector<glm::dvec4>& GetPlanes() const { return this->Planes; }
+
 private:
   glm::dmat4 ToIndex;
   glm::dvec2 PixelSize; ///< of a picture from -1 to 1

@@ -101,10 +101,6 @@ void CellTracing::Trace(const CellScene& scene, vtkMTimeType since)
   this->Time = {}; // if tracing fails there is none
   this->First = part.first;
   this->Tracer->TracePicture(view, this->Traced);
-  for (std::size_t pixel = 0; pixel < this->Traced.cells.size(); ++pixel)
-    this->Traced.gradients[pixel].w = this->Traced.cells[pixel] == hasp::TracedPicture::Nothing
-                                        ? 2.0F
-                                        : this->Traced.places[pixel].w;
   this->View = std::move(view);
   this->Time.Modified();
   this->TraceMilliseconds = MillisecondsSince(start);

@@ -149,6 +149,47 @@ TEST(CellTracerLight, SphereCastsTheRightHardShadow)
   EXPECT_GT(lit, 2000);
 }
 
+TEST(CellTracerLight, ManyHitsSeeWhatEachSees)
+{
+  const hasp::GridGeometry g = Grid({ 40, 40, 40 }, { 0.7, 1.1, 0.9 });
+  const auto scene = Solid(g, [](const glm::dvec3& p)
+    { return std::sin(0.5 * p.x) + std::sin(0.4 * p.y) + std::sin(0.45 * p.z); });
+  std::vector<hasp::CellHit> hits;
+  for (int n = 0; n < 4000; ++n)
+  {
+    const glm::dvec3 at(0.31 + n % 63 * 0.61, 0.17 + n / 63 * 0.6, n % 5 == 0 ? 17.3 : 39.0);
+    if (const auto hit = scene.tracer.Trace({ at, { 0.01, 0.02, n % 5 == 1 ? -1.0 : -0.8 } }))
+      hits.push_back(*hit);
+  }
+  ASSERT_GT(hits.size(), 2000U);
+  for (const glm::dvec4& light : { glm::dvec4(0.3, -0.2, 0.9, 0.0), glm::dvec4(9, 20, 30, 1) })
+  {
+    std::size_t lit = 0, count = 1;
+    for (std::size_t from = 0; from + count <= hits.size(); from += count, count = count % 16 + 1)
+    {
+      const std::span<const hasp::CellHit> some(hits.data() + from, count);
+      const std::uint32_t seen = scene.tracer.Sees(some, light);
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        glm::dvec3 way(light);
+        double distance = 1e300;
+        if (light.w != 0.0)
+          distance = glm::length(way -= g.IndexToWorld(some[n].Position()));
+        const bool sees = scene.tracer.Light(some[n], { way, 0.0, 1, distance }) > 0.0F;
+        ASSERT_EQ((seen >> n & 1U) != 0, sees) << from << " + " << n;
+        lit += sees;
+      }
+      ASSERT_EQ(std::uint64_t(seen) >> count, 0U);
+    }
+    EXPECT_GT(lit, hits.size() / 10);
+    EXPECT_LT(lit, hits.size() * 9 / 10);
+  }
+  EXPECT_EQ(scene.tracer.Sees({}, { 0, 0, 1, 0 }), 0U);
+  const std::span<const hasp::CellHit> many(hits.data(), 17);
+  EXPECT_THROW(scene.tracer.Sees(many, { 0, 0, 1, 0 }), std::invalid_argument);
+  EXPECT_THROW(scene.tracer.Sees(many.first(1), glm::dvec4(0)), std::invalid_argument);
+}
+
 TEST(CellTracerLight, SoftShadowOfAnEdgeMatchesTheClosedForm)
 {
   // The top edge of a long wall hides the part of a small disc of light below it: a segment of a

@@ -55,15 +55,16 @@ int ExpectSingleRays(const hasp::CellTracer& tracer, const hasp::PictureView& vi
       }
       if (!hit)
       {
-        EXPECT_EQ(picture.places[n].w, 1.0F);
+        EXPECT_EQ(picture.gradients[n], glm::vec4(0, 0, 0, hasp::TracedPicture::NoDepth));
+        EXPECT_EQ(picture.places[n], glm::vec3(0));
         continue;
       }
       ++hits;
-      EXPECT_LT(glm::distance(glm::vec3(picture.places[n]), hit->local), 1e-4F);
+      EXPECT_LT(glm::distance(picture.places[n], hit->local), 1e-4F);
       EXPECT_LT(glm::distance(glm::vec3(picture.gradients[n]), hit->gradient),
         1e-3F * glm::length(hit->gradient));
       const glm::dvec4 clip = view.indexToClip * glm::dvec4(hit->Position(), 1.0);
-      EXPECT_NEAR(picture.places[n].w, 0.5 * clip.z / clip.w + 0.5, 1e-6);
+      EXPECT_NEAR(picture.gradients[n].w, 0.5 * clip.z / clip.w + 0.5, 1e-6);
     }
   EXPECT_LE(different, hits / 1000);
   return hits;
@@ -80,6 +81,29 @@ TEST(CellTracerPicture, PixelsAreSingleRays)
   EXPECT_GT(ExpectSingleRays(scene.tracer, parallel), 1000);
   parallel.size = { 0, 5 };
   EXPECT_EQ(ExpectSingleRays(scene.tracer, parallel), 0);
+}
+
+TEST(CellTracerPicture, PixelsAreWhatTheirRaysMeetInEveryBit)
+{
+  const auto scene = Gyroid();
+  const hasp::PictureView view = Perspective({ 98, 67 });
+  const hasp::PictureRays rays(view);
+  hasp::TracedPicture picture;
+  scene.tracer.TracePicture(view, picture);
+  int hits = 0;
+  for (int n = 0; n < 98 * 67; ++n)
+  {
+    hasp::CellRay ray;
+    const bool kept = rays.Of(glm::dvec2(n % 98, n / 98) + 0.5, ray);
+    const auto hit = kept ? scene.tracer.Trace(ray) : std::nullopt;
+    ASSERT_EQ(picture.cells[n], hit ? hit->number : hasp::TracedPicture::Nothing) << n;
+    if (!hit)
+      continue;
+    ++hits;
+    ASSERT_EQ(picture.places[n], hit->local) << n;
+    ASSERT_EQ(glm::vec3(picture.gradients[n]), hit->gradient) << n;
+  }
+  EXPECT_GT(hits, 2000);
 }
 
 TEST(CellTracerPicture, EyeAMillionVoxelsAwayIsAsGoodAsANearOne)
@@ -136,7 +160,7 @@ TEST(CellTracerPicture, PlanesAndNearPlaneCutRays)
     moved += uncut && uncut->number != hit->number;
     for (const glm::dvec4& plane : view.planes)
       EXPECT_GE(glm::dot(plane, glm::dvec4(hit->Position(), 1)), -1e-4);
-    EXPECT_GE(picture.places[n].w, 0.0F);
+    EXPECT_GE(picture.gradients[n].w, 0.0F);
   }
   EXPECT_GT(hits, 300);
   EXPECT_GT(moved, 200);
