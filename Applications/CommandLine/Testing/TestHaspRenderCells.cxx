@@ -59,7 +59,7 @@ TEST_F(HaspRenderCells, LightTakesRaysAndChangesThePicture)
   this->Phantom();
   ExpectFailure(this->Render({ "--shadows", "--renderer", "rasterize" }), 1,
     "--ambient-occlusion and --shadows");
-  for (const std::string mapper : { "mesh", "vtk", "raycast", "raycaching" })
+  for (const std::string mapper : { "mesh", "vtk", "raycast" })
     ExpectFailure(
       this->Render({ "--ambient-occlusion", "9", "--mapper", mapper }), 1, "leave them");
   ExpectFailure(this->Render({ "--ambient-occlusion", "0" }), 1, "--ambient-occlusion");
@@ -72,6 +72,11 @@ TEST_F(HaspRenderCells, LightTakesRaysAndChangesThePicture)
   ASSERT_EQ(lit.exitCode, 0) << lit.err;
   EXPECT_NE(lit.out.find("light cache"), std::string::npos) << lit.out;
   EXPECT_NE(ReadBytes(this->Path("lit.png")), ReadBytes(this->Path("plain.png")));
+  // Ray caching draws the same cells where light is asked for.
+  const HaspRun cells = this->Render({ "--shadows" }, "cells.png");
+  const HaspRun rays = this->Render({ "--shadows", "--mapper", "raycaching" }, "rays.png");
+  ASSERT_EQ(rays.exitCode, 0) << rays.err;
+  EXPECT_EQ(ReadBytes(this->Path("rays.png")), ReadBytes(this->Path("cells.png")));
 }
 
 TEST_F(HaspRenderCells, CompactCellsAreSmallerAndOnlyForCells)

@@ -293,7 +293,8 @@ TEST_F(RayCaching, TakesWindowsOfAnySize)
   EXPECT_TRUE(scene.Errors.empty());
 }
 
-/// VTK's windows have several samples a pixel unless told otherwise: rays look for holes there, too.
+/// VTK's windows have several samples a pixel unless told otherwise: rays look for holes there,
+/// too.
 TEST_F(RayCaching, FindsHolesInMultisampledPictures)
 {
   std::vector<int> clusters;
