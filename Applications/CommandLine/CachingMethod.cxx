@@ -36,7 +36,7 @@ int CachingMethod::Converge(int most)
   int frame = 0;
   for (int quiet = 0; frame < most && quiet < enough; ++frame)
   {
-    this->Draw();
+    CachingMethod::Draw(); // what derives may draw by converging
     quiet = this->Mapper->IsRefining() ? 0 : quiet + 1;
   }
   return frame;
