@@ -77,7 +77,9 @@ void Compare(ReportContext& context, const RaycachingScene& scene, const std::st
   const std::string other =
     rival.id == "vtk" ? ""
                       : "; its picture " + Decibels(ForegroundPsnr(truth, rival.method->Picture()));
-  const std::string way = path.id == "orbit" ? "" : "." + path.id; // the path that the bars name
+  const std::string way = path.id == "orbit"
+                            ? std::string()
+                            : std::string(".").append(path.id); // the path that the bars name
   context.report.rows.push_back(
     TimedRatio("raycaching.speedup." + rival.id + way + "@" + mode + scene.cells.tag, times,
       rival.method->Name() + other, { psnr, "dB against one exact ray at each pixel's centre" },

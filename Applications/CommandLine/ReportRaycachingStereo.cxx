@@ -81,21 +81,14 @@ void AddSecondEye(ReportContext& context, const RaycachingScene& scene, const St
     draw(-1);
     draw(1);
   }
-  Timing first;
-  const auto left = [&]
-  {
-    path.Orbit(frame++);
-    return first = draw(-1);
-  };
   // In turn, left before right: a head moves between the pairs, not between its eyes.
-  std::vector<Timing> seconds;
-  const PairedTimes turned = ComparePairs(left,
+  const PairedTimes turned = ComparePairs(
     [&]
     {
-      seconds.push_back(draw(1));
-      return seconds.back();
+      path.Orbit(frame++);
+      return draw(-1);
     },
-    { 2, 21 });
+    [&] { return draw(1); }, { 2, 21 });
   PairedTimes times = turned; // right by left
   times.ratio = { 1.0 / turned.ratio.q3, 1.0 / turned.ratio.median, 1.0 / turned.ratio.q1 };
   times.cpuRatio = { 1.0 / turned.cpuRatio.q3, 1.0 / turned.cpuRatio.median,

@@ -84,7 +84,7 @@ void AddStillLight(ReportContext& context, const RaycachingScene& scene)
   Timing time;
   const bool quick = context.settings.quick;
   const int stride = quick ? 5 : 31;
-  const std::vector<Still> course = FollowStill(scene, quick ? 256 : 512, stride, time);
+  const std::vector<Still> course = FollowStill(scene, quick ? 1024 : 512, stride, time);
   const double floor = course.back().rmse;
   std::vector<std::pair<double, double>> byFrames, byRays;
   ReportCurve curve{ "raycaching.ao.error" + scene.cells.tag, "light cache", "ms", "RMSE", {} };
