@@ -1,7 +1,8 @@
 #include "CachingMethod.h"
 
-#include "vtkActor.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProperty.h"
 
 namespace hasp
 {
@@ -13,9 +14,8 @@ CachingMethod::CachingMethod(const IsosurfaceView& view, int mode)
   this->Mapper->SetInputData(view.image);
   this->Mapper->SetIsoValue(view.isovalue);
   this->Mapper->SetMode(mode);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(this->Mapper);
-  this->Renderer->AddActor(actor);
+  this->Actor->SetMapper(this->Mapper);
+  this->Renderer->AddActor(this->Actor);
 }
 
 std::string CachingMethod::Name() const
@@ -36,10 +36,34 @@ int CachingMethod::Converge(int most)
   int frame = 0;
   for (int quiet = 0; frame < most && quiet < enough; ++frame)
   {
-    this->Draw();
+    CachingMethod::Draw(); // what derives may draw by converging
     quiet = this->Mapper->IsRefining() ? 0 : quiet + 1;
   }
   return frame;
+}
+
+void CachingMethod::Light(
+  const glm::dvec3& towardsLight, double darkeningMm, double ambient, double diffuse)
+{
+  this->Actor->GetProperty()->SetAmbient(ambient);
+  this->Actor->GetProperty()->SetDiffuse(diffuse);
+  vtkNew<vtkLight> light; // directional
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(towardsLight.x, towardsLight.y, towardsLight.z);
+  light->SetFocalPoint(0, 0, 0);
+  this->Renderer->AddLight(light);
+  this->Mapper->AmbientOcclusionOn();
+  this->Mapper->SetAmbientOcclusionDistance(darkeningMm);
+  this->Mapper->ShadowsOn();
+}
+
+void CachingMethod::ChooseEye(int leftOrRight)
+{
+  this->Window->SetStereoRender(leftOrRight != 0);
+  if (leftOrRight < 0)
+    this->Window->SetStereoTypeToLeft();
+  else if (leftOrRight > 0)
+    this->Window->SetStereoTypeToRight();
 }
 
 } // namespace hasp

@@ -2,6 +2,8 @@
 #include "WindowMethod.h"
 #include "vtkHaspRayCachingMapper.h"
 
+#include "vtkActor.h"
+
 namespace hasp
 {
 
@@ -18,8 +20,14 @@ public:
   vtkHaspRayCachingMapper* operator->() const { return this->Mapper; }
   /// Frames until it finds nothing new, at most `most`.
   int Converge(int most);
+  /// From one side, unit and towards the light, in the world, with a hard shadow; without it the
+  /// eye has a lamp. What lies within `darkeningMm` darkens what it is, `ambient` and `diffuse`.
+  void Light(const glm::dvec3& towardsLight, double darkeningMm, double ambient, double diffuse);
+  /// The eye that the next frames are of; 0: one between both, which is where it starts.
+  void ChooseEye(int leftOrRight);
 
 private:
+  vtkNew<vtkActor> Actor;
   vtkSmartPointer<vtkHaspRayCachingMapper> Mapper;
 };
 

@@ -115,6 +115,8 @@ std::vector<ExtremeVolume> ExtremeVolumes()
   const auto step = [](int, int, int k) { return k < Side / 2 ? -50.0 : 0.0; };
   const auto board = [](int i, int j, int k) { return (i + j + k) % 2 ? 100.0 : -100.0; };
 
+  const auto plate = [](int, int, int k) { return k == Side / 2 ? 100.0 : -100.0; };
+
   std::vector<ExtremeVolume> list{
     { "isovalue equal to corner values", Make<std::int16_t>(plain, slope), 110.0, layer },
     { "flat block at the isovalue", Make<std::int16_t>(plain, [](int, int, int) { return 7.0; }),
@@ -125,6 +127,7 @@ std::vector<ExtremeVolume> ExtremeVolumes()
       Make<std::uint8_t>(
         plain, [&](int i, int j, int k) { return board(i, j, k) > 0 ? 255.0 : 0.0; }),
       128.0, all },
+    { "a plate one sample thick", Make<std::int16_t>(plain, plate), 0.0, 2 * layer },
     { "no cell active: isovalue above all", Make<std::int16_t>(plain, Ball(100.0)), 30000.0, 0 },
     { "1 x N x M samples", Make<std::int16_t>(Grid({ 1, Side, Side }, glm::dvec3(1)), slope), 110.0,
       0 },

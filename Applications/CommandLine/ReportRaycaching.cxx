@@ -17,8 +17,13 @@ void Measure(ReportContext& context, const CellScene& cells, int pixels)
 {
   const RaycachingScene scene(cells, pixels);
   ReportRaycachingQuality(context, scene);
+  ReportRaycachingStereo(context, scene);
+  ReportRaycachingLight(context, scene);
+  ReportRaycachingStillLight(context, scene);
   ReportRaycachingFrames(context, scene);
   ReportRaycachingChanges(context, scene);
+  if (context.settings.soakFrames > 0 && scene.cells.tag.empty())
+    ReportRaycachingSoak(context, scene);
 }
 
 } // namespace

@@ -11,6 +11,7 @@ struct ReportSettings
 {
   bool quick = false;     ///< at most a minute; rows are marked
   bool soak = false;      ///< hours: what neither quick nor ordinary reports can measure
+  int soakFrames = 0;     ///< of a walk, in a soak; else 0
   std::uint64_t seed = 1; ///< of every random case
   std::string volume;     ///< path of a real CT to measure on too
 };
