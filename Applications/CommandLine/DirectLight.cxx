@@ -14,9 +14,15 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace hasp
 {
+namespace
+{
+constexpr std::size_t Packet = 16; // hits that CellTracer::Sees takes at once
+}
 
 struct DirectLight::Internals
 {
@@ -27,8 +33,10 @@ struct DirectLight::Internals
         ExtractActiveCells(grid, MinMaxBlocks(grid), seen.isovalue)))
   {
   }
-  /// Of pixel n, which met something.
-  float Shade(std::size_t n, const DirectLightSettings& settings, std::uint32_t number) const;
+  /// Some pixels that met something, at most 16.
+  void Shade(
+    std::span<const std::size_t> pixels, const DirectLightSettings& settings, std::uint32_t number);
+  CellHit HitOf(std::size_t pixel) const;
 
   const IsosurfaceView& view;
   AnyGridView grid;
@@ -37,24 +45,43 @@ struct DirectLight::Internals
   PictureTruth picture;
 };
 
-float DirectLight::Internals::Shade(
-  std::size_t n, const DirectLightSettings& settings, std::uint32_t number) const
+/// What the pixel shows; fromInside is left out.
+CellHit DirectLight::Internals::HitOf(std::size_t pixel) const
 {
   const ClusteredCells& cells = this->tracer.Cells();
   CellHit hit{};
-  hit.number = this->traced.cells[n];
+  hit.number = this->traced.cells[pixel];
   hit.cell = cells.CellIn(cells.ClusterOf(hit.number), hit.number);
-  hit.local = glm::vec3(this->traced.places[n]);
-  hit.gradient = glm::vec3(this->traced.gradients[n]);
-  const glm::dvec3 toEye =
-    glm::make_vec3(this->view.camera->GetPosition()) - cells.geometry.IndexToWorld(hit.Position());
-  const glm::dvec3 gradient = cells.geometry.GradientToWorld(glm::dvec3(hit.gradient));
-  hit.fromInside = glm::dot(gradient, toEye) > 0.0;
-  const double facing = DiffuseShade(gradient, toEye, settings.towardsLight);
-  const bool lit = facing > 0.0 && this->tracer.Light(hit, { settings.towardsLight }) > 0.0F;
-  const float open = this->tracer.AmbientOcclusion(
-    hit, { settings.rays, settings.darkeningMm }, std::uint32_t(n) + 1'000'003U * number);
-  return open * float(RaycachingScene::Ambient + (lit ? RaycachingScene::Diffuse * facing : 0.0));
+  hit.local = glm::vec3(this->traced.places[pixel]);
+  hit.gradient = glm::vec3(this->traced.gradients[pixel]);
+  return hit;
+}
+
+void DirectLight::Internals::Shade(
+  std::span<const std::size_t> pixels, const DirectLightSettings& settings, std::uint32_t number)
+{
+  const GridGeometry& geometry = this->tracer.Cells().geometry;
+  std::array<CellHit, Packet> hits;
+  std::array<double, Packet> facing;
+  for (std::size_t n = 0; n < pixels.size(); ++n)
+  {
+    CellHit& hit = hits[n] = this->HitOf(pixels[n]);
+    const glm::dvec3 toEye =
+      glm::make_vec3(this->view.camera->GetPosition()) - geometry.IndexToWorld(hit.Position());
+    const glm::dvec3 gradient = geometry.GradientToWorld(glm::dvec3(hit.gradient));
+    hit.fromInside = glm::dot(gradient, toEye) > 0.0;
+    facing[n] = DiffuseShade(gradient, toEye, settings.towardsLight);
+  }
+  const std::uint32_t seen =
+    this->tracer.Sees(std::span(hits).first(pixels.size()), glm::dvec4(settings.towardsLight, 0.0));
+  for (std::size_t n = 0; n < pixels.size(); ++n)
+  {
+    const bool lit = facing[n] > 0.0 && (seen >> n & 1U) != 0;
+    const float open = this->tracer.AmbientOcclusion(hits[n],
+      { settings.rays, settings.darkeningMm }, std::uint32_t(pixels[n]) + 1'000'003U * number);
+    this->picture.pixels[pixels[n]] = glm::vec3(
+      open * float(RaycachingScene::Ambient + (lit ? RaycachingScene::Diffuse * facing[n] : 0.0)));
+  }
 }
 
 DirectLight::DirectLight(const IsosurfaceView& view) : Inside(std::make_unique<Internals>(view)) {}
@@ -72,9 +99,18 @@ void DirectLight::Draw(const DirectLightSettings& settings, std::uint32_t number
   ParallelFor(0, std::int64_t(size), 512,
     [&](std::int64_t first, std::int64_t last)
     {
+      std::array<std::size_t, Packet> pixels;
+      std::size_t count = 0;
       for (auto n = std::size_t(first); n < std::size_t(last); ++n)
+      {
         if (in.traced.cells[n] != TracedPicture::Nothing)
-          in.picture.pixels[n] = glm::vec3(in.Shade(n, settings, number));
+          pixels[count++] = n;
+        if (count == Packet || n + 1 == std::size_t(last))
+        {
+          in.Shade(std::span(pixels).first(count), settings, number);
+          count = 0;
+        }
+      }
     });
 }
 

@@ -16,8 +16,9 @@ struct DirectLightSettings
   glm::dvec3 towardsLight{ 0.0, 0.0, 1.0 }; ///< world, unit
 };
 
-/// The fastest direct way this build has: Embree's tree over active cells, primary rays in packets,
-/// all rays and the shading on all cores. Pixels without a surface are black. Threads: one.
+/// The fastest direct way this build has: Embree's tree over active cells, primary and
+/// shadow rays in packets, all rays and the shading on all cores. Pixels without a surface are
+/// black. Threads: one.
 class DirectLight
 {
 public:

@@ -121,11 +121,12 @@ void WriteFile(const std::string& path, std::string_view bytes)
 
 std::string FreeName(const std::string& stem, const std::string& ending)
 {
+  std::error_code ignored;
   std::string name;
   int n = 0;
   do
     name = stem + "-" + std::to_string(++n) + ending;
-  while (std::filesystem::exists(name));
+  while (std::filesystem::exists(name, ignored)); // writing says what is wrong with the folder
   return name;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace hasp
 {
@@ -31,6 +32,9 @@ double ForegroundFlip(const PictureTruth& truth, const std::vector<glm::vec3>& s
       sum += flip[n];
       ++count;
     }
+  if (count == 0)
+    throw std::runtime_error("the report's orbit shows no surface of this volume: its light cannot "
+                             "be compared");
   return sum / double(count);
 }
 

@@ -134,8 +134,8 @@ Course Walk(ReportContext& context, const RaycachingScene& scene)
     course.leastBytes = std::min(course.leastBytes, CacheBytes(ours));
     course.mostBytes = std::max(course.mostBytes, CacheBytes(ours));
     course.residentKb.emplace_back(frame + 1, ResidentKb());
-    course.psnr = std::min(
-      course.psnr, ForegroundPsnr(CentreRaycachingPicture(view, isovalue), ours.Picture()));
+    const double psnr = ForegroundPsnr(CentreRaycachingPicture(view, isovalue), ours.Picture());
+    course.psnr = std::isfinite(psnr) ? std::min(course.psnr, psnr) : psnr; // and so it stays
     char text[120];
     std::snprintf(text, sizeof text, "raycaching: walk, frame %d of %d, %.0f MiB resident",
       frame + 1, frames, course.residentKb.back().second / 1024.0);
@@ -169,11 +169,15 @@ void ReportRaycachingSoak(ReportContext& context, const RaycachingScene& scene)
     row.n = frames;
     context.report.rows.push_back(row);
   };
+  const std::size_t counts = course.residentKb.size();
   add("memory", GrowthKb(course.residentKb), "KB a 1000 frames",
-    "what is resident after a third of the frames, by a line through 34 places", text);
+    "what is resident after a third of the frames, by a line through " +
+      std::to_string(counts - counts / 3) + " places",
+    text);
   add("cache", double(course.mostBytes - course.leastBytes), "bytes that it grows or shrinks",
     "its least", "; bar: 0");
-  add("bricks.unique", course.worstUnique, "live bricks / distinct blocks, worst of 50 counts",
+  add("bricks.unique", course.worstUnique,
+    "live bricks / distinct blocks, worst of " + std::to_string(counts) + " counts",
     "their places, counted", ", the kernel's cache beside the mapper's, same views; bar: 1");
   add("errors", course.glErrors + course.vtkErrors, "errors of OpenGL and of the mapper", "none",
     "; bar: 0");

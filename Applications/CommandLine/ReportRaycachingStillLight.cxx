@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace hasp
 {
@@ -94,13 +95,16 @@ void AddStillLight(ReportContext& context, const RaycachingScene& scene)
     const Still& still = course[frames - 1];
     curve.points.push_back({ 1e3 * double(frames) * time.wallS, still.rmse });
     const double noise = std::sqrt(std::max(0.0, still.rmse * still.rmse - floor * floor));
-    above = above && noise >= floor / 3.0;
+    above = above && noise > 0.0 && noise >= floor / 3.0;
     if (!above)
       continue;
     byFrames.emplace_back(double(frames), noise);
     byRays.emplace_back(still.rays, noise);
   }
   context.report.curves.push_back(curve);
+  if (byFrames.size() < 2)
+    throw std::runtime_error("the light of this volume is at its floor from the first frame on: it "
+                             "has no slope");
   char text[160];
   std::snprintf(text, sizeof text,
     ", still camera, frames 1 to %.0f; the first casts %.3g rays a pixel, the others %.2g; floor "
@@ -118,7 +122,6 @@ void AddStillLight(ReportContext& context, const RaycachingScene& scene)
     row.n = int(byFrames.size());
     context.report.rows.push_back(row);
   };
-  // Of fewer than two points there is no slope, and GrowthExponent throws.
   add("slope", GrowthExponent(byFrames), "d log noise / d log frames");
   add("slope.casts", GrowthExponent(byRays), "d log noise / d log rays so far");
   add("floor", floor, "RMSE of openness");

@@ -4,8 +4,8 @@
 namespace hasp
 {
 
-CellTracer::CellTracer(std::shared_ptr<const ClusteredCells> cells)
-  : Embree(std::make_unique<const Scene>(std::move(cells)))
+CellTracer::CellTracer(std::shared_ptr<const ClusteredCells> cells, const std::string& device)
+  : Embree(std::make_unique<const Scene>(std::move(cells), device))
 {
 }
 

@@ -68,8 +68,10 @@ public:
   /// O(clusters log clusters), all threads. Throws std::invalid_argument if cells is null, or not
   /// consistent (a cluster without cells, outside the volume or with corners beyond the stream; not
   /// 128 levels where they are compact). Cells of unknown origin are for ValidateCells to check.
-  /// std::runtime_error if Embree fails, with its reason.
-  explicit CellTracer(std::shared_ptr<const ClusteredCells> cells);
+  /// std::runtime_error if Embree fails, with its reason. device: how Embree is to work, as
+  /// rtcNewDevice takes it, say "isa=avx2"; empty: as suits the CPU.
+  explicit CellTracer(
+    std::shared_ptr<const ClusteredCells> cells, const std::string& device = std::string());
   ~CellTracer();
   CellTracer(const CellTracer&) = delete;
   CellTracer& operator=(const CellTracer&) = delete;

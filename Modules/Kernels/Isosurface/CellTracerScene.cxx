@@ -77,7 +77,8 @@ private:
   }
 };
 
-CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(std::move(cells))
+CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells, const std::string& device)
+  : Shared(std::move(cells))
 {
   Require(this->Shared != nullptr, "there are no cells");
   const ClusteredCells& c = *this->Shared;
@@ -109,7 +110,7 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells) : Shared(s
   this->WalkPacket = ChooseCellPacketWalk(c.cornerType, c.precision);
   this->Margin = 1e-6F * static_cast<float>(std::max({ 64, last.x, last.y, last.z }));
 
-  this->Device = rtcNewDevice(nullptr);
+  this->Device = rtcNewDevice(device.empty() ? nullptr : device.c_str());
   if (this->Device == nullptr)
     throw std::runtime_error(
       "CellTracer: Embree gives no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
@@ -174,14 +175,29 @@ void CellTracer::Scene::Bounds(const RTCBoundsFunctionArguments* arguments)
   bounds.upper_z = high.z;
 }
 
-CellPacket::Rays CellTracer::Scene::Meet(unsigned box, const int* valid, CellPacket& packet) const
+namespace
 {
-  // Embree hands a packet on as it is, ray by ray in its lane.
+
+/// The rays of our packet that Embree asks for, and where each lies in its own: where the CPU has
+/// no 16 lanes it makes packets of 8, 4 or 1 of them, in another order.
+struct AskedRays
+{
   CellPacket::Rays rays = 0;
-  for (unsigned n = 0; n < CellPacket::Size; ++n)
-    rays |= CellPacket::Rays(valid[n] & 1) << n;
-  return this->WalkPacket(this->Store, box, rays, packet);
-}
+  unsigned at[CellPacket::Size];
+
+  AskedRays(RTCRayN* theirs, const int* valid, unsigned count)
+  {
+    for (unsigned n = 0; n < count; ++n)
+      if (valid[n] != 0)
+      {
+        const unsigned id = RTCRayN_id(theirs, count, n);
+        this->rays |= 1U << id;
+        this->at[id] = n;
+      }
+  }
+};
+
+} // namespace
 
 void CellTracer::Scene::Intersect(const RTCIntersectFunctionNArguments* arguments)
 {
@@ -199,11 +215,12 @@ void CellTracer::Scene::Intersect(const RTCIntersectFunctionNArguments* argument
       keep(0, ours.single->t);
     return;
   }
-  for (auto nearer = scene.Meet(box, arguments->valid, *ours.packet); nearer != 0;
+  const AskedRays asked(RTCRayHitN_RayN(arguments->rayhit, count), arguments->valid, count);
+  for (auto nearer = scene.WalkPacket(scene.Store, box, asked.rays, *ours.packet); nearer != 0;
        nearer &= nearer - 1)
   {
-    const auto n = static_cast<unsigned>(std::countr_zero(nearer));
-    keep(n, ours.packet->t[n]);
+    const int n = std::countr_zero(nearer);
+    keep(asked.at[n], ours.packet->t[n]);
   }
 }
 
@@ -211,13 +228,19 @@ void CellTracer::Scene::Occlude(const RTCOccludedFunctionNArguments* arguments)
 {
   const auto& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
   const Rays& ours = Rays::Of(arguments->context);
-  CellPacket::Rays blocked =
-    ours.packet != nullptr
-      ? scene.Meet(arguments->primID, arguments->valid, *ours.packet)
-      : CellPacket::Rays(scene.Store.walk(scene.Store, arguments->primID, *ours.single));
-  for (; blocked != 0; blocked &= blocked - 1)
-    RTCRayN_tfar(arguments->ray, arguments->N, static_cast<unsigned>(std::countr_zero(blocked))) =
-      -std::numeric_limits<float>::infinity();
+  const unsigned count = arguments->N, box = arguments->primID;
+  const auto block = [&](unsigned n)
+  { RTCRayN_tfar(arguments->ray, count, n) = -std::numeric_limits<float>::infinity(); };
+  if (ours.packet == nullptr)
+  {
+    if (scene.Store.walk(scene.Store, box, *ours.single))
+      block(0);
+    return;
+  }
+  const AskedRays asked(arguments->ray, arguments->valid, count);
+  for (auto blocked = scene.WalkPacket(scene.Store, box, asked.rays, *ours.packet); blocked != 0;
+       blocked &= blocked - 1)
+    block(asked.at[std::countr_zero(blocked)]);
 }
 
 bool CellTracer::Scene::Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const
@@ -249,7 +272,8 @@ void SetRays(RTCRay16& ray, int* valid, CellPacket::Rays which, const CellPacket
 {
   for (int n = 0; n < CellPacket::Size; ++n)
   {
-    valid[n] = which >> n & 1U ? -1 : 0;
+    const bool on = which >> n & 1U;
+    valid[n] = on ? -1 : 0;
     ray.org_x[n] = static_cast<float>(packet.origin[0][n]);
     ray.org_y[n] = static_cast<float>(packet.origin[1][n]);
     ray.org_z[n] = static_cast<float>(packet.origin[2][n]);
@@ -257,7 +281,8 @@ void SetRays(RTCRay16& ray, int* valid, CellPacket::Rays which, const CellPacket
     ray.dir_y[n] = packet.directionF[1][n];
     ray.dir_z[n] = packet.directionF[2][n];
     ray.tnear[n] = 0.0F;
-    ray.tfar[n] = static_cast<float>(packet.end[n]) * 1.000001F;
+    ray.tfar[n] = on ? static_cast<float>(packet.end[n]) * 1.000001F
+                     : -std::numeric_limits<float>::infinity(); // not all of Embree asks `valid`
     ray.time[n] = 0.0F;
     ray.mask[n] = ~0U;
     ray.id[n] = static_cast<unsigned>(n);

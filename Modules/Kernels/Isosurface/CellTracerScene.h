@@ -13,7 +13,7 @@ namespace hasp
 class CellTracer::Scene
 {
 public:
-  explicit Scene(std::shared_ptr<const ClusteredCells> cells);
+  Scene(std::shared_ptr<const ClusteredCells> cells, const std::string& device);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -41,8 +41,6 @@ private:
   static void Bounds(const RTCBoundsFunctionArguments* arguments);
   static void Intersect(const RTCIntersectFunctionNArguments* arguments);
   static void Occlude(const RTCOccludedFunctionNArguments* arguments);
-  /// The rays of a packet through a box: those that it has a nearer hit for.
-  CellPacket::Rays Meet(unsigned box, const int* valid, CellPacket& packet) const;
   static bool CountMemory(void* scene, ssize_t bytes, bool post);
   void Build();
 

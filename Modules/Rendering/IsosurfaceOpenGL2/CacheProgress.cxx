@@ -34,8 +34,8 @@ std::string CacheProgress::ShareOfCache() const
   if (this->Last.hits == 0)
     return "; no ray met a surface";
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "; "
-       << 100.0 * double(this->Last.known) / double(this->Last.hits)
-       << " % of the surface's pixels from the cache, by " << this->Last.hits << " rays";
+  text << std::fixed << std::setprecision(2) << "; all pixels from the cache, which held "
+       << 100.0 * double(this->Last.known) / double(this->Last.hits) << " % of what "
+       << this->Last.hits << " rays met";
   return text.str();
 }

@@ -56,6 +56,7 @@ public:
       glEnable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Copy);
+    glReadBuffer(GL_NONE);
   }
   ~OneSampleScope()
   {

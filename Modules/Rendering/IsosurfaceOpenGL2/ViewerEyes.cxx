@@ -81,9 +81,13 @@ bool ViewerEye::IsDrawn(bool stereo) const
          this->Observer->Frames < (stereo ? 2 : 1);
 }
 
-bool ViewerEye::BeginsFrame()
+void ViewerEye::IsDrawnNow()
 {
   this->Observer->Frames = 0;
+}
+
+bool ViewerEye::BeginsFrame()
+{
   return std::exchange(this->Observer->Begins, false);
 }
 
@@ -139,7 +143,9 @@ void ViewerEye::Forget()
 
 ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
 {
-  std::erase_if(this->Eyes, [](const auto& eye) { return eye->Lost(); });
+  constexpr long long forgotten = 256; // frames of others
+  std::erase_if(this->Eyes,
+    [&](const auto& eye) { return eye->Lost() || this->Turns - eye->Turn > forgotten; });
   const bool left =
     !renderer->GetRenderWindow()->GetStereoRender() || renderer->GetActiveCamera()->GetLeftEye();
   auto found = std::find_if(
@@ -152,6 +158,7 @@ ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
     found = this->Eyes.insert(found, std::make_unique<ViewerEye>(renderer, left, number));
   }
   ViewerEye& eye = **found;
+  eye.IsDrawnNow();
   begins = !renderer->GetSelector() && eye.BeginsFrame();
   if (begins)
     eye.Turn = ++this->Turns;

@@ -28,6 +28,7 @@ public:
   bool IsOfSameRenderer(const ViewerEye& other) const;
   /// Has it been drawn in its renderer's last frame? A frame in stereo begins twice.
   bool IsDrawn(bool stereo) const;
+  void IsDrawnNow();
   /// Is this the first call since the renderer has begun a frame? A translucent actor is drawn
   /// several times in one.
   bool BeginsFrame();

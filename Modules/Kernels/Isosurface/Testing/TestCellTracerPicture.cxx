@@ -4,6 +4,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <bit>
+
 namespace
 {
 
@@ -104,6 +106,38 @@ TEST(CellTracerPicture, PixelsAreWhatTheirRaysMeetInEveryBit)
     ASSERT_EQ(glm::vec3(picture.gradients[n]), hit->gradient) << n;
   }
   EXPECT_GT(hits, 2000);
+}
+
+/// Embree parts our packets where the CPU has no 16 lanes, and asks for their rays in other orders.
+TEST(CellTracerPicture, NarrowerCpusSeeTheSameInEveryBit)
+{
+  const auto scene = Gyroid();
+  const hasp::PictureView view = Perspective({ 98, 67 });
+  hasp::TracedPicture wide;
+  scene.tracer.TracePicture(view, wide);
+  std::vector<hasp::CellHit> hits;
+  for (int n = 0; n < 98 * 67; n += 3)
+    if (const auto hit = scene.tracer.Trace(PixelRay(view, n % 98, n / 98)))
+      hits.push_back(*hit);
+  ASSERT_GT(hits.size(), 700U);
+  for (const char* device : { "isa=avx2", "isa=avx", "isa=sse4.2", "isa=sse2" })
+  {
+    const hasp::CellTracer narrow(scene.cells, device);
+    hasp::TracedPicture picture;
+    narrow.TracePicture(view, picture);
+    EXPECT_EQ(picture.cells, wide.cells) << device;
+    EXPECT_EQ(picture.places, wide.places) << device;
+    EXPECT_EQ(picture.gradients, wide.gradients) << device;
+    std::size_t count = 16, lit = 0;
+    for (std::size_t from = 0; from + count <= hits.size(); from += count, count = from % 16 + 1)
+    {
+      const std::span<const hasp::CellHit> some(hits.data() + from, count);
+      const std::uint32_t seen = narrow.Sees(some, { 0.3, -0.2, 0.9, 0.0 });
+      ASSERT_EQ(seen, scene.tracer.Sees(some, { 0.3, -0.2, 0.9, 0.0 })) << device << " " << from;
+      lit += static_cast<std::size_t>(std::popcount(seen));
+    }
+    EXPECT_GT(lit, 50U);
+  }
 }
 
 TEST(CellTracerPicture, EyeAMillionVoxelsAwayIsAsGoodAsANearOne)

@@ -117,12 +117,13 @@ TEST_F(RayCachingLives, SaysWhatDrewAndTheShareOfTheCache)
   Ball ball(vtkHaspRayCachingMapper::Cache);
   EXPECT_EQ(drawnBy(ball.Raycaster), "nothing drawn");
   ball.Draw();
-  EXPECT_NE(drawnBy(ball.Raycaster).find("; 0.00 % of the surface's pixels from the cache, by "),
+  EXPECT_NE(drawnBy(ball.Raycaster).find("; all pixels from the cache, which held 0.00 % of what "),
     std::string::npos)
     << "rays found an empty cache: " << drawnBy(ball.Raycaster);
   for (int frame = 0; frame < 60; ++frame)
     ball.Draw();
-  EXPECT_NE(drawnBy(ball.Raycaster).find("; 100.00 % of the surface's pixels from the cache, by "),
+  EXPECT_NE(
+    drawnBy(ball.Raycaster).find("; all pixels from the cache, which held 100.00 % of what "),
     std::string::npos)
     << drawnBy(ball.Raycaster);
   ball.Raycaster->SetModeToRaycast();
