@@ -23,7 +23,7 @@ constexpr int TileSide = 16; // pixels
 
 // Samples, as LightMean counts. Measured on a noisy head: more of either costs rays and brings
 // little.
-constexpr float Few = 3.0F; // below this a pixel casts FirstRays
+constexpr float Few = 5.0F; // below this a pixel casts FirstRays
 constexpr double FirstRays = 3.0;
 constexpr float Coarse = 8.0F;  // what the coarser lattice counts for where the finer knows nothing
 constexpr float Enough = 16.0F; // and above this the finer one is alone
