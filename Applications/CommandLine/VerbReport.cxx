@@ -136,7 +136,7 @@ void AddReportVerb(CLI::App& app, Session& session)
   for (const ReportEntry& entry : ReportRegistry())
     names += std::string("\n") + entry.name + ": " + entry.summary;
   verb->add_option("NAME", options->names, names)->required();
-  verb->add_flag("--quick", options->settings.quick, "At most a minute; rows are marked quick");
+  verb->add_flag("--quick", options->settings.quick, "Minutes at most; rows are marked quick");
   verb
     ->add_flag_function(
       "--soak{10000}",

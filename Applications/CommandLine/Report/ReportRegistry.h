@@ -9,7 +9,7 @@ namespace hasp
 /// The switches of `hasp report`.
 struct ReportSettings
 {
-  bool quick = false;     ///< at most a minute; rows are marked
+  bool quick = false;     ///< minutes at most; rows are marked
   bool soak = false;      ///< hours: what neither quick nor ordinary reports can measure
   int soakFrames = 0;     ///< of a walk, in a soak; else 0
   std::uint64_t seed = 1; ///< of every random case

@@ -11,9 +11,9 @@ namespace hasp
 
 /// Which of two renderers is the faster one for a scene, found out by drawing: first two traced
 /// frames, then three rasterised ones. The last of each counts, for the first compiles and culling
-/// needs two to settle. A rasterised frame that takes a second more than four times the traced one
-/// decides at once. The verdict holds until the cells or the pixels become twice or half as many.
-/// Any thread, one at a time.
+/// needs two to settle. The first rasterised frame decides at once if it takes a second more than
+/// four times the traced one, the second one if it takes four times as long. The verdict holds
+/// until the cells or the pixels become twice or half as many. Any thread, one at a time.
 class VTKHASPRENDERINGISOSURFACE_EXPORT RendererChoice
 {
 public:

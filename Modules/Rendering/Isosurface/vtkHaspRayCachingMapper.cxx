@@ -177,4 +177,7 @@ void vtkHaspRayCachingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RaysPerTile: " << this->RaysPerTile << "\n";
   os << indent << "FrameBudget: " << this->FrameBudget << "\n";
   os << indent << "Prediction: " << this->Prediction << "\n";
+  os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
+  os << indent << "AmbientOcclusionDistance: " << this->AmbientOcclusionDistance << "\n";
+  os << indent << "Shadows: " << this->Shadows << "\n";
 }

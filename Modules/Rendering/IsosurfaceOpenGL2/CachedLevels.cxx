@@ -63,7 +63,7 @@ void CachedLevels::Release(vtkWindow* window)
 std::string CachedLevels::RendererText() const
 {
   std::size_t most = 0;
-  std::string text;
+  std::string text = "it is empty";
   for (const auto& level : this->Levels)
     if (level && level->cells->GetCells()->Count() > most)
     {

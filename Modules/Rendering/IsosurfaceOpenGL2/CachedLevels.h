@@ -29,7 +29,7 @@ public:
   void Release(vtkWindow* window);
   void Clear();
 
-  /// What drew the level with the most cells, and why; empty if none has any.
+  /// What drew the level with the most cells, and why.
   std::string RendererText() const;
   std::size_t Bytes() const;        ///< of the copies
   std::size_t DrawingBytes() const; ///< of what draws them: buffers, or trees and pictures

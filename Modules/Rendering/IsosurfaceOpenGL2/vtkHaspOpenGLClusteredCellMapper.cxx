@@ -110,6 +110,9 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   CellContext& context = this->GL->Of(window);
   vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
   window->GetState()->vtkglDisable(GL_CULL_FACE); // rectangles have no sides
+  // A cell draws the pixels whose centre it covers, whole: parts of pixels would leave seams.
+  vtkOpenGLState::ScopedglEnableDisable samples(window->GetState(), GL_MULTISAMPLE);
+  window->GetState()->vtkglDisable(GL_MULTISAMPLE);
   try
   {
     RendererSwitch& renderers = this->GL->Switch;

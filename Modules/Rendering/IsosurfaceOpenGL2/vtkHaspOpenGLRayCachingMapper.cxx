@@ -113,8 +113,11 @@ void vtkHaspOpenGLRayCachingMapper::SetRenderer(int renderer)
   if (renderer == vtkHaspClusteredCellMapper::Trace && !CellTracing::Available())
     vtkErrorMacro("Rays cannot be traced: this build of Hasp was made without Embree; configure it "
                   "with HASP_ENABLE_EMBREE=ON (Debian: libembree-dev).");
-  else
+  else if (renderer != this->GetRenderer())
+  {
     this->Superclass::SetRenderer(renderer);
+    this->GL->Eyes.ForgetChoices(); // they were measured with another
+  }
 }
 
 bool vtkHaspOpenGLRayCachingMapper::IsRefining() const

@@ -166,6 +166,29 @@ TEST_F(RayCachingFaults, TranslucentSurfacesAreDrawnOnce)
     EXPECT_EQ(ball.Colors(), first) << frame;
 }
 
+/// VTK's windows have several samples a pixel by default: cells must leave no seams between them.
+TEST_F(RayCachingFaults, RasterisedCellsHaveNoSeamsInMultisampledWindows)
+{
+  for (const int mode : { Mapper::Automatic, Mapper::Cache })
+  {
+    std::vector<std::vector<unsigned char>> pictures;
+    for (const int samples : { 0, 4 })
+    {
+      Ball ball(mode);
+      ball.Show<std::int16_t>( // of cells as large as pixels
+        hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(100, { 0.4, 0.4, 0.4 }));
+      ball.Window->SetMultiSamples(samples);
+      ball.Raycaster->SetRenderer(vtkHaspClusteredCellMapper::Rasterize);
+      ball.FramesToRest();
+      pictures.push_back(ball.Colors());
+    }
+    std::size_t different = 0;
+    for (std::size_t n = 0; n < pictures[0].size(); ++n)
+      different += std::abs(int(pictures[0][n]) - int(pictures[1][n])) > 10;
+    EXPECT_LE(different, pictures[0].size() / 200) << "a few found later in the cache";
+  }
+}
+
 TEST_F(RayCachingFaults, ALightWithoutDirectionCastsNoShadow)
 {
   Ball ball(Mapper::Automatic);

@@ -54,6 +54,22 @@ TEST(RendererChoice, DoesNotWaitForWhatTakesForEver)
   EXPECT_TRUE(choice.Trace(1000, 100));
 }
 
+TEST(RendererChoice, TheSecondRasterisedFrameDecidesWhereItIsFarSlower)
+{
+  for (const bool far : { false, true })
+  {
+    hasp::RendererChoice choice;
+    for (const double milliseconds : { 95.0, 20.0, 500.0, far ? 81.0 : 80.0 })
+    {
+      EXPECT_FALSE(choice.Decided());
+      choice.Trace(1000, 100);
+      choice.Note(milliseconds);
+    }
+    EXPECT_EQ(choice.Decided(), far);
+    EXPECT_EQ(choice.Trace(1000, 100), far);
+  }
+}
+
 TEST(RendererChoice, HoldsUntilTheSceneIsAnother)
 {
   const auto decided = []
