@@ -1,5 +1,7 @@
 #include "CachingMethod.h"
 
+#include "Failure.h"
+
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkProperty.h"
@@ -16,6 +18,17 @@ CachingMethod::CachingMethod(const IsosurfaceView& view, int mode)
   this->Mapper->SetMode(mode);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
+}
+
+void CachingMethod::Draw()
+{
+  WindowMethod::Draw();
+  const int mode = this->Mapper->GetMode();
+  const bool raycast =
+    mode == vtkHaspRayCachingMapper::Raycast || mode == vtkHaspRayCachingMapper::RaycastSkipping;
+  if (const std::string drew = this->Mapper->GetModeChoice();
+      raycast && !drew.starts_with("raycast"))
+    throw Failure(ExitCode::CannotDraw, "raycasts cannot be measured: " + drew);
 }
 
 std::string CachingMethod::Name() const

@@ -13,6 +13,8 @@ class CachingMethod : public WindowMethod
 public:
   /// mode: of vtkHaspRayCachingMapper::Modes.
   CachingMethod(const IsosurfaceView& view, int mode);
+  /// Throws Failure: CannotDraw where this OpenGL has active cells stand in for a raycast.
+  void Draw() override;
   void SetIsovalue(double isovalue) override { this->Mapper->SetIsoValue(isovalue); }
   std::string Name() const override;
   ResourceList Resources() const override;

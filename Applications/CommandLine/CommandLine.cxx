@@ -93,7 +93,7 @@ int RunCommandLine(int count, char** arguments)
 {
   Session session;
   const std::vector<std::string> words = Words(count, arguments);
-  CaptureVtkMessages();
+  CaptureVtkMessages([&session](const std::string& text) { SayWarning(session, text); });
   CLI::App app("", "hasp");
   Describe(app);
   AddVerbs(app, session);

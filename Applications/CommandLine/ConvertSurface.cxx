@@ -98,9 +98,8 @@ std::string Describe(const SurfacePassport& passport)
 void ConvertSurface(const ConvertOptions& options, Session& session)
 {
   const LoadedSurface surface = ReadInput(options.volume.input, session);
-  session.progress.Wipe();
-  for (std::size_t n = 0; n < surface.passport.warnings.size() && !session.quiet; ++n)
-    std::cerr << "hasp: warning: " << surface.passport.warnings[n] << std::endl;
+  for (const std::string& warning : surface.passport.warnings)
+    SayWarning(session, warning);
   SurfacePassport written;
   std::size_t bytes = 0;
   double shift = 0.0;

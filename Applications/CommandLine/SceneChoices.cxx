@@ -41,7 +41,8 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
   verb
     .add_option("--renderer", drawing.renderer,
       "Of active cells; rasterize: OpenGL; trace: rays on the CPU; automatic: where OpenGL is "
-      "software, begin with trace and keep the faster one; --explain says which")
+      "software, begin with trace and keep the faster one, and below OpenGL 4.3 trace; --explain "
+      "says which")
     ->check(CLI::IsMember(CellRendererNames()))
     ->capture_default_str();
   verb.add_flag("--compact", drawing.compact,

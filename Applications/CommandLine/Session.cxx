@@ -73,6 +73,13 @@ CLI::Validator Within(double least, double most)
     range };
 }
 
+void SayWarning(Session& session, const std::string& text)
+{
+  session.progress.Wipe();
+  if (!session.quiet)
+    std::cerr << "hasp: warning: " << text << std::endl;
+}
+
 void ShowProgress(Session& session, vtkAlgorithm* algorithm)
 {
   vtkNew<vtkCallbackCommand> command;

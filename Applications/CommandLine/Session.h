@@ -42,6 +42,9 @@ void AddCommonOptions(CLI::App& verb, Session& session);
 /// Refuses what is no number in [least, most]. CLI::Range lets NaN through.
 CLI::Validator Within(double least, double most);
 
+/// A line on stderr, unless the session is quiet.
+void SayWarning(Session& session, const std::string& text);
+
 /// Shows an algorithm's progress under the step that was begun last. The session outlives it.
 void ShowProgress(Session& session, vtkAlgorithm* algorithm);
 

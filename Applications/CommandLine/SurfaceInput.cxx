@@ -4,7 +4,6 @@
 #include "Files.h"
 #include "Session.h"
 
-#include <iostream>
 #include <new>
 #include <stdexcept>
 
@@ -15,10 +14,8 @@ namespace
 
 void SayWarnings(const SurfacePassport& passport, const std::string& name, Session& session)
 {
-  session.progress.Wipe();
-  if (!session.quiet)
-    for (const std::string& warning : passport.warnings)
-      std::cerr << "hasp: warning: " << name << ": " << warning << std::endl;
+  for (const std::string& warning : passport.warnings)
+    SayWarning(session, name + ": " + warning);
 }
 
 } // namespace

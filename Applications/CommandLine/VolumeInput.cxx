@@ -12,7 +12,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <new>
 #include <stdexcept>
 
@@ -119,10 +118,8 @@ Passport InspectVolume(const VolumeChoices& choices, Session& session)
 
 void SayWarnings(const Passport& passport, Session& session)
 {
-  session.progress.Wipe();
-  if (!session.quiet)
-    for (const std::string& warning : passport.warnings)
-      std::cerr << "hasp: warning: " << warning << std::endl;
+  for (const std::string& warning : passport.warnings)
+    SayWarning(session, warning);
 }
 
 void RequireIsoValue(double isoValue, const Passport& passport)

@@ -15,6 +15,34 @@ namespace
 
 std::mutex Guard; // errors may come from VTK's threads
 std::string FirstError;
+std::function<void(const std::string&)> SayWarning;
+
+/// Out of "ERROR: In file, line 1\nvtkHaspFoo (0x55): text\n\n".
+struct Said
+{
+  std::string name, text; ///< name: of the class; empty where none is named
+
+  explicit Said(const std::string& all)
+  {
+    const auto address = all.find(" (0x");
+    const auto start = address == all.npos ? all.npos : all.find("): ", address);
+    if (start == all.npos)
+      return;
+    const auto line = all.rfind('\n', address) + 1; // 0 where there is none
+    this->name = all.substr(line, address - line);
+    const auto end = all.find_last_not_of("\n ");
+    this->text = WithoutFunctionNames(all.substr(start + 3, end - start - 2));
+  }
+  bool IsOurs() const { return this->name.starts_with("vtkHasp"); }
+};
+
+std::string Message(const std::string& error)
+{
+  if (error.empty())
+    return error;
+  const Said said(error);
+  return said.IsOurs() ? said.text : (said.name.empty() ? "VTK" : said.name) + " reports an error";
+}
 
 class Collector : public vtkOutputWindow
 {
@@ -29,35 +57,22 @@ public:
       FirstError = text;
   }
   void DisplayText(const char*) override {}
-  void DisplayWarningText(const char*) override {}
+  void DisplayWarningText(const char* text) override
+  {
+    const std::lock_guard lock(Guard);
+    if (const Said said(text); said.IsOurs())
+      SayWarning(said.text);
+  }
   void DisplayGenericWarningText(const char*) override {}
   void DisplayDebugText(const char*) override {}
 };
 vtkStandardNewMacro(Collector);
 
-/// "ERROR: In file, line 1\nvtkHaspFoo (0x55): text\n\n" becomes "text".
-std::string Message(const std::string& text)
-{
-  if (text.empty())
-    return text;
-  const auto address = text.find(" (0x");
-  const auto start = address == text.npos ? text.npos : text.find("): ", address);
-  if (start == text.npos)
-    return "VTK reports an error";
-  const auto line = text.rfind('\n', address) + 1; // 0 where there is none
-  const std::string name = text.substr(line, address - line);
-  if (!name.starts_with("vtkHasp"))
-    return name + " reports an error";
-  std::string message = text.substr(start + 3);
-  while (!message.empty() && (message.back() == '\n' || message.back() == ' '))
-    message.pop_back();
-  return WithoutFunctionNames(message);
-}
-
 } // namespace
 
-void CaptureVtkMessages()
+void CaptureVtkMessages(std::function<void(const std::string&)> sayWarning)
 {
+  SayWarning = std::move(sayWarning);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Collector> collector;
   vtkOutputWindow::SetInstance(collector);

@@ -106,6 +106,24 @@ function (hasp_add_render_test module)
     FAIL_REGULAR_EXPRESSION "ERR\\|;ERROR: In ;GL_INVALID_")
 endfunction ()
 
+# hasp_add_older_opengl_test(TestOlderOpenGL 3.2 COMMAND TestOlderOpenGL arguments…)
+#
+# A test that meets an OpenGL 3.2, 3.3 or 4.1 under the name TestOlderOpenGL.3.2. Mesa reads at a process's first
+# context how old it is to be; without its cache of shaders it compiles none that is younger.
+function (hasp_add_older_opengl_test name version)
+  cmake_parse_arguments(arg "" "" "COMMAND" ${ARGN})
+  string(REPLACE "." "" glsl "${version}0")
+  set(lacks "-GL_ARB_compute_shader -GL_ARB_shader_storage_buffer_object -GL_ARB_texture_view")
+  if (version VERSION_LESS 3.3)
+    set(glsl 150)
+    string(APPEND lacks " -GL_ARB_explicit_attrib_location")
+  endif ()
+  add_test(NAME ${name}.${version} COMMAND ${arg_COMMAND})
+  set_tests_properties(${name}.${version} PROPERTIES LABELS "module;render" TIMEOUT 120
+    ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=${version};MESA_GLSL_VERSION_OVERRIDE=${glsl};\
+MESA_EXTENSION_OVERRIDE=${lacks};MESA_SHADER_CACHE_DISABLE=true")
+endfunction ()
+
 # hasp_add_example(DrawIsosurface MODULES targets…)
 #
 # The program <module>/Examples/DrawIsosurface.cxx, built with the tests and run by Testing/Examples. Left out

@@ -1,3 +1,4 @@
+#include "OlderOpenGL.h"
 #include "RenderFixture.h"
 
 #include <filesystem>
@@ -77,6 +78,28 @@ TEST_F(HaspRenderCells, LightTakesRaysAndChangesThePicture)
   const HaspRun rays = this->Render({ "--shadows", "--mapper", "raycaching" }, "rays.png");
   ASSERT_EQ(rays.exitCode, 0) << rays.err;
   EXPECT_EQ(ReadBytes(this->Path("rays.png")), ReadBytes(this->Path("cells.png")));
+}
+
+TEST_F(HaspRenderCells, OnAnOlderOpenGLRaysDrawThem)
+{
+  this->Phantom();
+  const EnvironmentScope mesa(MesasOpenGL);
+  const HaspRun truth = this->Render({ "--renderer", "trace" }, "truth.png");
+  const EnvironmentScope older(OlderOpenGL);
+  if (!HASP_WITH_EMBREE)
+    return ExpectFailure(this->Render({}), 4, "this window has 3.3");
+  ASSERT_EQ(truth.exitCode, 0) << truth.err;
+  const std::string needs = "rasterising needs OpenGL 4.3, and this window has 3.3";
+  for (const std::string mapper : { "cells", "raycast" })
+  {
+    const HaspRun run = this->Render({ "--mapper", mapper, "--explain" });
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NE(run.out.find("traced: " + needs), std::string::npos) << run.out;
+    EXPECT_EQ(run.err.find("Active cells stand in") != std::string::npos, mapper == "raycast");
+    EXPECT_EQ(ReadBytes(this->Path("out.png")), ReadBytes(this->Path("truth.png"))) << mapper;
+  }
+  ExpectFailure(this->Render({ "--renderer", "rasterize" }), 4,
+    needs + "; the renderer automatic traces rays on the CPU instead");
 }
 
 TEST_F(HaspRenderCells, CompactCellsAreSmallerAndOnlyForCells)

@@ -1,5 +1,6 @@
 // bin/hasp view as its user meets it, on a screen of Xvfb.
 #include "HaspProcess.h"
+#include "OlderOpenGL.h"
 #include "TestScreen.h"
 
 #include <nlohmann/json.hpp>
@@ -118,19 +119,33 @@ TEST_F(HaspView, WrongUseOpensNoWindow)
     RunHasp({ "view", this->Path("none.mha") }, {}, screen.Display()), 2, "no such file");
 }
 
-TEST_F(HaspView, OldOpenGLIsSaid)
+TEST_F(HaspView, OldOpenGLIsSaidAndCellsStandIn)
 {
   this->Phantom();
   TestScreen screen;
   REQUIRE_SCREEN(screen);
-  setenv("MESA_GL_VERSION_OVERRIDE", "3.3", true);
-  const Words words = this->View({ "--mapper", "raycast", "--output", this->Path("x.png") });
-  const HaspRun run = RunHasp(words, {}, screen.Display());
-  unsetenv("MESA_GL_VERSION_OVERRIDE");
-  if (run.exitCode == 0)
-    GTEST_SKIP() << "a driver that does not make itself older";
-  ExpectFailure(run, 4, "OpenGL 4.3");
-  EXPECT_EQ(this->Names(), Words{ "head.mha" });
+  const EnvironmentScope older(OlderOpenGL);
+  for (const std::string mapper : { "raycast", "raycaching" })
+  {
+    const HaspRun run =
+      RunHasp(this->View({ "--mapper", mapper, "--explain", "--output", this->Path("w.png") }), {},
+        screen.Display());
+    if (!HASP_WITH_EMBREE)
+    {
+      ExpectFailure(run, 4, "this window has 3.3");
+      continue;
+    }
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(this->Size("w.png"), std::make_pair(200, 150));
+    EXPECT_EQ(run.err.find("hasp: warning: Active cells stand in, traced by rays on the CPU: "
+                           "raycasting needs OpenGL 4.3, and this window has 3.3") != run.err.npos,
+      mapper == "raycast")
+      << run.err;
+    EXPECT_EQ(run.err.find("warning"), run.err.rfind("warning")) << "said once";
+    EXPECT_NE(run.out.find("traced: rasterising needs OpenGL 4.3, and this window has 3.3"),
+      std::string::npos)
+      << run.out;
+  }
 }
 
 TEST_F(HaspView, TheCompleteWindowIsWritten)

@@ -40,7 +40,8 @@
  * an actor's shaders are asked, but there are only the //VTK::DepthPeeling lines for them to fill;
  * vtkSSAOPass and vtkValuePass need vtkPolyDataMapper.
  *
- * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
+ * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2. It needs
+ * OpenGL 4.3; below, down to VTK's own 3.2, it traces rays and refuses what is always rasterised.
  * Threads: RENDER only; extraction uses all cores inside the call.
  * Errors: vtkErrorMacro, once until something changes, and nothing is drawn.
  */
@@ -117,12 +118,13 @@ public:
 
   /// What draws opaque surfaces. Both give the same surface, to 0.001 voxel, and shade it alike;
   /// what is translucent is always rasterised, and so are labels of which something is said,
-  /// colours of another array and blended normals.
+  /// colours of another array and blended normals. In a window with an OpenGL below 4.3 nothing is:
+  /// an error says once that these are not drawn, or no surface where Rasterize is asked for.
   enum Renderers
   {
-    Automatic, ///< where OpenGL is software the faster one, by timing the first frames of both;
-               ///< else the rasteriser
-    Rasterize, ///< OpenGL
+    Automatic, ///< rays below OpenGL 4.3; where OpenGL is software the faster one, by timing the
+               ///< first frames of both; else the rasteriser
+    Rasterize, ///< OpenGL 4.3
     Trace      ///< rays on the CPU, by all cores; needs a build with Embree
   };
   ///@{

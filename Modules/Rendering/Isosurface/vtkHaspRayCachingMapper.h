@@ -24,7 +24,10 @@
  * the point of a line), stereo and off-axis cameras. Scalar colours and labels: use
  * vtkHaspClusteredCellMapper.
  *
- * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2 (OpenGL 4.3).
+ * Abstract: New() gives the OpenGL implementation of Hasp::RenderingIsosurfaceOpenGL2. Raycast and
+ * RaycastSkipping need OpenGL 4.3: in a window with less a warning says so once, and all active
+ * cells are drawn instead, with light where it is asked for; cell ids are theirs. The other modes
+ * draw what they always do, traced (vtkHaspClusteredCellMapper::Renderers), down to OpenGL 3.2.
  * Threads: RENDER only; rays use all cores inside the call.
  * Errors: vtkErrorMacro, and nothing is drawn.
  */
@@ -69,7 +72,7 @@ public:
     Automatic,      ///< the cheaper one of Cache and of drawing all active cells, measured; these
                     ///< where the surface is translucent, for rays find no more than its front
     Cache,          ///< RayCaching
-    Raycast,        ///< a ray a pixel on the GPU, at a fixed step from end to end
+    Raycast,        ///< a ray a pixel on the GPU, at a fixed step from end to end; OpenGL 4.3
     RaycastSkipping ///< the same, but blocks of 8^3 cells without surface are passed in one step
   };
   ///@{

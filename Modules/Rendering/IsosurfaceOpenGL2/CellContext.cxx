@@ -29,7 +29,8 @@ bool IsSoftwareOpenGL()
 }
 
 CellContext::CellContext(vtkOpenGLRenderWindow* window)
-  : SoftwareOpenGL(IsSoftwareOpenGL()),
+  : Version(OpenGLVersion::OfCurrentContext()),
+    SoftwareOpenGL(IsSoftwareOpenGL()),
     Home(window),
     FrameObserver(window->AddObserver(vtkCommand::StartEvent, this, &CellContext::BeginFrame))
 {

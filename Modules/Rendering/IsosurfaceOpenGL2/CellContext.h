@@ -6,6 +6,7 @@
 #include "CellProgram.h"
 #include "NormalBlending.h"
 #include "OcclusionCulling.h"
+#include "OpenGLVersion.h"
 #include "TracedCells.h"
 #include "WindowContext.h"
 
@@ -48,6 +49,7 @@ public:
   CellProgram Program;
   OcclusionCulling Culling;
   TracedCells Traced;
+  const OpenGLVersion Version;
   const bool SoftwareOpenGL;
   double UploadMilliseconds = 0.0, CullingMilliseconds = 0.0;
   std::string Complaint; ///< why the last drawing failed; empty if it did not

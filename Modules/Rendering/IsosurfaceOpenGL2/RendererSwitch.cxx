@@ -11,25 +11,39 @@
 bool RendererSwitch::IsTraced(const Frame& frame)
 {
   this->Last = this->Measuring = -1;
-  const auto because = [this](bool traced, const char* why)
+  this->RefusalText.clear();
+  const std::string lack = frame.openGL.Lack("rasterising");
+  const auto trace = [this](const std::string& why)
   {
-    this->Reason = std::string(traced ? "traced: " : "rasterised: ") + why;
-    return traced;
+    this->Reason = "traced: " + why;
+    return true;
+  };
+  const auto rasterize = [&](const std::string& why, const char* remedy = "")
+  {
+    this->Reason = lack.empty() ? "rasterised: " + why : "not drawn: " + lack;
+    this->RefusalText = lack.empty() ? std::string() : lack + "; " + remedy;
+    return false;
   };
   if (frame.wanted == vtkHaspClusteredCellMapper::Rasterize)
-    return because(false, "as asked for");
+    return rasterize("as asked for", "the renderer automatic traces rays on the CPU instead");
   if (!frame.traceable)
-    return because(false, "labels, scalar colours and blended normals always are");
+    return rasterize("labels, scalar colours and blended normals always are",
+      "labels, scalar colours and blended normals are drawn in no other way");
   if (!frame.hides)
-    return because(false, "translucent surfaces always are");
+    return rasterize("translucent surfaces always are",
+      "translucent surfaces are drawn in no other way; make it opaque");
   if (frame.wanted == vtkHaspClusteredCellMapper::Trace)
-    return because(true, "as asked for");
+    return trace("as asked for");
   if (!CellTracing::Available())
-    return because(false, "this build has no ray tracing (Embree)");
+    return rasterize("this build has no ray tracing (Embree)",
+      "rays on the CPU would do with 3.2, and need a build with Embree: HASP_ENABLE_EMBREE=ON "
+      "(Debian: libembree-dev)");
+  if (!lack.empty())
+    return trace(lack);
   if (frame.lit)
-    return because(true, "ambient occlusion and shadows take rays");
+    return trace("ambient occlusion and shadows take rays");
   if (!frame.softwareOpenGL)
-    return because(false, "OpenGL is not software");
+    return rasterize("OpenGL is not software");
 
   std::erase_if(this->Viewers, [](const Viewer& viewer) { return !viewer.renderer; });
   auto found = std::find_if(this->Viewers.begin(), this->Viewers.end(),

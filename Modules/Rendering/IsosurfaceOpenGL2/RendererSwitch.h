@@ -1,6 +1,7 @@
 #ifndef RendererSwitch_h
 #define RendererSwitch_h
 
+#include "OpenGLVersion.h"
 #include "RendererChoice.h"
 
 #include "vtkWeakPointer.h"
@@ -21,11 +22,14 @@ public:
     bool traceable; ///< the cells have no more than their surface
     vtkRenderer* renderer;
     bool hides; ///< the pass is opaque and writes depth
+    OpenGLVersion openGL;
     bool softwareOpenGL;
     std::size_t cells;
     bool lit = false; ///< light is asked for that takes rays
   };
   bool IsTraced(const Frame& frame);
+  /// Why that frame cannot be drawn as wanted, and what to do; empty if it can.
+  const std::string& Refusal() const { return this->RefusalText; }
   /// The answer of the last IsTraced, and why.
   std::string Text() const;
   /// Can a later frame be traced, as far as is known now?
@@ -45,7 +49,7 @@ private:
   };
   std::vector<Viewer> Viewers;
   int Last = -1, Measuring = -1; ///< of Viewers, or none
-  std::string Reason = "nothing drawn";
+  std::string Reason = "nothing drawn", RefusalText;
   std::chrono::steady_clock::time_point Begin;
 };
 

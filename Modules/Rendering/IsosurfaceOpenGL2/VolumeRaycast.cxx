@@ -186,7 +186,7 @@ vtkShaderProgram* VolumeRaycast::Ready(vtkOpenGLRenderWindow* window, const Rayc
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   if (!program)
-    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
+    throw std::runtime_error("the shaders did not compile");
   if (this->ShaderMilliseconds == 0.0)
     this->ShaderMilliseconds = watch.Milliseconds();
   return program;

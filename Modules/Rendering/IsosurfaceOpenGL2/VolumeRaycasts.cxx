@@ -1,7 +1,5 @@
 #include "VolumeRaycasts.h"
 
-#include "HaspGL.h"
-
 #include "vtkActor.h"
 #include "vtkRenderer.h"
 
@@ -9,29 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace
-{
-
-void CheckOpenGL()
-{
-  GLint major = 0, minor = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
-  if (10 * major + minor < 43)
-    throw std::runtime_error("raycasting needs OpenGL 4.3, and this window has " +
-                             std::to_string(major) + "." + std::to_string(minor) +
-                             "; vtkHaspClusteredCellMapper needs 4.3, too: a mesh "
-                             "(vtkFlyingEdges3D, vtkPolyDataMapper) does not");
-}
-
-} // namespace
-
 void VolumeRaycasts::Draw(const RaycastVolume& volume, const RaycastSettings& settings,
   vtkMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::erase_if(this->Contexts, [](const auto& context) { return context->IsLost(); });
-  CheckOpenGL();
   if (std::isnan(volume.isovalue))
     throw std::runtime_error("the isovalue is not a number");
   if (actor->IsRenderingTranslucentPolygonalGeometry())

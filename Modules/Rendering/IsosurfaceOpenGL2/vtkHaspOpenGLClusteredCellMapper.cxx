@@ -118,20 +118,24 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
     RendererSwitch& renderers = this->GL->Switch;
     const bool traceable = !this->NeedsRasterizer();
     const bool lit = this->AmbientOcclusion || this->Shadows;
-    const bool traced = renderers.IsTraced({ this->Renderer, traceable, renderer,
-      HidesWhatIsBehind(actor), context.SoftwareOpenGL, this->GetCells().Count(), lit });
-    this->NoteLight(lit && !traced);
+    const bool traced =
+      renderers.IsTraced({ this->Renderer, traceable, renderer, HidesWhatIsBehind(actor),
+        context.Version, context.SoftwareOpenGL, this->GetCells().Count(), lit });
+    const std::string& refusal = renderers.Refusal();
+    this->NoteLight(lit && !traced && refusal.empty());
     if (traced)
       this->DrawTraced(context, renderer, actor);
-    else
+    else if (refusal.empty())
       this->DrawRasterized(context, renderer, actor);
-    const bool mayTrace = (lit && traced) || renderers.MayTrace(this->Renderer);
+    const bool mayTrace = traced || renderers.MayTrace(this->Renderer);
     if (!traceable || !mayTrace || this->GetCells().Count() == 0)
     {
       this->GL->Tracing.Release();
       this->GL->Light.Release();
       context.Traced.Release();
     }
+    if (!refusal.empty())
+      throw std::runtime_error(refusal);
     vtkOpenGLCheckErrorMacro("after drawing active cells");
     context.Complaint.clear();
   }
@@ -197,7 +201,7 @@ vtkShaderProgram* vtkHaspOpenGLClusteredCellMapper::ReadyProgram(const Pass& pas
   vtkShaderProgram* program = pass.context.Program.Ready(
     pass.window, this, pass.actor, pass.scene, attributes, pass.selector, what);
   if (!program)
-    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
+    throw std::runtime_error("the shaders did not compile");
   if (attributes.Labelled())
     program->SetUniformi("opaquePass", pass.selector ? -1 : OpaquePass(pass.actor));
   return program;
@@ -257,7 +261,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   vtkShaderProgram* program =
     context.Program.ReadyTraced(window, this, actor, scene, selector, light != nullptr);
   if (!program)
-    throw std::runtime_error("the shaders did not compile; OpenGL 4.3 is needed");
+    throw std::runtime_error("the shaders did not compile");
   context.Traced.Draw(program, tracing, scene);
   this->GL->Switch.Finish();
 }

@@ -1,6 +1,6 @@
 /**
  * @class   vtkHaspOpenGLClusteredCellMapper
- * @brief   OpenGL 4.3 implementation of vtkHaspClusteredCellMapper.
+ * @brief   OpenGL implementation of vtkHaspClusteredCellMapper.
  *
  * Cells go to the GPU once per extraction, packed as they are (4 to 6 bytes a cell of an
  * integer volume), and are pulled by the vertex shader; there are no vertex or index buffers.
@@ -10,6 +10,9 @@
  *
  * Occlusion culling: see OcclusionCulling.h of this folder. It works where what is drawn hides what
  * is behind it; translucent passes, depth peeling and hardware selection draw all that is in view.
+ *
+ * All of this takes OpenGL 4.3 (OpenGLVersion.h). What rays meet on the CPU is drawn as textures by
+ * shaders of GLSL 1.50, on any OpenGL that VTK can use.
  *
  * Threads: RENDER only. Errors: vtkErrorMacro, and nothing is drawn; what OpenGL refuses is tried
  * again each time, and said once in a row.

@@ -8,6 +8,7 @@
 #include "HaspGL.h"
 #include "Isosurface/RayCache.h"
 #include "MappedVolume.h"
+#include "OpenGLVersion.h"
 #include "ViewerEyes.h"
 #include "VolumeRaycasts.h"
 #include "vtkHaspClusteredCellMapper.h"
@@ -46,6 +47,7 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
   vtkMTimeType VolumeTime = 0; ///< of the image that all of this was made from
   double IsoValue = std::numeric_limits<double>::quiet_NaN();
   bool Unlit = false;                   ///< the last frame lacked the light that was asked for
+  bool StoodIn = false;                 ///< that cells stand in for a raycast has been said
   bool Changed = false;                 ///< volume or isovalue, since the last frame
   double CacheUpdateMilliseconds = 0.0; ///< what that cost the cache
   vtkNew<ErrorListener> Errors;         ///< of the mappers inside
@@ -181,13 +183,20 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
   try
   {
     this->UpdateCache();
+    const bool raycast = this->Mode == Raycast || this->Mode == RaycastSkipping;
+    const std::string lack =
+      raycast ? OpenGLVersion::OfCurrentContext().Lack("raycasting") : std::string();
     const bool lit = this->AmbientOcclusion || this->Shadows,
-               unlit = lit && this->Mode != Automatic;
+               unlit = lit && this->Mode != Automatic && lack.empty();
     if (unlit && !gl.Unlit)
       vtkErrorMacro("Ambient occlusion and shadows are not drawn, for they take traced rays: set "
                     "the mode to Automatic.");
     gl.Unlit = unlit;
-    if (this->Mode == Raycast || this->Mode == RaycastSkipping)
+    if (!raycast)
+      gl.StoodIn = false;
+    if (!lack.empty())
+      this->DrawStandIn(renderer, actor, lack);
+    else if (raycast)
       this->DrawRaycast(renderer, actor);
     else
     {
@@ -261,6 +270,24 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
     gl.ForgetCache();
   if (!later.whole)
     gl.Whole = nullptr;
+}
+
+/// All active cells, in a window that cannot raycast.
+void vtkHaspOpenGLRayCachingMapper::DrawStandIn(
+  vtkRenderer* renderer, vtkActor* actor, const std::string& lack)
+{
+  OpenGL& gl = *this->GL;
+  gl.ForgetCache();
+  gl.Eyes.ForgetChoices();
+  const bool traceable =
+    CellTracing::Available() && this->GetRenderer() != vtkHaspClusteredCellMapper::Rasterize;
+  if (traceable && !gl.StoodIn) // else they cannot be drawn either, and say so
+    vtkWarningMacro("Active cells stand in, traced by rays on the CPU: "
+                    << lack << ". Cell ids are theirs, not the image's.");
+  gl.StoodIn |= traceable;
+  this->DrawWhole(renderer, actor);
+  gl.Drew = "all active cells: " + lack;
+  gl.Share = "; no pixel from the cache";
 }
 
 /// Nothing of the other modes is kept.

@@ -1,6 +1,6 @@
 /**
  * @class   vtkHaspOpenGLRayCachingMapper
- * @brief   OpenGL 4.3 implementation of vtkHaspRayCachingMapper.
+ * @brief   OpenGL implementation of vtkHaspRayCachingMapper.
  *
  * Rays are cast on the CPU; what the cache holds of each level of detail goes to the GPU when it
  * has changed and is drawn as clustered cells are. Where a pass hides what is behind it, the depth
@@ -42,6 +42,7 @@ private:
   void SampleCache(const Pass& pass);
   void DrawCache(const Pass& pass);
   void DrawWhole(vtkRenderer* renderer, vtkActor* actor);
+  void DrawStandIn(vtkRenderer* renderer, vtkActor* actor, const std::string& lack);
   void DrawRaycast(vtkRenderer* renderer, vtkActor* actor);
 
   struct OpenGL;

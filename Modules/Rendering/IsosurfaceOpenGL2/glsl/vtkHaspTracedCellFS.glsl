@@ -1,4 +1,5 @@
-#version 430 core
+#version 150 core
+#extension GL_ARB_explicit_attrib_location : enable
 // Shades what the ray of this pixel met on the CPU. Writes the depth of the hit.
 //
 // in   gradients    of the volume at the hit, per voxel; depth in [0,1], or more where nothing was met
@@ -23,7 +24,10 @@ uniform mat4 indexToView;
 uniform mat3 normalToView;
 uniform vec4 viewportToDevice; // scale, offset: pixels to [-1,1]
 
-layout(location = 0) out vec4 fragOutput0;
+#ifdef GL_ARB_explicit_attrib_location
+layout(location = 0) // where passes add others; where they do not it is 0 all the same
+#endif
+out vec4 fragOutput0;
 // Filled by VTK's passes, like the two lines in main().
 //VTK::DepthPeeling::Dec
 

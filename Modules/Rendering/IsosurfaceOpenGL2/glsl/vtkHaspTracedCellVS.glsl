@@ -1,4 +1,4 @@
-#version 430 core
+#version 150 core
 // The rectangle that a traced picture covers.
 //
 // in   rectangle   low x, y and high x, y, in [-1,1]
