@@ -10,22 +10,12 @@ namespace
 
 using hasp::testing::Find;
 using hasp::testing::Names;
-using hasp::testing::ObliqueGrid;
-using hasp::testing::RaycastScene;
+using Ball = hasp::testing::RaycastBall;
 
 class RayCachingLives : public ::testing::Test
 {
 protected:
   static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
-};
-
-struct Ball : RaycastScene
-{
-  explicit Ball(int mode)
-  {
-    this->Raycaster->SetMode(mode);
-    this->Show<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
-  }
 };
 
 TEST_F(RayCachingLives, NothingIsMadeBeforeItIsDrawn)
@@ -145,6 +135,22 @@ TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
     ASSERT_LE(judged.missed + judged.invented, 1) << "frame " << frame;
   }
   EXPECT_NE(ball.Raycaster->GetModeChoice().find(" ms"), std::string::npos);
+}
+
+TEST_F(RayCachingLives, AnotherRendererIsMeasuredAnew)
+{
+  Ball ball(vtkHaspRayCachingMapper::Automatic);
+  const auto unknown = [&]
+  { return ball.Raycaster->GetModeChoice().find("cache not measured") != std::string::npos; };
+  for (int frame = 0; frame < 6; ++frame)
+    ball.Draw();
+  ASSERT_FALSE(unknown()) << ball.Raycaster->GetModeChoice();
+  ball.Raycaster->SetRenderer(ball.Raycaster->GetRenderer());
+  ball.Draw();
+  EXPECT_FALSE(unknown()) << "it is the same one";
+  ball.Raycaster->SetRenderer(vtkHaspClusteredCellMapper::Rasterize);
+  ball.Draw();
+  EXPECT_TRUE(unknown()) << ball.Raycaster->GetModeChoice();
 }
 
 TEST_F(RayCachingLives, TheFasterWayIsChosen)
