@@ -115,7 +115,7 @@ SurfaceActor MakeCachingActor(vtkImageData* image, double isoValue, const Surfac
   if (drawing.interactive)
     mapper->SetFrameBudget(WindowBudget);
   else
-    mapper->SetRaysPerTile(256); // one picture, complete soon
+    mapper->SetRaysPerTile(256); // one a pixel: complete soon
   SurfaceActor result = MakeRayActor(mapper);
   result.refining = [mapper] { return mapper->IsRefining(); };
   return result;

@@ -66,9 +66,13 @@ std::string RenderScene::DrawPng()
   self.session->progress.Step("drawing");
   const auto start = std::chrono::steady_clock::now();
   vtkSmartPointer<vtkImageData> picture;
-  do
+  bool more = true;
+  while (more)
+  {
     picture = self.picture->Render();
-  while (self.scene->WantsFrame(MostFrames));
+    more = self.scene->WantsFrame(MostFrames);
+    self.session->progress.Share(self.scene->ShareDrawn());
+  }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::CannotDraw, "cannot draw");
   if (!picture)

@@ -122,6 +122,18 @@ TEST_F(RayCachingLives, SaysWhatDrewAndTheShareOfTheCache)
 }
 
 /// All of the surface in every frame, while it tries what is faster, and afterwards.
+/// A still picture: all of it in the first frame, and the second finds nothing new.
+TEST_F(RayCachingLives, ARayAPixelCompletesAPictureAtOnce)
+{
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  ball.Raycaster->SetRaysPerTile(256);
+  EXPECT_LE(ball.FramesToRest(), 3);
+  ball.Draw();
+  const auto judged = ball.Judge(ball.Truth());
+  EXPECT_GT(judged.surface, 1000);
+  EXPECT_LE(judged.missed + judged.invented, 1);
+}
+
 TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
 {
   Ball ball(vtkHaspRayCachingMapper::Automatic);
