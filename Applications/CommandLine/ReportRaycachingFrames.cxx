@@ -83,7 +83,8 @@ void Compare(ReportContext& context, const RaycachingScene& scene, const std::st
   const auto theirs = rival.id == "vtk"
                         ? std::nullopt
                         : std::optional(ForegroundPsnr(truth, rival.method->Picture()));
-  const std::string way = path.id == "orbit" ? "" : "." + path.id; // the path that the bars name
+  const std::string way = path.id == "orbit" ? std::string() // the path that the bars name
+                                             : std::string(".").append(path.id);
   const std::string name = rival.id + way + "@" + mode;
   ReportRow row = TimedRatio("raycaching.speedup." + name + scene.cells.tag, times,
     rival.method->Name() + (theirs ? "; its picture " + Decibels(*theirs) : ""),
