@@ -40,6 +40,8 @@ public:
   void SetIsoValue(double value);
   /// What drew the isosurface last: "cache", "active cells, traced".
   std::string DrewBy() const { return this->Surfaces.front().drewBy(); }
+  /// Can the isosurface be asked for a point? VTK's own mapper cannot, and takes rays of ours.
+  bool CanPick() const { return bool(this->Surfaces.front().pick); }
   /// Where the line first meets a surface.
   std::optional<WorldPoint> Pick(const WorldPoint& from, const WorldPoint& to) const;
   /// The same for what the camera shows in a pixel of the window, from the lower left.

@@ -160,11 +160,14 @@ struct ViewWindow::Parts
   {
     const int* at = this->interactor->GetEventPosition();
     const auto point = this->scene.PickPixel(at[0], at[1]);
-    char text[100] = "no surface there";
+    char text[100];
     if (point)
       std::snprintf(text, sizeof text, "picked %.2f, %.2f, %.2f mm (LPS)", (*point)[0], (*point)[1],
         (*point)[2]);
-    this->answer = text;
+    this->answer = point                   ? text
+                   : this->scene.CanPick() ? "no surface there"
+                                           : "not known: " + this->scene.DrewBy() +
+                                               " gives no points in this build; --mapper mesh does";
   }
   void Save()
   {

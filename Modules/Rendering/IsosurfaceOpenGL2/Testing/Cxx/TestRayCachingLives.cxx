@@ -4,6 +4,7 @@
 #include "RaycastTestScene.h"
 
 #include <array>
+#include <set>
 
 namespace
 {
@@ -119,6 +120,28 @@ TEST_F(RayCachingLives, SaysWhatDrewAndTheShareOfTheCache)
   ball.Raycaster->SetModeToRaycast();
   ball.Draw();
   EXPECT_EQ(drawnBy(ball.Raycaster), "raycast: asked for; no pixel from the cache");
+}
+
+TEST_F(RayCachingLives, NoResourceIsListedTwice)
+{
+  for (const int mode : { vtkHaspRayCachingMapper::Automatic, vtkHaspRayCachingMapper::Cache,
+         vtkHaspRayCachingMapper::RaycastSkipping })
+  {
+    Ball ball(mode);
+    ball.Draw();
+    hasp::ResourceList list;
+    ball.Raycaster->ListResources(list);
+    std::set<std::string> names;
+    for (const hasp::ResourceUse& use : list)
+      EXPECT_TRUE(names.insert(use.resource).second) << use.resource << ", mode " << mode;
+    EXPECT_TRUE(names.contains("min-max blocks"));
+  }
+  Ball cache(vtkHaspRayCachingMapper::Cache), automatic(vtkHaspRayCachingMapper::Automatic);
+  cache.Draw();
+  automatic.Draw();
+  EXPECT_EQ(Find(automatic.Raycaster, "min-max blocks").bytes,
+    2 * Find(cache.Raycaster, "min-max blocks").bytes)
+    << "those of the mapper inside are not left out";
 }
 
 /// All of the surface in every frame, while it tries what is faster, and afterwards.
