@@ -85,6 +85,7 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const SurfaceD
   SetDrawing(mapper, drawing);
   if (drawing.compact)
     mapper->SetPrecisionToCompact();
+  mapper->SetBlendNormals(drawing.blendNormals);
   mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();
