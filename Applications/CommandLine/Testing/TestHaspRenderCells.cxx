@@ -122,19 +122,23 @@ TEST_F(HaspRenderCells, BlendedNormalsSmoothTerraces)
 TEST_F(HaspRenderCells, AStillPictureByRayCachingTakesFewFrames)
 {
   this->Phantom();
-  const HaspRun cells = this->Render({ "--renderer", "rasterize" }, "cells.png");
-  ASSERT_EQ(cells.exitCode, 0) << cells.err;
-  const HaspRun rays =
-    this->Render({ "--mapper", "raycaching", "--renderer", "rasterize", "--explain" }, "rays.png");
-  ASSERT_EQ(rays.exitCode, 0) << rays.err;
-  EXPECT_NE(rays.out.find("cache: asked for"), std::string::npos) << rays.out;
-  EXPECT_NE(rays.out.find("which held 100.00 %"), std::string::npos) << rays.out;
-  const std::size_t at = rays.out.find("frames of each: ");
-  ASSERT_NE(at, std::string::npos) << rays.out;
-  EXPECT_LE(std::stoi(rays.out.substr(at + 16)), 4) << rays.out;
-  const double ratio = double(ReadBytes(this->Path("rays.png")).size()) /
-                       double(ReadBytes(this->Path("cells.png")).size());
-  EXPECT_NEAR(ratio, 1.0, 0.02); // coarser cells far away change a few pixels
+  for (const std::string stereo : { "mono", "side-by-side" })
+  {
+    Words words{ "--renderer", "rasterize", "--stereo", stereo, "--explain" };
+    const HaspRun cells = this->Render(words, "cells.png");
+    ASSERT_EQ(cells.exitCode, 0) << cells.err;
+    words.insert(words.end(), { "--mapper", "raycaching" });
+    const HaspRun rays = this->Render(words, "rays.png");
+    ASSERT_EQ(rays.exitCode, 0) << rays.err;
+    EXPECT_NE(rays.out.find("cache: asked for"), std::string::npos) << rays.out;
+    EXPECT_NE(rays.out.find("which held 100.00 %"), std::string::npos) << rays.out;
+    const std::size_t at = rays.out.find("frames of each: ");
+    ASSERT_NE(at, std::string::npos) << rays.out;
+    EXPECT_LE(std::stoi(rays.out.substr(at + 16)), 4) << rays.out;
+    const double ratio = double(ReadBytes(this->Path("rays.png")).size()) /
+                         double(ReadBytes(this->Path("cells.png")).size());
+    EXPECT_NEAR(ratio, 1.0, 0.02); // coarser cells far away change a few pixels
+  }
 }
 
 TEST_F(HaspRenderCells, CompactCellsAreSmallerAndOnlyForCells)
