@@ -159,15 +159,7 @@ struct ViewWindow::Parts
   void Pick()
   {
     const int* at = this->interactor->GetEventPosition();
-    const auto point = this->scene.PickPixel(at[0], at[1]);
-    char text[100];
-    if (point)
-      std::snprintf(text, sizeof text, "picked %.2f, %.2f, %.2f mm (LPS)", (*point)[0], (*point)[1],
-        (*point)[2]);
-    this->answer = point                   ? text
-                   : this->scene.CanPick() ? "no surface there"
-                                           : "not known: " + this->scene.DrewBy() +
-                                               " gives no points in this build; --mapper mesh does";
+    this->answer = PickText(this->scene, at[0], at[1]);
   }
   void Save()
   {

@@ -138,7 +138,8 @@ public:
   ///@}
 
   /// Did the last four frames of an eye, drawn from the cache alone, find something that it had
-  /// not (the last one, if it had a ray a pixel)? Then render again. Eyes that are no longer drawn do not count.
+  /// not (the last one, if it had a ray a pixel)? Then render again. Eyes that are no longer drawn
+  /// do not count.
   virtual bool IsRefining() const { return false; }
 
   /// Samples in this box of point indices (x0, x1, y0, y1, z0, z1; clamped to the image) have been
