@@ -85,6 +85,7 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const SurfaceD
   SetDrawing(mapper, drawing);
   if (drawing.compact)
     mapper->SetPrecisionToCompact();
+  mapper->SetBlendNormals(drawing.blendNormals);
   mapper->SetInputDataObject(input);
   mapper->SetIsoValue(isoValue);
   mapper->UpdateCells();
@@ -115,7 +116,10 @@ SurfaceActor MakeCachingActor(vtkImageData* image, double isoValue, const Surfac
   if (drawing.interactive)
     mapper->SetFrameBudget(WindowBudget);
   else
-    mapper->SetRaysPerTile(256); // one picture, complete soon
+  {
+    mapper->SetRaysPerTile(256); // one a pixel: complete soon
+    mapper->PredictionOff();     // the other eye's place is no way that the camera takes
+  }
   SurfaceActor result = MakeRayActor(mapper);
   result.refining = [mapper] { return mapper->IsRefining(); };
   return result;

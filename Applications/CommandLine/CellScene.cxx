@@ -21,7 +21,7 @@ CellScene Analytic(const char* name, const AnalyticVolume& shape, int n)
 {
   const GridGeometry geometry{ glm::ivec3(n), glm::dvec3(-32.0), glm::dvec3(64.0 / (n - 1)),
     glm::dmat3(1) };
-  return { "@" + std::string(name) + std::to_string(n), name + Cube(n),
+  return { std::string("@") + name + std::to_string(n), std::string(name) + Cube(n),
     MakeImage(geometry, SampleAnalytic<std::int16_t>(shape, geometry, 1000.0, 0.0)), 0.0 };
 }
 

@@ -75,7 +75,10 @@ void RequireWritable(const std::string& path, const std::vector<std::string>& en
   RequireEnding(path, endings);
   std::error_code error;
   const fs::path folder = FolderOf(path);
-  if (!fs::is_directory(folder, error))
+  const fs::file_type place = fs::status(folder, error).type();
+  if (place == fs::file_type::none)
+    throw CannotWrite(path, "its folder cannot be reached: " + error.message());
+  if (place != fs::file_type::directory)
     throw CannotWrite(path, "its folder does not exist; make it first");
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status))

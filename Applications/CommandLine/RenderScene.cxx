@@ -66,17 +66,22 @@ std::string RenderScene::DrawPng()
   self.session->progress.Step("drawing");
   const auto start = std::chrono::steady_clock::now();
   vtkSmartPointer<vtkImageData> picture;
-  do
+  int frames = 0;
+  for (bool more = true; more; ++frames)
+  {
     picture = self.picture->Render();
-  while (self.scene->WantsFrame(MostFrames));
+    more = self.scene->WantsFrame(MostFrames);
+    self.session->progress.Share(self.scene->ShareDrawn());
+  }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::CannotDraw, "cannot draw");
   if (!picture)
     throw Failure(ExitCode::CannotDraw, "cannot draw: the window gave no picture");
   ResourceList& resources = self.session->resources;
   self.scene->ListResources(resources);
-  resources.push_back({ "picture", static_cast<std::size_t>(picture->GetNumberOfPoints()) * 3,
-    spent.count(), "all eyes, all frames: shaders and uploads count here" });
+  resources.push_back(
+    { "picture", static_cast<std::size_t>(picture->GetNumberOfPoints()) * 3, spent.count(),
+      "all eyes, frames of each: " + std::to_string(frames) + "; shaders and uploads count here" });
   self.picture->ListResources(resources);
   return PngFile(picture);
 }

@@ -133,7 +133,8 @@ void MeasureStream(ReportContext& context, const std::string& volume, int n, con
 
 void ReportCellStream(ReportContext& context, int n)
 {
-  const std::string tag = n == 1024 ? "" : "@" + std::to_string(n);
+  const std::string tag =
+    n == 1024 ? std::string() : std::string("@").append(std::to_string(n)); // GCC 12 warns of +
   const char* const rival = "the volume whole in memory, its mesh beside it";
   const auto folder = std::filesystem::temp_directory_path();
   const double bytes = 2.0 * n * n * n;

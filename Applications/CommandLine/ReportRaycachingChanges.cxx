@@ -17,6 +17,8 @@ namespace hasp
 namespace
 {
 
+constexpr double Mostly = 0.95; // of the surface's pixels
+
 struct Contender
 {
   std::string name;
@@ -37,8 +39,9 @@ std::vector<Contender> Contenders(const IsosurfaceView& view)
 
 struct Course
 {
-  double firstMs = 0.0;   ///< of the first frame
-  double mostlyMs = -1.0; ///< until 95 % of the surface's pixels are shown; -1: never
+  double firstMs = 0.0;  ///< of the first frame
+  double mostlyMs = 0.0; ///< until 95 % of the surface's pixels were shown, or all of its frames
+  double shown = 0.0;    ///< share of them then
   double firstPsnr = 0.0;
 };
 
@@ -62,9 +65,12 @@ Course Follow(ReportContext& context, const std::string& id, Contender& contende
       shown += truth.surface[n] && points[n];
     }
     if (frame == 0)
-      course = { ms, -1.0, psnr };
-    if (course.mostlyMs < 0.0 && double(shown) >= 0.95 * double(surface))
+      course = { ms, 0.0, 0.0, psnr };
+    if (course.shown < Mostly)
+    {
       course.mostlyMs = ms;
+      course.shown = surface == 0 ? 0.0 : double(shown) / double(surface);
+    }
   }
   context.report.curves.push_back(curve);
   return course;
@@ -119,6 +125,7 @@ void AddFirst95(ReportContext& context, const RaycachingScene& scene, const std:
     row.timeS = courses[n].mostlyMs / 1e3;
     row.cpuS = 0.0;
     row.data = scene.data + ", until 95 % of the surface's pixels are shown, after " + what;
+    row.bars = { { {}, 1.0 }, { Mostly, {}, "share of the pixels", courses[n].shown } };
     context.report.rows.push_back(row);
   }
 }
@@ -180,10 +187,11 @@ void AddJump(ReportContext& context, const RaycachingScene& scene, int mode, con
       return Timing{ all.wallS / (n * n), all.cpuS / (n * n) };
     },
     { 1, 9 });
-  context.report.rows.push_back(
-    TimedRatio("raycaching.cost.isovalue" + tag + scene.cells.tag, times,
-      direct->Name() + ", with the rays that show as much", { worst, "dB, worst of the frames" },
-      scene.data + ", first frame after a jump of the isovalue by half, " + ours.Name()));
+  ReportRow row = TimedRatio("raycaching.cost.isovalue" + tag + scene.cells.tag, times,
+    direct->Name() + ", with the rays that show as much", { worst, "dB, worst of the frames" },
+    scene.data + ", first frame after a jump of the isovalue by half, " + ours.Name());
+  row.bars = { { {}, 0.8 } };
+  context.report.rows.push_back(row);
 }
 
 } // namespace

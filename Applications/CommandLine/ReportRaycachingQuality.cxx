@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -48,15 +50,22 @@ void AddConvergence(ReportContext& context, const RaycachingScene& scene)
     });
   path.ShiftPixels(0.0, 0.0);
   const std::string data = scene.data + ", complete after " + std::to_string(frames) + " frames";
-  context.report.rows.push_back(ErrorFigure("raycaching.psnr" + scene.cells.tag,
-    { ForegroundPsnr(truth, mean.Mean()), "dB" }, "16 rays a pixel against all active cells", time,
-    data + ", mean of 16 shifted by parts of a pixel"));
+  const auto add = [&](ReportRow row, std::vector<ReportBar> bars)
+  {
+    row.bars = std::move(bars);
+    context.report.rows.push_back(row);
+  };
+  add(ErrorFigure("raycaching.psnr" + scene.cells.tag, { ForegroundPsnr(truth, mean.Mean()), "dB" },
+        "16 rays a pixel against all active cells", time,
+        data + ", mean of 16 shifted by parts of a pixel"),
+    { { 35.0, {} } });
   context.report.rows.push_back(ErrorFigure("raycaching.psnr.one" + scene.cells.tag, { one, "dB" },
     "16 rays a pixel against all active cells", { time.wallS / (n * n), time.cpuS / (n * n) },
     data + ", one picture"));
-  context.report.rows.push_back(ErrorFigure("raycaching.psnr.centre" + scene.cells.tag,
-    { centre, "dB" }, "one exact ray at each pixel's centre, on the CPU",
-    { time.wallS / (n * n), time.cpuS / (n * n) }, data + ", one picture; bar: at least 33"));
+  add(ErrorFigure("raycaching.psnr.centre" + scene.cells.tag, { centre, "dB" },
+        "one exact ray at each pixel's centre, on the CPU",
+        { time.wallS / (n * n), time.cpuS / (n * n) }, data + ", one picture"),
+    { { 33.0, {} } });
 
   ours.Draw();
   const DepthTruth exact(view);
@@ -72,10 +81,11 @@ void AddConvergence(ReportContext& context, const RaycachingScene& scene)
       missed += exact.hits[pixel].has_value();
   const Quartiles depth = QuartilesOf(off);
   const Timing once = TimeOf([&] { ours.Draw(); });
-  context.report.rows.push_back(ErrorFigure("raycaching.depth.median" + scene.cells.tag,
-    { depth.median, "voxel" }, "a walk from cell to cell, in long double", once,
-    data + ", " + std::to_string(missed) + " of " + std::to_string(off.size() + missed) +
-      " pixels missed"));
+  add(ErrorFigure("raycaching.depth.median" + scene.cells.tag, { depth.median, "voxel" },
+        "a walk from cell to cell, in long double", once,
+        data + ", " + std::to_string(missed) + " of " + std::to_string(off.size() + missed) +
+          " pixels missed"),
+    { { {}, 0.25 } });
 }
 
 /// Share of the pixels with surface where nothing is shown.
@@ -116,10 +126,12 @@ void AddHoles(ReportContext& context, const RaycachingScene& scene, bool predict
   }
   char worst[60];
   std::snprintf(worst, sizeof worst, ", worst frame %.3g", most);
-  context.report.rows.push_back(ErrorFigure(
+  ReportRow row = ErrorFigure(
     (prediction ? "raycaching.holes" : "raycaching.holes.unpredicted") + scene.cells.tag,
     { sum, "share of surface pixels" }, "all active cells", all,
-    scene.data + ", head jitter 5 mm and 3 degrees" + worst));
+    scene.data + ", head jitter 5 mm and 3 degrees" + worst);
+  row.bars = { { {}, 0.005 } };
+  context.report.rows.push_back(row);
 }
 
 /// The kernel alone, on the orbit.
@@ -148,12 +160,14 @@ void AddUnique(ReportContext& context, const RaycachingScene& scene)
       const glm::ivec3 at = cluster.Origin();
       distinct.insert({ level, at.x, at.y, at.z });
     }
-  context.report.rows.push_back(ErrorFigure("raycaching.bricks.unique" + scene.cells.tag,
+  ReportRow row = ErrorFigure("raycaching.bricks.unique" + scene.cells.tag,
     { double(cache.Live()) / double(distinct.size()), "live bricks / distinct blocks" },
     "their places, counted", time,
     scene.data + ", " + std::to_string(frames) + " frames, " + std::to_string(cache.Live()) +
       " bricks, " + std::to_string(bytes) + " bytes before and " + std::to_string(cache.Bytes()) +
-      " after"));
+      " after");
+  row.bars = { { 1.0, 1.0 } };
+  context.report.rows.push_back(row);
 }
 
 } // namespace

@@ -153,34 +153,36 @@ void ReportRaycachingSoak(ReportContext& context, const RaycachingScene& scene)
   const int frames = context.settings.soakFrames;
   const std::string data = scene.data + ", " + std::to_string(frames) +
                            " frames of orbit, flight, jitter and sweep by turns";
+  const double third = course.residentKb[course.residentKb.size() / 3].second;
   char text[240];
   std::snprintf(text, sizeof text,
-    "; %.0f KB resident after a third, %.0f KB in the end; cache %zu to %zu bytes; bar: 0",
-    course.residentKb[course.residentKb.size() / 3].second, course.residentKb.back().second,
-    course.leastBytes, course.mostBytes);
+    "; %.0f KB resident after a third, %.0f KB in the end; cache %zu to %zu bytes", third,
+    course.residentKb.back().second, course.leastBytes, course.mostBytes);
   const MeasuredError error{ course.psnr, "dB in the worst picture looked at" };
   const auto add = [&](const std::string& id, double value, const std::string& unit,
-                     const std::string& against, const std::string& more)
+                     const std::string& against, const std::string& more, const ReportBar& bar)
   {
     ReportRow row = ErrorFigure(
       "raycaching.soak." + id + scene.cells.tag, error, against, course.time, data + more);
     row.value = value;
     row.unit = unit;
     row.n = frames;
+    row.bars = { bar };
     context.report.rows.push_back(row);
   };
   const std::size_t counts = course.residentKb.size();
   add("memory", GrowthKb(course.residentKb), "KB a 1000 frames",
     "what is resident after a third of the frames, by a line through " +
       std::to_string(counts - counts / 3) + " places",
-    text);
+    text, // pages come and go with pictures that are looked at: a hundredth is no growth
+    { {}, 1.01, "in the end / after a third", course.residentKb.back().second / third });
   add("cache", double(course.mostBytes - course.leastBytes), "bytes that it grows or shrinks",
-    "its least", "; bar: 0");
+    "its least", "", { 0.0, 0.0 });
   add("bricks.unique", course.worstUnique,
     "live bricks / distinct blocks, worst of " + std::to_string(counts) + " counts",
-    "their places, counted", ", the kernel's cache beside the mapper's, same views; bar: 1");
+    "their places, counted", ", the kernel's cache beside the mapper's, same views", { 1.0, 1.0 });
   add("errors", course.glErrors + course.vtkErrors, "errors of OpenGL and of the mapper", "none",
-    "; bar: 0");
+    "", { 0.0, 0.0 });
 }
 
 } // namespace hasp

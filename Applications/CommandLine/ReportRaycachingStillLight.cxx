@@ -108,10 +108,11 @@ void AddStillLight(ReportContext& context, const RaycachingScene& scene)
   char text[160];
   std::snprintf(text, sizeof text,
     ", still camera, frames 1 to %.0f; the first casts %.3g rays a pixel, the others %.2g; floor "
-    "%.4f; bar: -0.5 +- 0.1",
+    "%.4f",
     byFrames.back().first, course[0].rays,
     (course.back().rays - course[0].rays) / double(course.size() - 1), floor);
-  const auto add = [&](const std::string& id, double value, const std::string& unit)
+  const auto add = [&](const std::string& id, double value, const std::string& unit,
+                     const std::vector<ReportBar>& bars = {})
   {
     ReportRow row =
       ErrorFigure("raycaching.ao." + id + scene.cells.tag, { floor, "RMSE in the end" },
@@ -120,9 +121,10 @@ void AddStillLight(ReportContext& context, const RaycachingScene& scene)
     row.value = value;
     row.unit = unit;
     row.n = int(byFrames.size());
+    row.bars = bars;
     context.report.rows.push_back(row);
   };
-  add("slope", GrowthExponent(byFrames), "d log noise / d log frames");
+  add("slope", GrowthExponent(byFrames), "d log noise / d log frames", { { -0.6, -0.4 } });
   add("slope.casts", GrowthExponent(byRays), "d log noise / d log rays so far");
   add("floor", floor, "RMSE of openness");
 }

@@ -47,6 +47,9 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
     ->capture_default_str();
   verb.add_flag("--compact", drawing.compact,
     "Active cells of 8 bits a corner: the surface moves by 0.004 voxel RMS");
+  verb.add_flag("--blend-normals", drawing.blendNormals,
+    "Shade active cells smoothly where they are terraces: masks, labels, few grey levels. By "
+    "OpenGL; the surface stays where it is");
   verb
     .add_option("--ambient-occlusion", drawing.ambientOcclusionMm,
       "Darken what stands close to other bone: within so many mm, say 25. Rays on the CPU; of "
@@ -105,10 +108,14 @@ void RequireFittingDrawing(const SurfaceDrawing& drawing)
   if (drawing.Lit() && drawing.renderer == "rasterize")
     throw Failure(ExitCode::WrongUse,
       "--ambient-occlusion and --shadows take traced rays; leave out --renderer rasterize");
+  if (drawing.blendNormals && (drawing.Lit() || drawing.renderer == "trace"))
+    throw Failure(ExitCode::WrongUse, "--blend-normals is drawn by OpenGL; leave out --renderer "
+                                      "trace, --ambient-occlusion and --shadows");
   if (drawing.mapper == "cells")
     return;
-  if (drawing.compact)
-    throw Failure(ExitCode::WrongUse, "--compact is for --mapper cells; leave it out");
+  if (drawing.compact || drawing.blendNormals)
+    throw Failure(
+      ExitCode::WrongUse, "--compact and --blend-normals are for --mapper cells; leave them out");
   if (drawing.mapper != "raycaching" && (drawing.renderer != "automatic" || drawing.Lit()))
     throw Failure(ExitCode::WrongUse, "--renderer, --ambient-occlusion and --shadows are for "
                                       "--mapper cells and raycaching; leave them out");

@@ -45,6 +45,7 @@ struct SurfaceDrawing
   bool interactive = false;
   std::string renderer = "automatic";       ///< a name of CellRendererNames()
   bool compact = false;                     ///< 8 bits a corner; of a volume's cells only
+  bool blendNormals = false;                ///< between neighbouring cells; of mapper cells only
   std::optional<double> ambientOcclusionMm; ///< how far what darkens may be
   bool shadows = false;                     ///< of the scene's first light
   bool Lit() const { return this->ambientOcclusionMm || this->shadows; }

@@ -27,7 +27,7 @@ constexpr std::array<std::array<double, 3>, 4> SurfaceColors{ { { 0.35, 0.70, 0.
   { 0.90, 0.62, 0.00 }, { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 } } };
 
 constexpr int AmbientFrames = 16; // until openness has added up: half the noise of one
-constexpr int QuietFrames = 4;    // without a find, until a picture is taken to be complete
+constexpr int WindowFrames = 4;   // at rest after the last find, in which ways are compared
 constexpr double Specular = 0.2, SpecularPower = 20.0;
 
 /// A lamp to the upper left of the viewer, which stays there for both eyes, before the headlight.
@@ -101,6 +101,8 @@ SurfaceScene::SurfaceScene(
     AddLamp(renderer);
   if (options.drawing.ambientOcclusionMm)
     this->LeastFrames = AmbientFrames;
+  if (options.drawing.interactive)
+    this->QuietFrames = WindowFrames;
 }
 
 void SurfaceScene::Add(SurfaceActor surface, const std::array<double, 3>& color)
@@ -161,7 +163,7 @@ bool SurfaceScene::WantsFrame(int mostFrames)
   this->Quiet = refining ? 0 : this->Quiet + 1;
   ++this->Frames;
   return this->Frames < this->LeastFrames ||
-         (may && this->Quiet < QuietFrames && this->Frames < mostFrames);
+         (may && this->Quiet < this->QuietFrames && this->Frames < mostFrames);
 }
 
 } // namespace hasp

@@ -40,6 +40,8 @@ public:
   void SetIsoValue(double value);
   /// What drew the isosurface last: "cache", "active cells, traced".
   std::string DrewBy() const { return this->Surfaces.front().drewBy(); }
+  /// Can the isosurface be asked for a point? VTK's own mapper cannot, and takes rays of ours.
+  bool CanPick() const { return bool(this->Surfaces.front().pick); }
   /// Where the line first meets a surface.
   std::optional<WorldPoint> Pick(const WorldPoint& from, const WorldPoint& to) const;
   /// The same for what the camera shows in a pixel of the window, from the lower left.
@@ -51,6 +53,8 @@ public:
   void Restart() { this->Frames = this->Quiet = 0; }
   /// Call after each frame: will another one show more? Ends after mostFrames in any case.
   bool WantsFrame(int mostFrames);
+  /// Of the frames that it takes in any case, the share that has been drawn.
+  double ShareDrawn() const { return double(this->Frames) / double(this->LeastFrames); }
 
 private:
   void Add(SurfaceActor surface, const std::array<double, 3>& color);
@@ -58,6 +62,7 @@ private:
   vtkRenderer* Shown;
   std::vector<SurfaceActor> Surfaces; ///< the isosurface first
   int LeastFrames = 1;
+  int QuietFrames = 1;       ///< without a find, until the picture is taken to be complete
   int Frames = 0, Quiet = 0; ///< since the last change; without a find, in a row
 };
 

@@ -1,5 +1,6 @@
 #include "ViewOverlay.h"
 
+#include "SurfaceScene.h"
 #include "ViewWindow.h"
 
 #include "vtkProperty2D.h"
@@ -121,6 +122,19 @@ std::string ViewOverlay::IsoValueText(double value) const
   char text[60];
   std::snprintf(text, sizeof text, "isovalue %.6g", value);
   return text + this->Unit;
+}
+
+std::string PickText(const SurfaceScene& scene, int x, int y)
+{
+  const auto point = scene.PickPixel(x, y);
+  if (!point && !scene.CanPick())
+    return "not known: " + scene.DrewBy() + " gives no points in this build; --mapper mesh does";
+  if (!point)
+    return "no surface there";
+  char text[100];
+  std::snprintf(
+    text, sizeof text, "picked %.2f, %.2f, %.2f mm (LPS)", (*point)[0], (*point)[1], (*point)[2]);
+  return text;
 }
 
 } // namespace hasp

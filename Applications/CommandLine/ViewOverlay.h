@@ -11,6 +11,7 @@ class vtkRenderer;
 namespace hasp
 {
 
+class SurfaceScene;
 struct ViewSettings;
 
 /// What lies over a scene in a window: the isovalue's slider and a text. RENDER thread; interactor
@@ -36,5 +37,8 @@ private:
   std::string Unit;
   bool Changeable;
 };
+
+/// Where the scene's surface is in a pixel of the window: "picked 1.00, 2.00, 3.00 mm (LPS)".
+std::string PickText(const SurfaceScene& scene, int x, int y);
 
 } // namespace hasp

@@ -159,12 +159,7 @@ struct ViewWindow::Parts
   void Pick()
   {
     const int* at = this->interactor->GetEventPosition();
-    const auto point = this->scene.PickPixel(at[0], at[1]);
-    char text[100] = "no surface there";
-    if (point)
-      std::snprintf(text, sizeof text, "picked %.2f, %.2f, %.2f mm (LPS)", (*point)[0], (*point)[1],
-        (*point)[2]);
-    this->answer = text;
+    this->answer = PickText(this->scene, at[0], at[1]);
   }
   void Save()
   {

@@ -1,5 +1,6 @@
 #include "Report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -42,6 +43,9 @@ void CheckRow(const ReportRow& row, Faults& faults)
   faults.Check(
     row.absent.empty() || !row.rival.empty(), row.id, "does not say which rival is absent");
   faults.Check(!row.error || !row.errorUnit.empty(), row.id, "has an error without a unit");
+  for (const ReportBar& bar : row.bars)
+    faults.Check(row.value && (bar.least || bar.most) && Finite(bar.least) && Finite(bar.most),
+      row.id, "has a bar that says nothing");
   if (row.value && row.unit == "ratio" && row.timeS)
   {
     faults.Check(row.q1 && row.q3, row.id, "is a timed ratio without quartiles");
@@ -110,6 +114,19 @@ std::string WidestSimd()
 std::string MethodOf(const ReportRow& row)
 {
   return row.method.empty() ? row.id.substr(0, row.id.find('.')) : row.method;
+}
+
+bool Missed(const ReportRow& row, const ReportBar& bar)
+{
+  const double figure = bar.of.empty() ? row.value.value_or(std::nan("")) : bar.figure;
+  return !std::isfinite(figure) || (bar.least && figure < *bar.least) ||
+         (bar.most && figure > *bar.most);
+}
+
+bool Missed(const ReportRow& row)
+{
+  return std::any_of(
+    row.bars.begin(), row.bars.end(), [&](const ReportBar& bar) { return Missed(row, bar); });
 }
 
 std::vector<std::string> ReportFaults(const Report& report)

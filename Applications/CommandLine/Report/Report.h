@@ -12,6 +12,14 @@
 namespace hasp
 {
 
+/// What a row is asked to reach; at least one of both ends.
+struct ReportBar
+{
+  std::optional<double> least, most; ///< a figure may be either
+  std::string of{};                  ///< whose figure it is; empty: the row's value
+  double figure = 0.0;               ///< if `of` is given; one that is not finite misses the bar
+};
+
 /// One figure. A ratio is ours / rival; when its id says speedup, simd, speed or rays it is
 /// rival / ours in time: larger is better.
 struct ReportRow
@@ -29,7 +37,8 @@ struct ReportRow
   std::optional<double> q3;
   int n = 0;          ///< pairs or samples behind the value
   std::string data;   ///< data set: "cranium@226HU"
-  std::string absent; ///< why this rival could not be measured; such a row has no value
+  std::string absent; ///< why this rival could not be measured; such a row has no value, no bars
+  std::vector<ReportBar> bars{}; ///< all of them are to be reached
 };
 
 /// Error against time: a line of one method, a point per setting, {time, error}.
@@ -78,11 +87,17 @@ struct Report
 /// The row's method, or the part of its id before the first dot.
 std::string MethodOf(const ReportRow& row);
 
+/// Is the row beyond the bar?
+bool Missed(const ReportRow& row, const ReportBar& bar);
+/// Any of its bars?
+bool Missed(const ReportRow& row);
+
 /// Everything that makes the report worthless, one sentence each; empty: it holds.
 ///  - a time without an error, or an error without a time
 ///  - a method with neither a rival nor an absent row; an absent row with a value
 ///  - an id emitted twice
 ///  - a figure that is not finite, a ratio without quartiles or with fewer than 9 pairs
+///  - a bar without an end, or of a row without a value
 ///  - an unused resource that holds bytes or took time
 ///  - a report that says nothing
 std::vector<std::string> ReportFaults(const Report& report);

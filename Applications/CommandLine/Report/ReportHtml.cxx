@@ -38,7 +38,7 @@ std::string RowsTable(const Report& report)
   if (report.rows.empty())
     return "";
   std::string html = "<h2>Figures</h2>\n" + Head({ "id", "value", "quartiles", "n", "error", "time",
-                                              "CPU time", "rival", "data" });
+                                              "CPU time", "rival", "data", "bar" });
   for (const ReportRow& row : report.rows)
   {
     const std::string quartiles =
@@ -49,7 +49,8 @@ std::string RowsTable(const Report& report)
     html += Cell(quartiles, "figure") + Cell(row.n > 0 ? std::to_string(row.n) : "", "figure") +
             Cell(FigureText(row.error, row.errorUnit), "figure") +
             Cell(FigureText(row.timeS, "s"), "figure") + Cell(FigureText(row.cpuS, "s"), "figure") +
-            Cell(row.rival) + Cell(row.data) + "</tr>\n";
+            Cell(row.rival) + Cell(row.data) + Cell(BarText(row), Missed(row) ? "bad" : "") +
+            "</tr>\n";
   }
   return html + "</table>\n";
 }

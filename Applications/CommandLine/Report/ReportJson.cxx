@@ -31,6 +31,29 @@ void Put(Json& json, const char* key, const std::string& text)
     json[key] = text;
 }
 
+/// Where not being finite is an outcome, and told beside it.
+Json Outcome(double figure)
+{
+  return std::isfinite(figure) ? Json(figure) : Json(nullptr);
+}
+
+Json BarsJson(const ReportRow& row)
+{
+  Json bars = Json::array();
+  for (const ReportBar& bar : row.bars)
+  {
+    Json json = Json::object();
+    Put(json, "of", bar.of);
+    if (!bar.of.empty())
+      json["figure"] = Outcome(bar.figure);
+    Put(json, "least", bar.least, row.id);
+    Put(json, "most", bar.most, row.id);
+    json["missed"] = Missed(row, bar);
+    bars.push_back(std::move(json));
+  }
+  return bars;
+}
+
 Json RowJson(const ReportRow& row, bool quick)
 {
   Json json{ { "id", row.id } };
@@ -48,6 +71,11 @@ Json RowJson(const ReportRow& row, bool quick)
     json["n"] = row.n;
   Put(json, "data", row.data);
   Put(json, "absent", row.absent);
+  if (!row.bars.empty())
+  {
+    json["bars"] = BarsJson(row);
+    json["bar_missed"] = Missed(row);
+  }
   if (quick)
     json["quick"] = true;
   return json;
@@ -65,10 +93,7 @@ Json CurveJson(const ReportCurve& curve)
 Json StabilityJson(const StabilityRow& row)
 {
   Json json{ { "id", row.id }, { "case", row.testCase }, { "pass", row.pass } };
-  if (std::isfinite(row.figure) || row.pass)
-    json["figure"] = Finite(row.figure, row.id);
-  else // a case that blew up: the failed row says so
-    json["figure"] = nullptr;
+  json["figure"] = row.pass ? Json(Finite(row.figure, row.id)) : Outcome(row.figure);
   json["limit"] = Finite(row.limit, row.id);
   json["unit"] = row.unit;
   return json;

@@ -34,7 +34,35 @@ std::string RowText(const ReportRow& row)
     text += "CPU " + FigureText(row.cpuS, "s") + "  ";
   if (!row.rival.empty())
     text += "against " + row.rival;
-  return text + (row.data.empty() ? "" : "  on " + row.data) + "\n";
+  const std::string bar = BarText(row);
+  return text + (row.data.empty() ? "" : "  on " + row.data) + (bar.empty() ? "" : "  " + bar) +
+         "\n";
+}
+
+std::string EndsText(const ReportBar& bar)
+{
+  if (bar.least && bar.most)
+    return *bar.least == *bar.most ? "exactly " + FigureText(bar.least)
+                                   : FigureText(bar.least) + " to " + FigureText(bar.most);
+  return bar.least ? "at least " + FigureText(bar.least) : "at most " + FigureText(bar.most);
+}
+
+/// "bars missed: 1 of 8: raycaching.speedup.primary@cache"; empty if there are none.
+std::string MissedText(const Report& report)
+{
+  std::size_t barred = 0, missed = 0;
+  std::string ids;
+  for (const ReportRow& row : report.rows)
+  {
+    barred += !row.bars.empty();
+    if (!Missed(row))
+      continue;
+    ++missed;
+    ids += (ids.empty() ? ": " : ", ") + row.id;
+  }
+  return barred == 0 ? ""
+                     : "rows that missed their bar: " + std::to_string(missed) + " of " +
+                         std::to_string(barred) + ids + "\n";
 }
 
 } // namespace
@@ -51,6 +79,23 @@ std::string FigureText(const std::optional<double>& value, const std::string& un
   return result;
 }
 
+std::string BarText(const ReportRow& row)
+{
+  if (row.bars.empty())
+    return "";
+  std::string text = Missed(row) ? "bar missed: " : "bar: ";
+  for (const ReportBar& bar : row.bars)
+  {
+    text += &bar == &row.bars.front() ? "" : ", ";
+    if (!bar.of.empty())
+      text += bar.of + " " + FigureText(bar.figure) + " ";
+    text += EndsText(bar);
+    if (row.bars.size() > 1 && Missed(row, bar))
+      text += " (missed)";
+  }
+  return text;
+}
+
 std::string ReportText(const Report& report)
 {
   std::string text =
@@ -60,6 +105,7 @@ std::string ReportText(const Report& report)
     "above 1). error, time, CPU: of ours in a ratio, else of the method measured.\n";
   for (const ReportRow& row : report.rows)
     text += RowText(row);
+  text += MissedText(report);
   for (const StabilityRow& row : report.stability)
     text += Padded(row.id, 34) + (row.pass ? "holds  " : "FAILS  ") +
             FigureText(row.figure, row.unit) + " (limit " + FigureText(row.limit) + ")  " +

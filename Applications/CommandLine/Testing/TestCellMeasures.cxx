@@ -176,6 +176,20 @@ TEST(CellMeasures, OnlyRaysWithinAFloatOfTheRimAreExcused)
   }
 }
 
+/// Of runs shorter than a tick of the CPU clock: 0 / 0.
+TEST(CellMeasures, ARatioOfNoCpuTimeIsNotSaid)
+{
+  hasp::PairedTimes times{ { 0.4, 0.5, 0.6 }, { 0.7, 0.8, 0.9 }, { 1.0, 2.0 }, { 2.0, 2.5 }, 9 };
+  const auto said = [&](bool faster)
+  { return TimedRatio("a.b", times, "rival", { 0.0 }, "ball", faster).data; };
+  EXPECT_EQ(said(false), "ball; by CPU time 0.8");
+  EXPECT_EQ(said(true), "ball; by CPU time 1.25");
+  const double none = std::nan("");
+  times.cpuRatio = { none, none, none };
+  EXPECT_EQ(said(false), "ball");
+  EXPECT_EQ(said(true), "ball");
+}
+
 TEST(CellMeasures, GrowthIsTheSlopeOfTheLogarithms)
 {
   EXPECT_NEAR(hasp::GrowthExponent({ { 2, 12 }, { 4, 48 }, { 8, 192 } }), 2.0, 1e-12);

@@ -61,6 +61,35 @@ TEST_F(Files, AFileIsReplacedAsAWhole)
   EXPECT_EQ(this->Count(), 1);
 }
 
+/// Where nobody can say what is there, any name is free: writing then says why it cannot. (A link
+/// to itself, for root reads every folder.)
+TEST_F(Files, AFreeNameInAFolderThatCannotBeReadIsRefusedByWriting)
+{
+  fs::create_symlink("loop", this->folder / "loop");
+  std::string name;
+  ASSERT_NO_THROW(name = hasp::FreeName(this->Path("loop/hasp-view"), ".png"));
+  EXPECT_EQ(name, this->Path("loop/hasp-view-1.png"));
+  try
+  {
+    hasp::RequireWritable(name, { ".png" });
+    FAIL();
+  }
+  catch (const hasp::Failure& failure)
+  {
+    const std::string said = failure.what();
+    EXPECT_EQ(said.find("cannot write the .png file: its folder cannot be reached: "), 0U) << said;
+    EXPECT_NE(said.find("; nothing was written"), std::string::npos) << said;
+    EXPECT_EQ(said.find("loop/"), std::string::npos) << said;
+  }
+}
+
+TEST_F(Files, FreeNamesCountOnFromWhatIsThere)
+{
+  hasp::WriteFile(this->Path("a-1.png"), "x");
+  fs::create_directories(this->folder / "a-2.png");
+  EXPECT_EQ(hasp::FreeName(this->Path("a"), ".png"), this->Path("a-3.png"));
+}
+
 TEST_F(Files, ErrorsOfLibrariesThatHoldPathsAreCut)
 {
   try

@@ -102,6 +102,68 @@ TEST_F(HaspRenderCells, OnAnOlderOpenGLRaysDrawThem)
     needs + "; the renderer automatic traces rays on the CPU instead");
 }
 
+/// A mask: its isosurface is all terraces.
+TEST_F(HaspRenderCells, BlendedNormalsSmoothTerraces)
+{
+  std::string samples;
+  for (int n = 0; n < 24 * 24 * 24; ++n)
+  {
+    const int x = n % 24 - 12, y = n / 24 % 24 - 12, z = n / 576 - 12;
+    samples += x * x + y * y + z * z < 90 ? '\1' : '\0';
+  }
+  this->WriteText("mask.mha", "ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementSpacing "
+                              "= 1 1 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+                                samples);
+  const auto draw = [&](const Words& more, const std::string& output)
+  {
+    Words words{ "render", this->Path("mask.mha"), "--isovalue", "0.5", "--resolution", "120,90",
+      "--explain", "--output", this->Path(output) };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  };
+  const auto bytesOfBlending = [](const HaspRun& run)
+  { return std::stol(run.out.substr(run.out.find("normal blending") + 15)); };
+  const HaspRun plain = draw({ "--renderer", "rasterize" }, "plain.png");
+  const HaspRun blended = draw({ "--blend-normals" }, "blended.png");
+  ASSERT_EQ(plain.exitCode, 0) << plain.err;
+  ASSERT_EQ(blended.exitCode, 0) << blended.err;
+  EXPECT_EQ(bytesOfBlending(plain), 0);
+  EXPECT_GE(bytesOfBlending(blended), 24 * 120 * 90); // its least, a pixel
+  // Fewer edges are fewer bytes of PNG; the mapper's own tests hold its shading.
+  EXPECT_NE(ReadBytes(this->Path("plain.png")), ReadBytes(this->Path("blended.png")));
+  for (const Words& words :
+    { Words{ "--renderer", "trace" }, Words{ "--shadows" }, Words{ "--ambient-occlusion", "9" } })
+  {
+    Words all{ "--blend-normals" };
+    all.insert(all.end(), words.begin(), words.end());
+    ExpectFailure(draw(all, "x.png"), 1, "--blend-normals is drawn by OpenGL");
+  }
+  ExpectFailure(draw({ "--blend-normals", "--mapper", "mesh" }, "x.png"), 1, "--mapper cells");
+}
+
+/// All that the picture shows was met by rays, and the cells' own picture is the same.
+TEST_F(HaspRenderCells, AStillPictureByRayCachingTakesFewFrames)
+{
+  this->Phantom();
+  for (const std::string stereo : { "mono", "side-by-side" })
+  {
+    Words words{ "--renderer", "rasterize", "--stereo", stereo, "--explain" };
+    const HaspRun cells = this->Render(words, "cells.png");
+    ASSERT_EQ(cells.exitCode, 0) << cells.err;
+    words.insert(words.end(), { "--mapper", "raycaching" });
+    const HaspRun rays = this->Render(words, "rays.png");
+    ASSERT_EQ(rays.exitCode, 0) << rays.err;
+    EXPECT_NE(rays.out.find("cache: asked for"), std::string::npos) << rays.out;
+    EXPECT_NE(rays.out.find("which held 100.00 %"), std::string::npos) << rays.out;
+    const std::size_t at = rays.out.find("frames of each: ");
+    ASSERT_NE(at, std::string::npos) << rays.out;
+    EXPECT_LE(std::stoi(rays.out.substr(at + 16)), 4) << rays.out;
+    const double ratio = double(ReadBytes(this->Path("rays.png")).size()) /
+                         double(ReadBytes(this->Path("cells.png")).size());
+    EXPECT_NEAR(ratio, 1.0, 0.02); // coarser cells far away change a few pixels
+  }
+}
+
 TEST_F(HaspRenderCells, CompactCellsAreSmallerAndOnlyForCells)
 {
   this->Phantom();

@@ -142,6 +142,15 @@ TEST_F(HaspReport, RaysFillACacheThatShowsTheTruthAndDoesNotGrow)
     EXPECT_NEAR(value("raycaching.ao.slope.casts"), -0.5, 0.25); // of few pixels, quick
     EXPECT_LE(value("raycaching.ao.floor"), 0.05);
   }
+  for (const char* id : { "psnr", "psnr.centre", "depth.median", "holes", "holes.unpredicted",
+         "bricks.unique", "cost.lit@auto", "ao.slope", "speedup.primary@cache",
+         "speedup.skipping@auto", "speedup.vtk@auto", "first95.cut@cache", "first95.jump@auto",
+         "cost.isovalue", "cost.isovalue@cache", "soak.cache" })
+  {
+    const Json row = Row(report, "raycaching." + std::string(id));
+    EXPECT_TRUE(row.contains("absent") || row.contains("bar_missed")) << id;
+  }
+  EXPECT_NE(run.out.find("rows that missed their bar: "), std::string::npos) << run.out;
   EXPECT_EQ(value("raycaching.soak.cache"), 0.0);
   EXPECT_EQ(value("raycaching.soak.bricks.unique"), 1.0);
   EXPECT_EQ(value("raycaching.soak.errors"), 0.0);

@@ -143,6 +143,17 @@ TEST(ViewWindow, PSaysWhereTheSurfaceIs)
   EXPECT_NE(desk.view->Text().find("no surface there"), std::string::npos);
 }
 
+/// Rays of ours, where they are built in, answer for VTK's mapper.
+TEST(ViewWindow, PDoesNotSayThatThereIsNoSurfaceWhereNobodyCanBeAsked)
+{
+  Desk desk("vtk");
+  desk.interactor->SetEventPosition(Size / 2, Size / 2);
+  desk.Press("p");
+  const std::string text = desk.view->Text(), said = HASP_WITH_CELLS ? "picked" : "--mapper mesh";
+  EXPECT_NE(text.find(said), std::string::npos) << text;
+  EXPECT_EQ(text.find("no surface there"), std::string::npos) << text;
+}
+
 TEST(ViewWindow, SSavesUnderAFreeName)
 {
   const std::filesystem::path folder =

@@ -80,27 +80,40 @@ RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRa
   // One ray is kept for holes where none found anything: what is there may change. If there is no
   // other, the rest of the tile has its turns, too.
   const int least = count > 1 || memory.frames % 2 == 0 ? std::min(1, count) : 0;
+  const int width = to.x - from.x, area = width * (to.y - from.y);
+  const int whole = count >= area ? area : 0; // rays through the middles of all pixels
+  count -= whole;
   const int intoHoles = holes.empty() ? 0 : std::max(least, int(0.5F * count * (1.0F - misses)));
 
   const VoxelPixels pixels(eye.view);
   Tile tile;
   tile.misses = misses;
+  const auto meets = [&](const glm::dvec2& at, bool inHole)
+  {
+    CellRay ray;
+    if (!rays.Of(at, ray))
+      return true; // there is none that could miss
+    ++tile.rays;
+    const auto hit = caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
+    if (hit)
+      tile.hits.push_back({ hit->cell, pixels.At(glm::dvec3(hit->cell) + hit->local), inHole });
+    return hit.has_value();
+  };
+  for (int n = 0; n < whole; ++n)
+  {
+    const glm::ivec2 pixel = from + glm::ivec2(n % width, n / width);
+    const std::size_t at = std::size_t(pixel.y) * eye.view.size.x + pixel.x;
+    meets(glm::dvec2(pixel) + 0.5, !eye.depth.empty() && eye.depth[at] >= 1.0F);
+  }
   int missed = 0;
   for (int n = 0; n < count; ++n)
   {
     const bool aimed = n < intoHoles;
     const std::uint32_t number = memory.cast + std::uint32_t(n);
     const glm::dvec2 spread = glm::dvec2(from) + glm::dvec2(to - from) * SpreadPoint(number, shift);
-    const glm::dvec2 at =
-      aimed ? glm::dvec2(holes[Hash(number ^ shift) % holes.size()]) + 0.5 : spread;
-    CellRay ray;
-    if (!rays.Of(at, ray))
-      continue;
-    ++tile.rays;
-    const auto hit = caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax);
-    missed += aimed && !hit;
-    if (hit)
-      tile.hits.push_back({ hit->cell, pixels.At(glm::dvec3(hit->cell) + hit->local), aimed });
+    const bool met =
+      meets(aimed ? glm::dvec2(holes[Hash(number ^ shift) % holes.size()]) + 0.5 : spread, aimed);
+    missed += aimed && !met;
   }
   if (intoHoles > 0)
     tile.misses += 0.5F * (float(missed) / float(intoHoles) - tile.misses);

@@ -31,7 +31,9 @@ struct SampledHit
 /// Spreads a fixed number of rays over each tile of the pictures (thesis 3.2.1): half of them by
 /// a low-discrepancy sequence (R2, Roberts 2018) that goes on from frame to frame of an eye, half
 /// at pixels where nothing was drawn, as long as rays there still find something. A single ray goes
-/// to such pixels in every other frame.
+/// to such pixels in every other frame. A tile that has a ray a pixel gets them through the pixels'
+/// middles, where pictures are drawn: one call then meets all that the picture shows, and further
+/// ones of the same view meet the same. What is left of the number is spread as before.
 ///
 /// What is remembered of an eye is forgotten when 256 calls of Sample have gone by without it.
 ///
@@ -39,7 +41,8 @@ struct SampledHit
 class RaySampler
 {
 public:
-  static constexpr int TileSide = 16; ///< pixels
+  static constexpr int TileSide = 16;                    ///< pixels
+  static constexpr int TilePixels = TileSide * TileSide; ///< so many rays a tile are one a pixel
 
   struct Frame
   {

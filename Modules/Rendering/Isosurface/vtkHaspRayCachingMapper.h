@@ -118,7 +118,8 @@ public:
 
   ///@{
   /// Rays in a tile of 16x16 pixels, a frame and an eye: more make a picture complete in fewer
-  /// frames. 1 to 256, default 8. Not used where a frame budget is set.
+  /// frames. 1 to 256, default 8. 256 are one through each pixel's middle, for a still picture: it
+  /// is complete in two or three frames. Not used where a frame budget is set.
   vtkSetClampMacro(RaysPerTile, int, 1, 256);
   vtkGetMacro(RaysPerTile, int);
   ///@}
@@ -140,7 +141,8 @@ public:
   ///@}
 
   /// Did the last four frames of an eye, drawn from the cache alone, find something that it had
-  /// not? Then render again. Eyes that are no longer drawn do not count.
+  /// not (the last one, if it had a ray a pixel)? Then render again. Eyes that are no longer drawn
+  /// do not count.
   virtual bool IsRefining() const { return false; }
 
   /// Samples in this box of point indices (x0, x1, y0, y1, z0, z1; clamped to the image) have been

@@ -20,7 +20,8 @@ void CacheProgress::Sampled(const hasp::RayCache::Frame& frame, int rays, double
   this->Last = frame;
   this->Rays = rays;
   this->SampleMilliseconds = milliseconds;
-  this->QuietFrames = frame.Refining() ? 0 : std::min(this->QuietFrames + 1, RestsAfter);
+  const int quiet = rays >= MostRays ? RestsAfter : this->QuietFrames + 1;
+  this->QuietFrames = frame.Refining() ? 0 : std::min(quiet, RestsAfter);
   if (frame.hits == 0)
     return; // says nothing of how full the cache is
   const bool full = double(frame.known) >= Full * double(frame.hits);

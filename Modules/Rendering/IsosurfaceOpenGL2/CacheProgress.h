@@ -9,7 +9,7 @@
 class CacheProgress
 {
 public:
-  static constexpr int MostRays = 256; ///< a tile
+  static constexpr int MostRays = hasp::RaySampler::TilePixels; ///< a tile
 
   /// How many rays a tile fit into a budget in ms beside the drawing, by what the last frame took;
   /// `fixed` where there is no budget, or nothing is known.
@@ -25,7 +25,8 @@ public:
 
   /// Have the rays of the last frames met little that the cache did not hold?
   bool Filled() const { return this->FullFrames >= FilledAfter; }
-  /// Has the last frame shown the cache alone, and have rays of the last frames found more?
+  /// Has the last frame shown the cache alone, and have rays of the last frames found more? One
+  /// frame is enough to rest if it had a ray a pixel: the next would meet the same.
   bool Refining() const { return this->Alone && this->QuietFrames < RestsAfter; }
   /// Of the last frame: "; all pixels from the cache, which held 99.98 % of what 3120 rays met".
   /// Half of the rays look for holes, and some ahead of the camera.

@@ -376,6 +376,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCache(const Pass& pass)
 
 void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) const
 {
+  const std::size_t blocks = list.size(); // the first of ours
   this->Superclass::ListResources(list);
   const OpenGL& gl = *this->GL;
   list.push_back({ "drawn by", 0, 0.0, gl.Drew + gl.Share });
@@ -389,8 +390,16 @@ void vtkHaspOpenGLRayCachingMapper::ListResources(hasp::ResourceList& list) cons
   list.push_back(
     { "depth of the last pictures", gl.Eyes.Bytes(), 0.0, "rays look for holes in it" });
   gl.Raycasts.ListResources(list);
-  if (gl.Whole)
-    gl.Whole->ListResources(list);
-  else
-    list.push_back({ "active cells, host", 0, 0.0, "the cache was asked for" });
+  if (!gl.Whole)
+    return list.push_back({ "active cells, host", 0, 0.0, "the cache was asked for" });
+  hasp::ResourceList whole;
+  gl.Whole->ListResources(whole);
+  for (const hasp::ResourceUse& use : whole)
+    if (use.resource != list[blocks].resource)
+      list.push_back(use);
+    else // it has its own, for the extraction
+    {
+      list[blocks].bytes += use.bytes;
+      list[blocks].milliseconds += use.milliseconds;
+    }
 }

@@ -112,6 +112,36 @@ TEST(Report, AbsentIsAbsent)
   ExpectFault([](Report& r) { r.rows[1].rival.clear(); }, "which rival is absent");
 }
 
+TEST(Report, ABarIsMissedBeyondItsEnds)
+{
+  hasp::ReportRow row;
+  row.value = 0.5;
+  EXPECT_FALSE(Missed(row));
+  for (const auto& [bar, missed] :
+    { std::pair(hasp::ReportBar{ 0.5, {} }, false), { { 0.51, {} }, true }, { { {}, 0.5 }, false },
+      { { {}, 0.49 }, true }, { { 0.4, 0.6 }, false }, { { 0.4, 0.6, "dB", 0.7 }, true },
+      { { {}, 1.0, "dB", 0.7 }, false }, { { {}, 1.0, "dB", std::nan("") }, true } })
+  {
+    row.bars = { { 0.0, {} }, bar };
+    EXPECT_EQ(Missed(row), missed) << bar.least.value_or(-1) << " " << bar.most.value_or(-1);
+  }
+  row.value.reset();
+  row.bars = { { 0.0, {} } };
+  EXPECT_TRUE(Missed(row));
+}
+
+TEST(Report, ABarSaysSomethingOfAFigure)
+{
+  ExpectFault([](Report& r) { r.rows[0].bars = { {} }; }, "a bar that says nothing");
+  ExpectFault([](Report& r) { r.rows[1].bars = { { 1.0, {} } }; }, "a bar that says nothing");
+  ExpectFault(
+    [](Report& r) {
+      r.rows[0].bars = { { std::nan(""), {} } };
+    },
+    "a bar that says nothing");
+  EXPECT_EQ(FaultsAfter([](Report& r) { r.rows[0].bars = { { 9.0, {} } }; }), "") << "missed";
+}
+
 TEST(Report, UnusedMeansZero)
 {
   ExpectFault([](Report& r) { r.unused[0].bytes = 1; }, "listed as unused");

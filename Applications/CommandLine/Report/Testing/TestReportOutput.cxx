@@ -57,6 +57,35 @@ TEST(ReportJson, RefusesWhatJsonCannotSay)
   EXPECT_THROW(hasp::ReportJson(report), std::invalid_argument);
 }
 
+TEST(ReportJson, BarsSayWhetherTheyAreMissed)
+{
+  hasp::Report report = SampleReport();
+  EXPECT_FALSE(json::parse(hasp::ReportJson(report)).at("rows").at(0).contains("bar_missed"));
+  report.rows[0].bars = { { {}, 0.8 }, { 33.0, {}, "dB", 40.0 } };
+  json row = json::parse(hasp::ReportJson(report)).at("rows").at(0);
+  EXPECT_EQ(row.at("bar_missed"), false);
+  EXPECT_EQ(row.at("bars"), json::parse(R"([{"most": 0.8, "missed": false},
+    {"of": "dB", "figure": 40.0, "least": 33.0, "missed": false}])"));
+  report.rows[0].bars[0].most = 0.7;
+  report.rows[0].bars[1].figure = std::nan("");
+  row = json::parse(hasp::ReportJson(report)).at("rows").at(0);
+  EXPECT_EQ(row.at("bar_missed"), true);
+  EXPECT_EQ(row.at("bars"), json::parse(R"([{"most": 0.7, "missed": true},
+    {"of": "dB", "figure": null, "least": 33.0, "missed": true}])"));
+}
+
+/// Not "nan", which is no JSON: the row beside says that it does not pass.
+TEST(ReportJson, WhatBlewUpIsNull)
+{
+  hasp::Report report = SampleReport();
+  report.stability[0].figure = std::nan("");
+  EXPECT_THROW(hasp::ReportJson(report), std::invalid_argument) << "it passes";
+  report.stability[0].pass = false;
+  const std::string text = hasp::ReportJson(report);
+  EXPECT_TRUE(json::parse(text).at("stability").at(0).at("figure").is_null());
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
 TEST(ReportJson, SeveralReportsAreAnArray)
 {
   const std::vector<hasp::Report> one{ SampleReport() }, two{ SampleReport(), SampleReport() };
@@ -70,6 +99,27 @@ TEST(ReportText, SaysEveryFigureOnALine)
   EXPECT_NE(text.find("[0.7, 0.9] n 9  error 0.001 voxel  time 0.12 s"), std::string::npos) << text;
   EXPECT_NE(text.find("absent: HASP_ENABLE_EMBREE is OFF (Embree"), std::string::npos) << text;
   EXPECT_NE(text.find("0 bytes, 0 ms"), std::string::npos) << text;
+}
+
+TEST(ReportText, FlagsBarsThatAreMissed)
+{
+  hasp::Report report = SampleReport();
+  EXPECT_EQ(hasp::ReportText(report).find("bar"), std::string::npos);
+  const auto said = [&](
+                      bool missed, const std::vector<hasp::ReportBar>& bars, const std::string& bar)
+  {
+    report.rows[0].bars = bars;
+    const std::string text = hasp::ReportText(report), page = hasp::ReportHtml({ report });
+    const std::string sum = missed ? "1 of 1: cells.extract\n" : "0 of 1\n";
+    EXPECT_NE(text.find("  " + bar + "\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("rows that missed their bar: " + sum), std::string::npos) << text;
+    EXPECT_NE(page.find((missed ? "<td class=\"bad\">" : "<td>") + bar), std::string::npos);
+  };
+  said(false, { { 0.8, {} } }, "bar: at least 0.8");
+  said(true, { { {}, 0.7 } }, "bar missed: at most 0.7");
+  said(true, { { 0.8, 0.8 }, { 33, {}, "dB", 30.5 } },
+    "bar missed: exactly 0.8, dB 30.5 at least 33 (missed)");
+  said(false, { { -0.6, -0.4, "slope", -0.5 } }, "bar: slope -0.5 -0.6 to -0.4");
 }
 
 TEST(ReportHtml, HoldsEveryFigureAndNothingFromElsewhere)

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 namespace
 {
@@ -187,6 +189,41 @@ TEST_F(RaySampler, ForgetsAnEyeThatHasGone)
   for (int f = 0; f < 256; ++f)
     Sampler.Sample(Caster, { &other, 1 }, {}, 1);
   EXPECT_EQ(aimed(Sampler), first);
+}
+
+/// What a picture shows is what rays through its pixels' middles meet, once each.
+TEST_F(RaySampler, ARayAPixelMeetsAllThatAPictureShows)
+{
+  const hasp::PictureRays rays(Eye.view);
+  std::multiset<std::tuple<int, int, int>> shown;
+  for (int pixel = 0; pixel < 150 * 100; ++pixel)
+  {
+    hasp::CellRay ray;
+    ASSERT_TRUE(rays.Of(glm::dvec2(pixel % 150, pixel / 150) + 0.5, ray));
+    if (const auto hit = Caster.CastInIndex(ray.origin, ray.direction, ray.tMin, ray.tMax))
+      shown.insert({ hit->cell.x, hit->cell.y, hit->cell.z });
+  }
+  ASSERT_GT(shown.size(), 1000U);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    const auto sampled = Sampler.Sample(Caster, { &Eye, 1 }, {}, hasp::RaySampler::TilePixels);
+    EXPECT_EQ(sampled.rays, 256 * Tiles()) << "tiles at the border have more than their pixels";
+    std::multiset<std::tuple<int, int, int>> met;
+    for (const hasp::SampledHit& hit : sampled.hits)
+      met.insert({ hit.cell.x, hit.cell.y, hit.cell.z });
+    EXPECT_TRUE(std::includes(met.begin(), met.end(), shown.begin(), shown.end()));
+  }
+}
+
+TEST_F(RaySampler, ARayAPixelSaysWhichWasAHole)
+{
+  std::vector<float> depth(150 * 100, 0.5F);
+  depth[50 * 150 + 75] = depth[51 * 150 + 75] = 1.0F;
+  Eye.depth = depth;
+  const auto hits = Sampler.Sample(Caster, { &Eye, 1 }, {}, hasp::RaySampler::TilePixels).hits;
+  EXPECT_EQ(
+    std::count_if(hits.begin(), hits.end(), [](const hasp::SampledHit& hit) { return hit.inHole; }),
+    2);
 }
 
 TEST_F(RaySampler, StopsAtClippingPlanes)

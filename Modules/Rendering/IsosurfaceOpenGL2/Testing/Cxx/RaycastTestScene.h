@@ -156,4 +156,29 @@ struct RaycastScene : CellTestScene
   }
 };
 
+/// A ball in the middle of the window, drawn in one of the mapper's modes.
+struct RaycastBall : RaycastScene
+{
+  explicit RaycastBall(int mode)
+  {
+    this->Raycaster->SetMode(mode);
+    this->Show<std::int16_t>(AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
+  }
+  int FramesToRest(int most = 300)
+  {
+    int frame = 0;
+    do
+      this->Window->Render();
+    while (++frame < most && this->Raycaster->IsRefining());
+    return frame;
+  }
+  int SurfacePixels()
+  {
+    int count = 0;
+    for (const auto& point : this->Points())
+      count += point.has_value();
+    return count;
+  }
+};
+
 } // namespace hasp::testing

@@ -16,36 +16,13 @@ namespace
 using hasp::testing::Find;
 using hasp::testing::ObliqueGrid;
 using hasp::testing::RaycastScene;
+using Ball = hasp::testing::RaycastBall;
 using Mapper = vtkHaspRayCachingMapper;
 
 class RayCachingFaults : public ::testing::Test
 {
 protected:
   static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
-};
-
-struct Ball : RaycastScene
-{
-  explicit Ball(int mode)
-  {
-    this->Raycaster->SetMode(mode);
-    this->Show<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
-  }
-  int FramesToRest(int most = 300)
-  {
-    int frame = 0;
-    do
-      this->Window->Render();
-    while (++frame < most && this->Raycaster->IsRefining());
-    return frame;
-  }
-  int SurfacePixels()
-  {
-    int count = 0;
-    for (const auto& point : this->Points())
-      count += point.has_value();
-    return count;
-  }
 };
 
 /// An undo, or a filter that ran again: the mark says less than has happened.
@@ -225,6 +202,18 @@ TEST_F(RayCachingFaults, MasksHaveASurfaceAtEveryIsovalue)
       EXPECT_LE(judged.missed, judged.surface / 100) << isovalue;
       EXPECT_EQ(judged.invented, 0) << isovalue;
     }
+}
+
+/// Nobody but the mapper itself hears the ones inside it.
+TEST_F(RayCachingFaults, WhatAMapperInsideSaysIsSaidByTheOuterOne)
+{
+  Ball ball(Mapper::Automatic); // its first frame is all active cells, of a mapper inside
+  ball.Raycaster->SetIsoValue(std::nan(""));
+  ball.Draw();
+  ASSERT_EQ(ball.Errors.size(), 1U);
+  EXPECT_NE(ball.Errors[0].find("RayCachingMapper"), std::string::npos) << ball.Errors[0];
+  EXPECT_EQ(ball.Errors[0].find("ClusteredCellMapper"), std::string::npos) << ball.Errors[0];
+  EXPECT_NE(ball.Errors[0].find("isovalue"), std::string::npos) << ball.Errors[0];
 }
 
 /// What a small window measured is no verdict on a large one.

@@ -4,28 +4,19 @@
 #include "RaycastTestScene.h"
 
 #include <array>
+#include <set>
 
 namespace
 {
 
 using hasp::testing::Find;
 using hasp::testing::Names;
-using hasp::testing::ObliqueGrid;
-using hasp::testing::RaycastScene;
+using Ball = hasp::testing::RaycastBall;
 
 class RayCachingLives : public ::testing::Test
 {
 protected:
   static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
-};
-
-struct Ball : RaycastScene
-{
-  explicit Ball(int mode)
-  {
-    this->Raycaster->SetMode(mode);
-    this->Show<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
-  }
 };
 
 TEST_F(RayCachingLives, NothingIsMadeBeforeItIsDrawn)
@@ -131,7 +122,41 @@ TEST_F(RayCachingLives, SaysWhatDrewAndTheShareOfTheCache)
   EXPECT_EQ(drawnBy(ball.Raycaster), "raycast: asked for; no pixel from the cache");
 }
 
+TEST_F(RayCachingLives, NoResourceIsListedTwice)
+{
+  for (const int mode : { vtkHaspRayCachingMapper::Automatic, vtkHaspRayCachingMapper::Cache,
+         vtkHaspRayCachingMapper::RaycastSkipping })
+  {
+    Ball ball(mode);
+    ball.Draw();
+    hasp::ResourceList list;
+    ball.Raycaster->ListResources(list);
+    std::set<std::string> names;
+    for (const hasp::ResourceUse& use : list)
+      EXPECT_TRUE(names.insert(use.resource).second) << use.resource << ", mode " << mode;
+    EXPECT_TRUE(names.contains("min-max blocks"));
+  }
+  Ball cache(vtkHaspRayCachingMapper::Cache), automatic(vtkHaspRayCachingMapper::Automatic);
+  cache.Draw();
+  automatic.Draw();
+  EXPECT_EQ(Find(automatic.Raycaster, "min-max blocks").bytes,
+    2 * Find(cache.Raycaster, "min-max blocks").bytes)
+    << "those of the mapper inside are not left out";
+}
+
 /// All of the surface in every frame, while it tries what is faster, and afterwards.
+/// A still picture: all of it in the first frame, and the second finds nothing new.
+TEST_F(RayCachingLives, ARayAPixelCompletesAPictureAtOnce)
+{
+  Ball ball(vtkHaspRayCachingMapper::Cache);
+  ball.Raycaster->SetRaysPerTile(256);
+  EXPECT_LE(ball.FramesToRest(), 3);
+  ball.Draw();
+  const auto judged = ball.Judge(ball.Truth());
+  EXPECT_GT(judged.surface, 1000);
+  EXPECT_LE(judged.missed + judged.invented, 1);
+}
+
 TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
 {
   Ball ball(vtkHaspRayCachingMapper::Automatic);
@@ -145,6 +170,22 @@ TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
     ASSERT_LE(judged.missed + judged.invented, 1) << "frame " << frame;
   }
   EXPECT_NE(ball.Raycaster->GetModeChoice().find(" ms"), std::string::npos);
+}
+
+TEST_F(RayCachingLives, AnotherRendererIsMeasuredAnew)
+{
+  Ball ball(vtkHaspRayCachingMapper::Automatic);
+  const auto unknown = [&]
+  { return ball.Raycaster->GetModeChoice().find("cache not measured") != std::string::npos; };
+  for (int frame = 0; frame < 6; ++frame)
+    ball.Draw();
+  ASSERT_FALSE(unknown()) << ball.Raycaster->GetModeChoice();
+  ball.Raycaster->SetRenderer(ball.Raycaster->GetRenderer());
+  ball.Draw();
+  EXPECT_FALSE(unknown()) << "it is the same one";
+  ball.Raycaster->SetRenderer(vtkHaspClusteredCellMapper::Rasterize);
+  ball.Draw();
+  EXPECT_TRUE(unknown()) << ball.Raycaster->GetModeChoice();
 }
 
 TEST_F(RayCachingLives, TheFasterWayIsChosen)
