@@ -107,6 +107,17 @@ std::uint32_t LightBlockFinder::operator()(LightBlocks::Key key)
   return this->Found[slot];
 }
 
+void LightBlocks::Expect(Finder& finder, const LightPlace& place) const
+{
+  const Corners corners(place);
+  for (int c = 0; c < 8; c += 2)
+  {
+    const std::uint32_t block = finder(corners.KeyOfBlock(corners.blocks[c]));
+    if (block != None)
+      __builtin_prefetch(this->Sums.get() + std::size_t(block) * Entries + corners.entries[c]);
+  }
+}
+
 LightMean LightBlocks::Mean(Finder& finder, const LightPlace& place) const
 {
   static constexpr std::uint64_t nothing[Entries] = {};

@@ -50,6 +50,8 @@ public:
 
   using Finder = LightBlockFinder;
 
+  /// Mean will be asked for there: begins to fetch what it reads.
+  void Expect(Finder& finder, const LightPlace& place) const;
   LightMean Mean(Finder& finder, const LightPlace& place) const;
   /// Adds rays of which so many were open; what has no block is left out.
   void Add(Finder& finder, const LightPlace& place, int rays, int open);

@@ -133,6 +133,13 @@ private:
 
 } // namespace
 
+struct LightCache::TileHit
+{
+  std::size_t pixel;
+  CellHit hit;
+  LightPlace place;
+};
+
 /// What the pixels of a tile have to say in a frame. The vectors keep their memory.
 struct LightCache::Tile
 {
@@ -146,6 +153,7 @@ struct LightCache::Tile
     std::size_t pixel;
     LightPlace place;
   };
+  std::vector<TileHit> hits;
   std::vector<Sample> samples;
   std::vector<Doubtful> doubtful; ///< whose light is looked up once the frame's rays are added
   std::vector<LightBlocks::Key> missing;
@@ -156,6 +164,7 @@ struct LightCache::Tile
 
   void Begin(std::uint32_t number)
   {
+    this->hits.clear();
     this->samples.clear();
     this->doubtful.clear();
     this->missing.clear();
@@ -232,23 +241,29 @@ void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight
     tile->Begin(static_cast<std::uint32_t>(number));
   LightBlocks::Finder finder(this->Blocks.get());
   Shadows shadows(seen.tracer, settings.light, light);
-  std::size_t cluster = 0;
   EachHit(seen.picture, number,
     [&](std::size_t pixel)
     {
-      const CellHit hit = seen.view.HitOf(pixel, cluster);
+      const CellHit hit = seen.view.HitOf(pixel);
       shadows.Add(hit, pixel);
-      if (tile)
-        light[pixel].x = ToByte(this->Gather(seen, hit, pixel, *tile, finder));
+      if (!tile)
+        return;
+      const LightPlace place = seen.view.PlaceOf(hit);
+      this->Blocks->Expect(finder, place);
+      this->Blocks->Expect(finder, place.Coarser());
+      tile->hits.push_back({ pixel, hit, place });
     });
   shadows.Finish();
+  if (tile)
+    for (const TileHit& hit : tile->hits)
+      light[hit.pixel].x = ToByte(this->Gather(seen, hit, *tile, finder));
 }
 
 /// What is known of a hit's openness, and rays to know more.
-float LightCache::Gather(const Picture& seen, const CellHit& hit, std::size_t pixel, Tile& tile,
-  LightBlocks::Finder& finder)
+float LightCache::Gather(
+  const Picture& seen, const TileHit& hit, Tile& tile, LightBlocks::Finder& finder)
 {
-  const LightPlace place = seen.view.PlaceOf(hit);
+  const auto& [pixel, found, place] = hit;
   const LightMean known = Known(*this->Blocks, finder, place);
   if (known.samples < Few)
     tile.doubtful.push_back({ pixel, place });
@@ -261,7 +276,7 @@ float LightCache::Gather(const Picture& seen, const CellHit& hit, std::size_t pi
     return known.open;
   int open = 0;
   for (int n = 0; n < rays; ++n)
-    open += seen.tracer.Open(hit, tile.directions->Next(), this->Distance);
+    open += seen.tracer.Open(found, tile.directions->Next(), this->Distance);
   tile.rays += rays;
   tile.samples.push_back({ place, rays, open });
   this->Blocks->ListMissing(finder, place, tile.missing);
@@ -273,14 +288,13 @@ float LightCache::Gather(const Picture& seen, const CellHit& hit, std::size_t pi
 void LightCache::Settle(const Picture& seen, const Tile& tile, PictureLight& light)
 {
   LightBlocks::Finder finder(this->Blocks.get());
-  std::size_t cluster = 0;
   for (const Tile::Doubtful& one : tile.doubtful)
   {
     const LightMean known = Known(*this->Blocks, finder, one.place);
     // Nothing after all: the table is too small for this picture.
     const float open = known.samples > 0.0F
                          ? known.open
-                         : seen.tracer.AmbientOcclusion(seen.view.HitOf(one.pixel, cluster),
+                         : seen.tracer.AmbientOcclusion(seen.view.HitOf(one.pixel),
                              { static_cast<int>(FirstRays), this->Distance },
                              static_cast<std::uint32_t>(one.pixel) + 0x9E3779B9U * this->Now);
     light[one.pixel].x = ToByte(open);
@@ -329,6 +343,11 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
     [&](std::int64_t tile)
     {
       LightBlocks::Finder finder(this->Blocks.get());
+      for (const Tile::Sample& sample : this->Tiles[tile].samples)
+      {
+        this->Blocks->Expect(finder, sample.place);
+        this->Blocks->Expect(finder, sample.place.Coarser());
+      }
       for (const Tile::Sample& sample : this->Tiles[tile].samples)
       {
         this->Blocks->Add(finder, sample.place, sample.rays, sample.open);

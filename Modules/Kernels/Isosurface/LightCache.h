@@ -83,8 +83,8 @@ private:
   struct Picture;
   void Watch(const ClusteredCells& cells, double distance);
   void CastRays(const Picture& seen, std::int64_t number, PictureLight& light);
-  float Gather(const Picture& seen, const CellHit& hit, std::size_t pixel, Tile& tile,
-    LightBlockFinder& finder);
+  struct TileHit;
+  float Gather(const Picture& seen, const TileHit& hit, Tile& tile, LightBlockFinder& finder);
   void Settle(const Picture& seen, const Tile& tile, PictureLight& light);
 
   LightCacheSettings Settings;
