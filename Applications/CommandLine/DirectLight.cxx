@@ -48,11 +48,10 @@ struct DirectLight::Internals
 /// What the pixel shows; fromInside is left out.
 CellHit DirectLight::Internals::HitOf(std::size_t pixel) const
 {
-  const ClusteredCells& cells = this->tracer.Cells();
   CellHit hit{};
   hit.number = this->traced.cells[pixel];
-  hit.cell = cells.CellIn(cells.ClusterOf(hit.number), hit.number);
-  hit.local = glm::vec3(this->traced.places[pixel]);
+  hit.cell = this->traced.corners[pixel];
+  hit.local = this->traced.places[pixel];
   hit.gradient = glm::vec3(this->traced.gradients[pixel]);
   return hit;
 }

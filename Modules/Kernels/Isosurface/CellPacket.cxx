@@ -139,9 +139,8 @@ void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits
     if (hits >> n & 1U)
     {
       local = { packet.local[0][n], packet.local[1][n], packet.local[2][n] };
-      const std::uint32_t place = static_cast<std::uint32_t>(packet.place[n]);
-      const glm::ivec3 cell = store.clusters[packet.cluster[n]].Origin() +
-                              glm::ivec3(place & 7U, place >> 3U & 7U, place >> 6U);
+      const glm::ivec3 cell =
+        CellAt(store.clusters[packet.cluster[n]], static_cast<std::uint32_t>(packet.place[n]));
       const glm::dvec4 clip = indexToClip * glm::dvec4(glm::dvec3(cell) + glm::dvec3(local), 1.0);
       gradient = { glsl::HaspTrilinearGradient(four(0, n), four(4, n), local),
         static_cast<float>(std::clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0)) };
@@ -149,18 +148,25 @@ void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits
     pixels.places[n] = local;
     pixels.gradients[n] = gradient;
   }
-  NumberCells(store, packet, hits, pixels);
+  NameCells(store, packet, hits, pixels);
 }
 
 } // namespace singly
 
-void NumberCells(
+void NameCells(
   const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels)
 {
   for (int n = 0; n < CellPacket::Size; ++n)
-    pixels.cells[n] = hits >> n & 1U ? CellNumber(store.clusters[packet.cluster[n]],
-                                         static_cast<std::uint32_t>(packet.place[n]))
-                                     : TracedPicture::Nothing;
+  {
+    pixels.cells[n] = TracedPicture::Nothing;
+    pixels.corners[n] = glm::ivec3(0);
+    if ((hits >> n & 1U) == 0)
+      continue;
+    const CellCluster& cluster = store.clusters[packet.cluster[n]];
+    const auto place = static_cast<std::uint32_t>(packet.place[n]);
+    pixels.cells[n] = CellNumber(cluster, place);
+    pixels.corners[n] = CellAt(cluster, place);
+  }
 }
 
 #if !HASP_WITH_HIGHWAY

@@ -45,6 +45,7 @@ struct alignas(64) CellPixels
   glm::vec4 gradients[CellPacket::Size];
   glm::vec3 places[CellPacket::Size];
   std::uint32_t cells[CellPacket::Size];
+  glm::ivec3 corners[CellPacket::Size];
 };
 
 /// The rays of the pixels from `from` on, Side a row; which of them the picture's planes leave.
@@ -64,8 +65,8 @@ CellPacketWalk ChooseCellPacketWalk(CornerType type, CellPrecision precision);
 void EndCellPacket(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits,
   const glm::dmat4& indexToClip, CellPixels& pixels);
 
-/// The numbers of the cells hit.
-void NumberCells(
+/// The numbers and places of the cells hit.
+void NameCells(
   const CellStore& store, const CellPacket& packet, CellPacket::Rays hits, CellPixels& pixels);
 
 /// What the functions above do side by side, in the CPU's widest instructions: one ray after the

@@ -194,7 +194,7 @@ void End(const CellStore& store, const CellPacket& packet, CellPacket::Rays hits
 {
   for (int first = 0; first < CellPacket::Size; first += Lanes)
     EndLanes(store, packet, MaskOf(hits >> first), first, indexToClip, pixels);
-  NumberCells(store, packet, hits, pixels);
+  NameCells(store, packet, hits, pixels);
 }
 
 #else

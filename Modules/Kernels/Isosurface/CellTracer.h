@@ -35,7 +35,10 @@ struct TracedPicture
   std::vector<std::uint32_t> cells; ///< number of the active cell met, or Nothing
   /// Per index step, as CellHit's; depth, [0,1] as in a window, or NoDepth.
   std::vector<glm::vec4> gradients;
-  std::vector<glm::vec3> places; ///< hit in the cell, [0,1]^3; 0 where nothing is
+  /// Where something was met, for most of a picture may be empty and memory is what it costs;
+  /// elsewhere they keep what was there, 0 in a new picture.
+  std::vector<glm::vec3> places;   ///< hit in the cell, [0,1]^3
+  std::vector<glm::ivec3> corners; ///< lowest sample of the cell, index coordinates
 };
 
 struct AmbientOcclusionSettings

@@ -15,35 +15,39 @@ namespace
 constexpr int TileSide = 16; // pixels: one piece of work
 constexpr int PacketSide = CellPacket::Side;
 
-/// What a picture has where nothing is hit.
-const CellPixels& Background()
-{
-  static const CellPixels pixels = []
-  {
-    CellPixels none{};
-    for (int n = 0; n < CellPacket::Size; ++n)
-    {
-      none.gradients[n].w = TracedPicture::NoDepth;
-      none.cells[n] = TracedPicture::Nothing;
-    }
-    return none;
-  }();
-  return pixels;
-}
-
-/// Writes the pixels of a packet that lie in the picture.
-void Write(const CellPixels& pixels, const glm::ivec2& from, TracedPicture& picture)
+/// body(pixel, first, columns) for each row of a packet that lies in the picture: `columns` pixels
+/// from `pixel` on are those of the packet from `first` on.
+template <typename Body>
+void EachRow(const glm::ivec2& from, const TracedPicture& picture, const Body& body)
 {
   const int columns = std::min(PacketSide, picture.size.x - from.x);
   const int rows = std::min(PacketSide, picture.size.y - from.y);
   for (int y = 0; y < rows; ++y)
-  {
-    const int first = y * PacketSide;
-    const std::size_t pixel = static_cast<std::size_t>(from.y + y) * picture.size.x + from.x;
-    std::copy_n(pixels.cells + first, columns, &picture.cells[pixel]);
-    std::copy_n(pixels.gradients + first, columns, &picture.gradients[pixel]);
-    std::copy_n(pixels.places + first, columns, &picture.places[pixel]);
-  }
+    body(static_cast<std::size_t>(from.y + y) * picture.size.x + from.x, y * PacketSide, columns);
+}
+
+void Write(const CellPixels& pixels, const glm::ivec2& from, TracedPicture& picture)
+{
+  EachRow(from, picture,
+    [&](std::size_t pixel, int first, int columns)
+    {
+      std::copy_n(pixels.cells + first, columns, &picture.cells[pixel]);
+      std::copy_n(pixels.gradients + first, columns, &picture.gradients[pixel]);
+      std::copy_n(pixels.places + first, columns, &picture.places[pixel]);
+      std::copy_n(pixels.corners + first, columns, &picture.corners[pixel]);
+    });
+}
+
+/// Nothing is hit.
+void WriteBackground(const glm::ivec2& from, TracedPicture& picture)
+{
+  EachRow(from, picture,
+    [&](std::size_t pixel, int, int columns)
+    {
+      std::fill_n(&picture.cells[pixel], columns, TracedPicture::Nothing);
+      std::fill_n(
+        &picture.gradients[pixel], columns, glm::vec4(0.0F, 0.0F, 0.0F, TracedPicture::NoDepth));
+    });
 }
 
 } // namespace
@@ -59,6 +63,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
   picture.cells.resize(pixels);
   picture.gradients.resize(pixels);
   picture.places.resize(pixels);
+  picture.corners.resize(pixels);
 
   const auto packet = [&](const glm::ivec2& from)
   {
@@ -67,7 +72,7 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
     CellPacket walks;
     some &= this->Embree->Enter(given, walks);
     if (some == 0)
-      return Write(Background(), from, picture);
+      return WriteBackground(from, picture);
     this->Embree->Nearest(some, walks);
     CellPixels found;
     this->Embree->PixelsOf(walks, some, view.indexToClip, found);

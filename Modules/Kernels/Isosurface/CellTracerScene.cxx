@@ -350,11 +350,10 @@ void CellTracer::Scene::PixelsOf(const CellPacket& packet, CellPacket::Rays whic
 CellHit CellTracer::Scene::HitOf(const CellWalkRay& walk, const CellWalkEntry& entry) const
 {
   const CellCluster& cluster = this->Shared->clusters[walk.cluster];
-  const glm::ivec3 inCluster(walk.place & 7U, walk.place >> 3U & 7U, walk.place >> 6U);
   CellHit hit{};
   hit.t = (entry.moved + walk.t) / entry.length;
   hit.number = CellNumber(cluster, walk.place);
-  hit.cell = cluster.Origin() + inCluster;
+  hit.cell = CellAt(cluster, walk.place);
   hit.local = { walk.local[0], walk.local[1], walk.local[2] };
   hit.gradient = glsl::HaspTrilinearGradient({ walk.low[0], walk.low[1], walk.low[2], walk.low[3] },
     { walk.high[0], walk.high[1], walk.high[2], walk.high[3] }, hit.local);

@@ -88,6 +88,11 @@ bool BeginWalk(
 
 /// The number of the active cell at a place x | y << 3 | z << 6 of the cluster.
 std::uint32_t CellNumber(const CellCluster& cluster, std::uint32_t place);
+/// The lowest sample of the cell there.
+inline glm::ivec3 CellAt(const CellCluster& cluster, std::uint32_t place)
+{
+  return cluster.Origin() + glm::ivec3(place & 7U, place >> 3U & 7U, place >> 6U);
+}
 
 /// The walk for cells of this kind, in the CPU's widest instructions; the result is the same in
 /// all.

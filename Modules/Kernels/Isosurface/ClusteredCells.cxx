@@ -77,12 +77,7 @@ std::size_t ClusteredCells::ClusterOf(std::size_t n) const
 
 glm::ivec3 ClusteredCells::Cell(std::size_t n) const
 {
-  return this->CellIn(this->ClusterOf(n), n);
-}
-
-glm::ivec3 ClusteredCells::CellIn(std::size_t number, std::size_t n) const
-{
-  const CellCluster& cluster = this->clusters[number];
+  const CellCluster& cluster = this->clusters[this->ClusterOf(n)];
   auto left = static_cast<std::uint32_t>(n - cluster.firstCell);
   int z = 0;
   while (static_cast<int>(left) >= std::popcount(cluster.active[z]))

@@ -108,8 +108,6 @@ struct ClusteredCells
   std::size_t ClusterOf(std::size_t n) const;
   /// The volume cell of active cell n: its corner (0,0,0) is sample Cell(n). O(log clusters).
   glm::ivec3 Cell(std::size_t n) const;
-  /// The same where its cluster is known. O(1).
-  glm::ivec3 CellIn(std::size_t cluster, std::size_t n) const;
   /// The number of the active cell at this place; nothing if it is not active. O(log clusters).
   std::optional<std::size_t> Find(const glm::ivec3& cell) const;
   /// Its 8 samples minus the isovalue, x fastest, as drawing and ray tracing see them: the

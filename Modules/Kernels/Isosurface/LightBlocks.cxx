@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr int Ways = 8;
+constexpr std::uint32_t None = LightSpot::None;
 constexpr int PlaceBits = 18;   // of a block along an axis
 constexpr float Whole = 128.0F; // the weight of a sample: 2^25 of them fit into a sum
 
@@ -39,7 +40,7 @@ struct Corners
   LightBlocks::Key first;  ///< of the block of the lowest corner
   std::uint32_t blocks[8]; ///< how many blocks on from there, a bit an axis
   int entries[8];          ///< in that block
-  float weights[8];        ///< trilinear, whole numbers, about Whole together
+  std::uint8_t weights[8]; ///< trilinear, about Whole together
 
   explicit Corners(const LightPlace& place) : first(KeyOf(place, place.corner >> 2))
   {
@@ -52,7 +53,7 @@ struct Corners
       this->entries[c] = (z & 3) << 4 | (y & 3) << 2 | (x & 3);
       const float share =
         (c & 1 ? high.x : low.x) * (c & 2 ? high.y : low.y) * (c & 4 ? high.z : low.z);
-      this->weights[c] = static_cast<float>(static_cast<int>(Whole * share + 0.5F));
+      this->weights[c] = static_cast<std::uint8_t>(Whole * share + 0.5F);
     }
   }
 
@@ -100,48 +101,60 @@ std::uint32_t LightBlockFinder::operator()(LightBlocks::Key key)
   {
     this->Keys[slot] = key;
     this->Found[slot] = this->Blocks->Find(key);
-    if (this->Found[slot] != LightBlocks::None)
+    if (this->Found[slot] != LightSpot::None)
       std::atomic_ref(this->Blocks->Used[this->Found[slot]])
         .store(this->Blocks->Now, std::memory_order_relaxed);
   }
   return this->Found[slot];
 }
 
-LightMean LightBlocks::Mean(Finder& finder, const LightPlace& place) const
+LightSpot LightBlocks::Find(Finder& finder, const LightPlace& place) const
 {
-  static constexpr std::uint64_t nothing[Entries] = {};
   const Corners corners(place);
-  const std::uint64_t* sums[8] = {};
-  float open = 0.0F, samples = 0.0F;
+  LightSpot spot;
+  spot.whole = true;
+  std::uint32_t blocks[8];
+  std::uint32_t known = 0; // which of blocks
   for (int c = 0; c < 8; ++c)
   {
-    const std::uint64_t*& block = sums[corners.blocks[c]];
-    if (!block)
+    const std::uint32_t steps = corners.blocks[c];
+    if ((known >> steps & 1U) == 0)
     {
-      const std::uint32_t found = finder(corners.KeyOfBlock(corners.blocks[c]));
-      block = found == None ? nothing : this->Sums.get() + std::size_t(found) * Entries;
+      known |= 1U << steps;
+      blocks[steps] = finder(corners.KeyOfBlock(steps));
+      spot.whole = spot.whole && blocks[steps] != None;
     }
-    const std::uint64_t sum = block[corners.entries[c]];
-    open += corners.weights[c] * static_cast<float>(static_cast<std::uint32_t>(sum >> 32U));
-    samples += corners.weights[c] * static_cast<float>(static_cast<std::uint32_t>(sum));
+    spot.sums[c] = blocks[steps] == None ? None : blocks[steps] * Entries + corners.entries[c];
+    spot.weights[c] = corners.weights[c];
+    if (spot.sums[c] != None)
+      __builtin_prefetch(&this->Sums[spot.sums[c]]);
   }
-  if (samples == 0.0F)
-    return {};
-  return { open / samples, samples / (Whole * Whole) };
+  return spot;
 }
 
-void LightBlocks::Add(Finder& finder, const LightPlace& place, int rays, int open)
+LightMean LightBlocks::Mean(const LightSpot& spot) const
 {
-  const Corners corners(place);
-  const std::uint64_t sample = std::uint64_t(open) << 32U | std::uint64_t(rays);
+  std::uint64_t open = 0, samples = 0;
   for (int c = 0; c < 8; ++c)
   {
-    const std::uint32_t block = finder(corners.KeyOfBlock(corners.blocks[c]));
-    if (block != None)
-      std::atomic_ref(this->Sums[std::size_t(block) * Entries + corners.entries[c]])
-        .fetch_add(
-          sample * static_cast<std::uint64_t>(corners.weights[c]), std::memory_order_relaxed);
+    if (spot.sums[c] == None)
+      continue;
+    const std::uint64_t sum = this->Sums[spot.sums[c]];
+    open += spot.weights[c] * (sum >> 32U);
+    samples += spot.weights[c] * (sum & 0xFFFFFFFFU);
   }
+  if (samples == 0)
+    return {};
+  return { float(double(open) / double(samples)), static_cast<float>(samples) / (Whole * Whole) };
+}
+
+void LightBlocks::Add(const LightSpot& spot, int rays, int open)
+{
+  const std::uint64_t sample = std::uint64_t(open) << 32U | std::uint64_t(rays);
+  for (int c = 0; c < 8; ++c)
+    if (spot.sums[c] != None && spot.weights[c] != 0)
+      std::atomic_ref(this->Sums[spot.sums[c]])
+        .fetch_add(sample * spot.weights[c], std::memory_order_relaxed);
 }
 
 void LightBlocks::ListMissing(

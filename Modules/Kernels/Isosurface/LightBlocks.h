@@ -30,6 +30,15 @@ struct LightMean
   float samples = 0.0F; ///< weights included
 };
 
+/// A place's lattice corners in the table, x fastest.
+struct LightSpot
+{
+  static constexpr std::uint32_t None = 0xFFFFFFFFU;
+  std::uint32_t sums[8];   ///< which of the table; None if the block is not there
+  std::uint8_t weights[8]; ///< trilinear, in 1/128
+  bool whole;              ///< no block is missing
+};
+
 class LightBlockFinder;
 
 /// Sums at lattice corners in blocks of 4^3, in a table of fixed size: 8 ways a bucket. What was
@@ -40,7 +49,6 @@ class LightBlockFinder;
 class LightBlocks
 {
 public:
-  static constexpr std::uint32_t None = 0xFFFFFFFFU;
   static constexpr int Side = 4, Entries = Side * Side * Side;
   using Key = std::uint64_t; ///< never 0
 
@@ -50,9 +58,12 @@ public:
 
   using Finder = LightBlockFinder;
 
-  LightMean Mean(Finder& finder, const LightPlace& place) const;
+  /// Where the place's sums are, until the next Forget; begins to fetch them. What is missing may
+  /// be there after Make.
+  LightSpot Find(Finder& finder, const LightPlace& place) const;
+  LightMean Mean(const LightSpot& spot) const;
   /// Adds rays of which so many were open; what has no block is left out.
-  void Add(Finder& finder, const LightPlace& place, int rays, int open);
+  void Add(const LightSpot& spot, int rays, int open);
   /// The blocks that the place's corners lie in and that are not there, appended; a place's weight
   /// may make a corner's share 0.
   void ListMissing(Finder& finder, const LightPlace& place, std::vector<Key>& missing) const;

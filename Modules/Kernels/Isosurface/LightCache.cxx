@@ -12,6 +12,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hasp
 {
@@ -21,12 +22,12 @@ namespace
 
 constexpr int TileSide = 16; // pixels
 
-// Samples, as LightMean counts. Measured on a noisy head: more of either costs rays and brings
-// little.
-constexpr float Few = 5.0F; // below this a pixel casts FirstRays
+// Samples, as LightMean counts. Measured on a noisy head: more of Few costs rays and brings little.
+constexpr float Few = 4.5F; // below this a pixel casts FirstRays
 constexpr double FirstRays = 3.0;
-constexpr float Coarse = 8.0F;  // what the coarser lattice counts for where the finer knows nothing
-constexpr float Enough = 16.0F; // and above this the finer one is alone
+constexpr float Coarse = 24.0F; // what the coarser lattice counts for where the finer knows nothing
+constexpr float Enough = 256.0F;  // and above this the finer one is alone
+constexpr float Settled = 256.0F; // and above this a view that stays casts no more than others
 constexpr float Plenty = 4096.0F; // and above this no more rays are cast
 
 void Require(bool condition, const char* what, double value, const char* range)
@@ -80,55 +81,33 @@ void EachTile(const TracedPicture& picture, const Body& body)
     });
 }
 
-/// What both lattices say of a place. No samples: nothing is known.
-LightMean Known(const LightBlocks& blocks, LightBlocks::Finder& finder, const LightPlace& place)
+/// A place on the surface and where both lattices keep its light.
+struct LitPlace
 {
-  const LightMean fine = blocks.Mean(finder, place);
-  if (fine.samples >= Enough)
-    return fine;
-  const LightMean coarse = blocks.Mean(finder, place.Coarser());
-  if (coarse.samples == 0.0F)
-    return fine;
-  const float share = Coarse * (1.0F - fine.samples / Enough);
-  return { (fine.samples * fine.open + share * coarse.open) / (fine.samples + share),
-    std::max(fine.samples, 1e-6F) };
-}
+  LightPlace place;
+  LightSpot fine, coarse;
 
-/// Hits one after the other, of which many see the light at once.
-class Shadows
-{
-public:
-  Shadows(const CellTracer& tracer, const std::optional<glm::dvec4>& from, PictureLight& pixels)
-    : Tracer(tracer),
-      From(from),
-      Pixels(pixels)
+  LitPlace() = default;
+  LitPlace(const LightBlocks& blocks, LightBlocks::Finder& finder, const LightPlace& found)
+    : place(found),
+      fine(blocks.Find(finder, found)),
+      coarse(blocks.Find(finder, found.Coarser()))
   {
-  }
-  void Add(const CellHit& hit, std::size_t pixel)
-  {
-    if (!this->From)
-      return;
-    this->Hits[this->Count] = hit;
-    this->Places[this->Count++] = pixel;
-    if (this->Count == CellTracer::PacketSize)
-      this->Finish();
-  }
-  void Finish()
-  {
-    if (this->Count == 0)
-      return;
-    const std::uint32_t seen = this->Tracer.Sees({ this->Hits, this->Count }, *this->From);
-    for (std::size_t n = 0; n < this->Count; ++n)
-      this->Pixels[this->Places[n]].y = seen >> n & 1U ? 255 : 0;
-    this->Count = 0;
   }
 
-private:
-  const CellTracer& Tracer;
-  const std::optional<glm::dvec4>& From;
-  PictureLight& Pixels;
-  CellHit Hits[CellTracer::PacketSize];
-  std::size_t Places[CellTracer::PacketSize], Count = 0;
+  /// What both say. No samples: nothing is known.
+  LightMean Known(const LightBlocks& blocks) const
+  {
+    const LightMean finer = blocks.Mean(this->fine);
+    if (finer.samples >= Enough)
+      return finer;
+    const LightMean coarser = blocks.Mean(this->coarse);
+    if (coarser.samples == 0.0F)
+      return finer;
+    const float share = Coarse * (1.0F - finer.samples / Enough);
+    return { (finer.samples * finer.open + share * coarser.open) / (finer.samples + share),
+      std::max(finer.samples, 1e-6F) };
+  }
 };
 
 } // namespace
@@ -138,7 +117,7 @@ struct LightCache::Tile
 {
   struct Sample
   {
-    LightPlace place;
+    LitPlace at;
     int rays, open;
   };
   struct Doubtful
@@ -150,18 +129,16 @@ struct LightCache::Tile
   std::vector<Doubtful> doubtful; ///< whose light is looked up once the frame's rays are added
   std::vector<LightBlocks::Key> missing;
   std::int64_t rays = 0;
-  /// Both go on from frame to frame: what a place gathers is even over its hemisphere.
-  std::optional<EvenPoints> directions;
-  double due = 0.0; ///< rays; the whole part is cast
+  EvenPoints directions{ 0 };
+  double due = 0.0; ///< rays, from frame to frame; the whole part is cast
 
-  void Begin(std::uint32_t number)
+  void Begin(std::uint32_t number, std::uint32_t picture)
   {
     this->samples.clear();
     this->doubtful.clear();
     this->missing.clear();
     this->rays = 0;
-    if (!this->directions)
-      this->directions.emplace(number);
+    this->directions = EvenPoints(number, picture);
   }
 };
 
@@ -172,6 +149,17 @@ struct LightCache::Picture
   const CellTracer& tracer;
   const TracedPicture& picture;
   const PictureLightSettings& settings;
+  bool stays; ///< one of the last two showed the same view
+};
+
+/// Hits one after the other: many see the light at once, and what is known of the first arrives
+/// from memory while the others are looked for.
+struct LightCache::Group
+{
+  static constexpr std::size_t Size = CellTracer::PacketSize;
+  std::size_t count = 0, pixels[Size];
+  CellHit hits[Size];
+  LitPlace places[Size];
 };
 
 LightCache::LightCache(const LightCacheSettings& settings) : Settings(settings)
@@ -226,61 +214,94 @@ void LightCache::Watch(const ClusteredCells& cells, double distance)
 /// The light of a tile's pixels, as far as it is known before the frame's rays are added.
 void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight& light)
 {
-  const PictureLightSettings& settings = seen.settings;
-  Tile* tile = settings.ambientDistanceMm ? &this->Tiles[number] : nullptr;
+  Tile* tile = seen.settings.ambientDistanceMm ? &this->Tiles[number] : nullptr;
   if (tile)
-    tile->Begin(static_cast<std::uint32_t>(number));
+    tile->Begin(static_cast<std::uint32_t>(number), this->Now);
   LightBlocks::Finder finder(this->Blocks.get());
-  Shadows shadows(seen.tracer, settings.light, light);
-  std::size_t cluster = 0;
+  Group group;
+  const auto finish = [&]
+  {
+    if (seen.settings.light && group.count > 0)
+    {
+      const std::uint32_t sees =
+        seen.tracer.Sees({ group.hits, group.count }, *seen.settings.light);
+      for (std::size_t n = 0; n < group.count; ++n)
+        light[group.pixels[n]].y = sees >> n & 1U ? 255 : 0;
+    }
+    for (std::size_t n = 0; tile && n < group.count; ++n)
+      light[group.pixels[n]].x = ToByte(this->Gather(seen, group, n, *tile, finder));
+    group.count = 0;
+  };
   EachHit(seen.picture, number,
     [&](std::size_t pixel)
     {
-      const CellHit hit = seen.view.HitOf(pixel, cluster);
-      shadows.Add(hit, pixel);
+      const CellHit& hit = group.hits[group.count] = seen.view.HitOf(pixel);
       if (tile)
-        light[pixel].x = ToByte(this->Gather(seen, hit, pixel, *tile, finder));
+        group.places[group.count] = { *this->Blocks, finder, seen.view.PlaceOf(hit) };
+      group.pixels[group.count] = pixel;
+      if (++group.count == Group::Size)
+        finish();
     });
-  shadows.Finish();
+  finish();
 }
 
-/// What is known of a hit's openness, and rays to know more.
-float LightCache::Gather(const Picture& seen, const CellHit& hit, std::size_t pixel, Tile& tile,
-  LightBlocks::Finder& finder)
+/// To be cast for a pixel that knows so many samples.
+double LightCache::RaysFor(float samples, bool stays) const
 {
-  const LightPlace place = seen.view.PlaceOf(hit);
-  const LightMean known = Known(*this->Blocks, finder, place);
+  if (samples < Few || (stays && samples < Settled))
+    return FirstRays;
+  return samples < Plenty ? this->Settings.raysAPixel : 0.0;
+}
+
+/// What is known of the openness of a group's hit n, and rays to know more.
+float LightCache::Gather(
+  const Picture& seen, const Group& group, std::size_t n, Tile& tile, LightBlocks::Finder& finder)
+{
+  const LitPlace& at = group.places[n];
+  const LightMean known = at.Known(*this->Blocks);
   if (known.samples < Few)
-    tile.doubtful.push_back({ pixel, place });
-  tile.due += known.samples < Few      ? FirstRays
-              : known.samples < Plenty ? this->Settings.raysAPixel
-                                       : 0.0;
+    tile.doubtful.push_back({ group.pixels[n], at.place });
+  tile.due += this->RaysFor(known.samples, seen.stays);
   const int rays = static_cast<int>(tile.due);
   tile.due -= rays;
   if (rays == 0)
     return known.open;
   int open = 0;
-  for (int n = 0; n < rays; ++n)
-    open += seen.tracer.Open(hit, tile.directions->Next(), this->Distance);
+  for (int ray = 0; ray < rays; ++ray)
+    open += seen.tracer.Open(group.hits[n], tile.directions.Next(), this->Distance);
   tile.rays += rays;
-  tile.samples.push_back({ place, rays, open });
-  this->Blocks->ListMissing(finder, place, tile.missing);
-  this->Blocks->ListMissing(finder, place.Coarser(), tile.missing);
+  tile.samples.push_back({ at, rays, open });
+  if (!at.fine.whole)
+    this->Blocks->ListMissing(finder, at.place, tile.missing);
+  if (!at.coarse.whole)
+    this->Blocks->ListMissing(finder, at.place.Coarser(), tile.missing);
   return known.open;
+}
+
+/// Adds a tile's rays to both lattices.
+void LightCache::AddRays(const Tile& tile)
+{
+  LightBlocks::Finder finder(this->Blocks.get());
+  for (const Tile::Sample& sample : tile.samples)
+  {
+    const bool whole = sample.at.fine.whole && sample.at.coarse.whole; // else there is more by now
+    const LitPlace at = whole ? sample.at : LitPlace(*this->Blocks, finder, sample.at.place);
+    this->Blocks->Add(at.fine, sample.rays, sample.open);
+    this->Blocks->Add(at.coarse, sample.rays, sample.open);
+  }
 }
 
 /// The light of the pixels that knew too little before this frame.
 void LightCache::Settle(const Picture& seen, const Tile& tile, PictureLight& light)
 {
   LightBlocks::Finder finder(this->Blocks.get());
-  std::size_t cluster = 0;
   for (const Tile::Doubtful& one : tile.doubtful)
   {
-    const LightMean known = Known(*this->Blocks, finder, one.place);
+    const LightMean known = LitPlace(*this->Blocks, finder, one.place).Known(*this->Blocks);
     // Nothing after all: the table is too small for this picture.
     const float open = known.samples > 0.0F
                          ? known.open
-                         : seen.tracer.AmbientOcclusion(seen.view.HitOf(one.pixel, cluster),
+                         : seen.tracer.AmbientOcclusion(seen.view.HitOf(one.pixel),
                              { static_cast<int>(FirstRays), this->Distance },
                              static_cast<std::uint32_t>(one.pixel) + 0x9E3779B9U * this->Now);
     light[one.pixel].x = ToByte(open);
@@ -308,7 +329,9 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
   if (tracer.Cells().clusters.empty())
     return;
   const LightView from(tracer, view, picture, this->Settings.pixelsACorner);
-  const Picture seen{ from, tracer, picture, settings };
+  const Picture seen{ from, tracer, picture, settings,
+    view == this->LastViews[0] || view == this->LastViews[1] };
+  this->LastViews = { view, std::move(this->LastViews[0]) };
   const auto cast = [&](std::int64_t tile) { this->CastRays(seen, tile, light); };
   if (!settings.ambientDistanceMm)
     return EachTile(picture, cast);
@@ -325,16 +348,7 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
     for (const LightBlocks::Key key : tile.missing)
       this->Blocks->Make(key);
   }
-  EachTile(picture,
-    [&](std::int64_t tile)
-    {
-      LightBlocks::Finder finder(this->Blocks.get());
-      for (const Tile::Sample& sample : this->Tiles[tile].samples)
-      {
-        this->Blocks->Add(finder, sample.place, sample.rays, sample.open);
-        this->Blocks->Add(finder, sample.place.Coarser(), sample.rays, sample.open);
-      }
-    });
+  EachTile(picture, [&](std::int64_t tile) { this->AddRays(this->Tiles[tile]); });
   EachTile(picture, [&](std::int64_t tile) { this->Settle(seen, this->Tiles[tile], light); });
 }
 

@@ -41,19 +41,11 @@ double LightView::UnitOf(const GridGeometry& geometry)
   return std::max({ extent.x, extent.y, extent.z }) / FinestUnits;
 }
 
-CellHit LightView::HitOf(std::size_t pixel, std::size_t& cluster) const
+CellHit LightView::HitOf(std::size_t pixel) const
 {
-  const ClusteredCells& cells = this->Tracer->Cells();
   CellHit hit{};
   hit.number = this->Picture->cells[pixel];
-  const auto holds = [&](std::size_t c)
-  {
-    return hit.number >= cells.clusters[c].firstCell &&
-           (c + 1 == cells.clusters.size() || hit.number < cells.clusters[c + 1].firstCell);
-  };
-  if (!holds(cluster))
-    cluster = cells.ClusterOf(hit.number);
-  hit.cell = cells.CellIn(cluster, hit.number);
+  hit.cell = this->Picture->corners[pixel];
   hit.local = this->Picture->places[pixel];
   hit.gradient = glm::vec3(this->Picture->gradients[pixel]);
   const glm::dvec3 direction = hit.Position() * this->Eye.w - glm::dvec3(this->Eye);

@@ -20,9 +20,8 @@ public:
   /// Millimetres of a unit of LightBlocks: a step of level 0.
   static double UnitOf(const GridGeometry& geometry);
 
-  /// What the pixel's ray met; it must have met something. cluster: one that it may have been met
-  /// in; then the one it was.
-  CellHit HitOf(std::size_t pixel, std::size_t& cluster) const;
+  /// What the pixel's ray met; it must have met something.
+  CellHit HitOf(std::size_t pixel) const;
   LightPlace PlaceOf(const CellHit& hit) const;
 
 private:

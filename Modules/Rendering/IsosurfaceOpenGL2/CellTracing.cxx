@@ -136,5 +136,6 @@ std::size_t CellTracing::TreeBytes() const
 std::size_t CellTracing::PictureBytes() const
 {
   const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-  return bytes(this->Traced.cells) + bytes(this->Traced.places) + bytes(this->Traced.gradients);
+  return bytes(this->Traced.cells) + bytes(this->Traced.places) + bytes(this->Traced.corners) +
+         bytes(this->Traced.gradients);
 }

@@ -100,8 +100,7 @@ TEST(LightCache, FloorBesideAWallConvergesToTheClosedForm)
   };
   // The floor alone is in view: from above, away from the wall and from the volume's ends.
   const auto view = ViewFrom(g, { 15, 17, 28 }, { 15, 17, 5 }, { 64, 64 }, 22.0);
-  // Two pixels from place to place: at one, the smooth coarser lattice hides the noise for long.
-  hasp::LightCache cache({ 32'768, 2.0, 0.25 });
+  hasp::LightCache cache;
   double first = 0, last = 0, x = 0, y = 0, xx = 0, xy = 0, count = 0;
   for (int frame = 1; frame <= 256; ++frame)
   {
@@ -142,7 +141,7 @@ TEST(LightCache, BeatsSixteenRaysAPixelWhereTheCameraMoves)
       direct += std::pow(rays(16, static_cast<unsigned>(n)) - truth, 2);
     }
     EXPECT_LT(cached, direct);
-    EXPECT_LT(cache.Rays(), 2 * std::int64_t(seen.hits.size())) << "an eighth of the rays";
+    EXPECT_LT(cache.Rays(), std::int64_t(seen.hits.size()));
   }
 }
 

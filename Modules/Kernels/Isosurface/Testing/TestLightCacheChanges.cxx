@@ -16,12 +16,19 @@ TracedVolume<float> Bumps(double isovalue = 0.0)
   return { std::move(scene.samples), Grid, isovalue };
 }
 
-/// Rays a hit in a frame of that camera.
-template <typename T>
-double Rays(hasp::LightCache& cache, const TracedVolume<T>& scene, double distance = 8.0)
+/// A camera that moves: a view that stays casts more. So little that nothing else changes.
+double Step(int frame)
 {
-  const auto seen = LightOf(
-    cache, scene, ViewFrom(Grid, { 100, 60, 50 }, { 20, 20, 20 }, { 64, 64 }), { distance, {} });
+  return 1e-4 * frame;
+}
+
+/// Rays a hit in a frame of a camera so many mm aside.
+template <typename T>
+double Rays(
+  hasp::LightCache& cache, const TracedVolume<T>& scene, double distance = 8.0, double aside = 0.0)
+{
+  const auto view = ViewFrom(Grid, { 100, 60 + aside, 50 }, { 20, 20, 20 }, { 64, 64 });
+  const auto seen = LightOf(cache, scene, view, { distance, {} });
   EXPECT_GT(seen.hits.size(), 1000);
   return double(cache.Rays()) / double(seen.hits.size());
 }
@@ -32,9 +39,9 @@ TEST(LightCacheChanges, IsovalueAndDistanceForgetAll)
   hasp::LightCache cache;
   const auto settle = [&](const auto& scene, double distance)
   {
-    for (int frame = 0; frame < 12; ++frame)
-      Rays(cache, scene, distance);
-    return Rays(cache, scene, distance);
+    for (int frame = 1; frame <= 12; ++frame)
+      Rays(cache, scene, distance, Step(frame));
+    return Rays(cache, scene, distance, Step(13));
   };
   EXPECT_NEAR(Rays(cache, bumps), 3.0, 0.01); // what nothing is known of
   EXPECT_LT(settle(bumps, 8.0), 0.5);
@@ -44,6 +51,23 @@ TEST(LightCacheChanges, IsovalueAndDistanceForgetAll)
   EXPECT_LT(settle(others, 9.0), 0.5);
   cache.Forget();
   EXPECT_NEAR(Rays(cache, others, 9.0), 3.0, 0.01);
+}
+
+TEST(LightCacheChanges, AViewThatStaysGoesOnTillItIsSettled)
+{
+  const auto bumps = Bumps();
+  const double eyes[2] = { 0.0, Step(1) };
+  for (const int count : { 1, 2 })
+  {
+    hasp::LightCache cache;
+    for (int frame = 0; frame < 20; ++frame)
+      EXPECT_NEAR(Rays(cache, bumps, 8.0, eyes[frame % count]), 3.0, 0.01);
+    EXPECT_LT(Rays(cache, bumps, 8.0, Step(2)), 0.5) << "it moves again";
+    double rays = 3.0;
+    for (int frame = 0; frame < 180; ++frame)
+      rays = Rays(cache, bumps, 8.0, eyes[frame % count]);
+    EXPECT_LT(rays, 1.0) << "but for places at the rim, which many pixels do not share";
+  }
 }
 
 TEST(LightCacheChanges, AnEditForgetsWhatItReachesAndNoMore)
@@ -57,12 +81,14 @@ TEST(LightCacheChanges, AnEditForgetsWhatItReachesAndNoMore)
   };
   const auto before = FieldVolume(Grid, floor), after = FieldVolume(Grid, pillar);
   const double reach = 5.0;
-  const auto view = ViewFrom(Grid, { 20, 19, 120 }, { 20, 20, 10 }, { 64, 64 }, 14.0);
+  const auto view = [](int frame) {
+    return ViewFrom(Grid, { 20, 19 + Step(frame), 120 }, { 20, 20, 10 }, { 64, 64 }, 14.0);
+  };
   hasp::LightCache cache, all, fresh;
   for (int frame = 0; frame < 30; ++frame)
   {
-    LightOf(cache, before, view, { reach, {} });
-    LightOf(all, before, view, { reach, {} });
+    LightOf(cache, before, view(frame), { reach, {} });
+    LightOf(all, before, view(frame), { reach, {} });
   }
   cache.Forget({ 9, 17, 10 }, { 15, 23, 21 });
   hasp::LightCache* const caches[] = { &cache, &fresh, &all };
@@ -70,10 +96,10 @@ TEST(LightCacheChanges, AnEditForgetsWhatItReachesAndNoMore)
   std::int64_t rays[3];
   for (int n = 0; n < 3; ++n)
   {
-    auto seen = LightOf(*caches[n], after, view, { reach, {} });
+    auto seen = LightOf(*caches[n], after, view(30), { reach, {} });
     rays[n] = caches[n]->Rays();
-    for (int frame = 0; frame < 20; ++frame)
-      seen = LightOf(*caches[n], after, view, { reach, {} });
+    for (int frame = 31; frame < 51; ++frame)
+      seen = LightOf(*caches[n], after, view(frame), { reach, {} });
     errors[n] = seen.Error(
       [&](const hasp::CellHit& hit) {
         return after.tracer.AmbientOcclusion(hit, { 64, reach }, 1);
