@@ -63,11 +63,12 @@ TEST(LightCacheChanges, AViewThatStaysGoesOnTillItIsSettled)
     for (int frame = 0; frame < 20; ++frame)
       EXPECT_NEAR(Rays(cache, bumps, 8.0, eyes[frame % count]), 3.0, 0.01);
     EXPECT_LT(Rays(cache, bumps, 8.0, Step(2)), 0.5) << "it moves again";
-    double rays = 3.0;
-    for (int frame = 0; frame < 180; ++frame)
-      rays = Rays(cache, bumps, 8.0, eyes[frame % count]);
-    EXPECT_LT(rays, 1.0) << "but for places at the rim, which many pixels do not share";
   }
+  hasp::LightCache cache;
+  double rays = 3.0;
+  for (int frame = 0; frame < 300; ++frame)
+    rays = Rays(cache, bumps);
+  EXPECT_LT(rays, 1.0) << "but for places at the rim, which few pixels share";
 }
 
 TEST(LightCacheChanges, AnEditForgetsWhatItReachesAndNoMore)
