@@ -26,8 +26,8 @@ namespace
 constexpr std::array<std::array<double, 3>, 4> SurfaceColors{ { { 0.35, 0.70, 0.90 },
   { 0.90, 0.62, 0.00 }, { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 } } };
 
-constexpr int AmbientFrames = 16; // until openness has added up: half the noise of one
-constexpr int WindowFrames = 4;   // at rest after the last find, in which ways are compared
+constexpr int AmbientFrames = 4; // until openness has added up: half the noise of one
+constexpr int WindowFrames = 4;  // at rest after the last find, in which ways are compared
 constexpr double Specular = 0.2, SpecularPower = 20.0;
 
 /// A lamp to the upper left of the viewer, which stays there for both eyes, before the headlight.

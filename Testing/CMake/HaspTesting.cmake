@@ -121,7 +121,7 @@ function (hasp_add_older_opengl_test name version)
   add_test(NAME ${name}.${version} COMMAND ${arg_COMMAND})
   set_tests_properties(${name}.${version} PROPERTIES LABELS "module;render" TIMEOUT 120
     ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=${version};MESA_GLSL_VERSION_OVERRIDE=${glsl};\
-MESA_EXTENSION_OVERRIDE=${lacks};MESA_SHADER_CACHE_DISABLE=true")
+MESA_EXTENSION_OVERRIDE=${lacks};MESA_SHADER_CACHE_DISABLE=true;HASP_EGL_DEVICE=surfaceless")
 endfunction ()
 
 # hasp_add_example(DrawIsosurface MODULES targets…)

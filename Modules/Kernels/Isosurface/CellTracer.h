@@ -35,8 +35,8 @@ struct TracedPicture
   std::vector<std::uint32_t> cells; ///< number of the active cell met, or Nothing
   /// Per index step, as CellHit's; depth, [0,1] as in a window, or NoDepth.
   std::vector<glm::vec4> gradients;
-  /// Where something was met, for most of a picture may be empty and memory is what it costs;
-  /// elsewhere they keep what was there, 0 in a new picture.
+  /// Empty where they were not asked for. Else where something was met, for most of a picture may
+  /// be open and memory is what it costs; elsewhere they keep what was there, 0 in a new picture.
   std::vector<glm::vec3> places;   ///< hit in the cell, [0,1]^3
   std::vector<glm::ivec3> corners; ///< lowest sample of the cell, index coordinates
 };
@@ -93,7 +93,8 @@ public:
   /// Trace for every pixel of a view, in packets whose rays walk side by side (Decisions/0015), all
   /// threads; the same picture, bit for bit, with any number of them and on any CPU. Throws
   /// std::invalid_argument if the size is negative or indexToClip cannot be inverted.
-  void TracePicture(const PictureView& view, TracedPicture& picture) const;
+  /// places: are the picture's places and corners wanted? Light needs them.
+  void TracePicture(const PictureView& view, TracedPicture& picture, bool places = true) const;
 
   /// The share of a cosine-weighted hemisphere over the hit, on the side the ray came from, that is
   /// open: 1 in the open, exactly. seed: the pixel's number, say; the same seed gives the same

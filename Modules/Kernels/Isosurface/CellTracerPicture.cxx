@@ -33,6 +33,8 @@ void Write(const CellPixels& pixels, const glm::ivec2& from, TracedPicture& pict
     {
       std::copy_n(pixels.cells + first, columns, &picture.cells[pixel]);
       std::copy_n(pixels.gradients + first, columns, &picture.gradients[pixel]);
+      if (picture.places.empty())
+        return;
       std::copy_n(pixels.places + first, columns, &picture.places[pixel]);
       std::copy_n(pixels.corners + first, columns, &picture.corners[pixel]);
     });
@@ -52,7 +54,7 @@ void WriteBackground(const glm::ivec2& from, TracedPicture& picture)
 
 } // namespace
 
-void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) const
+void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture, bool places) const
 {
   if (view.size.x < 0 || view.size.y < 0)
     throw std::invalid_argument("CellTracer: a picture of " + std::to_string(view.size.x) + " x " +
@@ -62,8 +64,8 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture) c
   picture.size = view.size;
   picture.cells.resize(pixels);
   picture.gradients.resize(pixels);
-  picture.places.resize(pixels);
-  picture.corners.resize(pixels);
+  picture.places.resize(places ? pixels : 0);
+  picture.corners.resize(places ? pixels : 0);
 
   const auto packet = [&](const glm::ivec2& from)
   {

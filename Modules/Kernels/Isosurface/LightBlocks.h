@@ -44,8 +44,8 @@ class LightBlockFinder;
 /// Sums at lattice corners in blocks of 4^3, in a table of fixed size: 8 ways a bucket. What was
 /// used longest ago goes first.
 ///
-/// Threads: Mean and Add from any number at a time, with the same result, for sums are integers;
-/// Make, Forget alone.
+/// Threads: Find and Mean from any number at a time, or Find and Add, with the same result, for
+/// sums are integers; the others alone.
 class LightBlocks
 {
 public:
@@ -58,8 +58,8 @@ public:
 
   using Finder = LightBlockFinder;
 
-  /// Where the place's sums are, until the next Forget; begins to fetch them. What is missing may
-  /// be there after Make.
+  /// Where the place's sums are, until the next Advance or Forget; begins to fetch them. What is
+  /// missing may be there after Make.
   LightSpot Find(Finder& finder, const LightPlace& place) const;
   LightMean Mean(const LightSpot& spot) const;
   /// Adds rays of which so many were open; what has no block is left out.

@@ -23,7 +23,7 @@ namespace
 constexpr int TileSide = 16; // pixels
 
 // Samples, as LightMean counts. Measured on a noisy head: more of Few costs rays and brings little.
-constexpr float Few = 4.5F; // below this a pixel casts FirstRays
+constexpr float Few = 4.0F; // below this a pixel casts FirstRays
 constexpr double FirstRays = 3.0;
 constexpr float Coarse = 24.0F; // what the coarser lattice counts for where the finer knows nothing
 constexpr float Enough = 256.0F;  // and above this the finer one is alone
@@ -115,18 +115,13 @@ struct LitPlace
 /// What the pixels of a tile have to say in a frame. The vectors keep their memory.
 struct LightCache::Tile
 {
-  struct Sample
+  struct Sample // there may be one a pixel, so it is small: its corners are found again
   {
-    LitPlace at;
-    int rays, open;
-  };
-  struct Doubtful
-  {
-    std::size_t pixel;
     LightPlace place;
+    std::uint8_t rays, open;
   };
   std::vector<Sample> samples;
-  std::vector<Doubtful> doubtful; ///< whose light is looked up once the frame's rays are added
+  std::vector<std::uint32_t> doubtful; ///< pixels looked up once the frame's rays are added
   std::vector<LightBlocks::Key> missing;
   std::int64_t rays = 0;
   EvenPoints directions{ 0 };
@@ -177,12 +172,14 @@ LightCache::~LightCache() = default;
 
 void LightCache::Forget()
 {
+  this->LastViews = {};
   if (this->Blocks)
     this->Blocks->Forget();
 }
 
 void LightCache::Forget(const glm::ivec3& low, const glm::ivec3& high)
 {
+  this->LastViews = {};
   if (!this->Blocks)
     return;
   // A sample shapes the cells at both sides of it.
@@ -260,7 +257,7 @@ float LightCache::Gather(
   const LitPlace& at = group.places[n];
   const LightMean known = at.Known(*this->Blocks);
   if (known.samples < Few)
-    tile.doubtful.push_back({ group.pixels[n], at.place });
+    tile.doubtful.push_back(static_cast<std::uint32_t>(group.pixels[n]));
   tile.due += this->RaysFor(known.samples, seen.stays);
   const int rays = static_cast<int>(tile.due);
   tile.due -= rays;
@@ -270,7 +267,8 @@ float LightCache::Gather(
   for (int ray = 0; ray < rays; ++ray)
     open += seen.tracer.Open(group.hits[n], tile.directions.Next(), this->Distance);
   tile.rays += rays;
-  tile.samples.push_back({ at, rays, open });
+  tile.samples.push_back(
+    { at.place, static_cast<std::uint8_t>(rays), static_cast<std::uint8_t>(open) });
   if (!at.fine.whole)
     this->Blocks->ListMissing(finder, at.place, tile.missing);
   if (!at.coarse.whole)
@@ -284,8 +282,7 @@ void LightCache::AddRays(const Tile& tile)
   LightBlocks::Finder finder(this->Blocks.get());
   for (const Tile::Sample& sample : tile.samples)
   {
-    const bool whole = sample.at.fine.whole && sample.at.coarse.whole; // else there is more by now
-    const LitPlace at = whole ? sample.at : LitPlace(*this->Blocks, finder, sample.at.place);
+    const LitPlace at(*this->Blocks, finder, sample.place);
     this->Blocks->Add(at.fine, sample.rays, sample.open);
     this->Blocks->Add(at.coarse, sample.rays, sample.open);
   }
@@ -295,16 +292,17 @@ void LightCache::AddRays(const Tile& tile)
 void LightCache::Settle(const Picture& seen, const Tile& tile, PictureLight& light)
 {
   LightBlocks::Finder finder(this->Blocks.get());
-  for (const Tile::Doubtful& one : tile.doubtful)
+  for (const std::uint32_t pixel : tile.doubtful)
   {
-    const LightMean known = LitPlace(*this->Blocks, finder, one.place).Known(*this->Blocks);
+    const CellHit hit = seen.view.HitOf(pixel);
+    const LightMean known =
+      LitPlace(*this->Blocks, finder, seen.view.PlaceOf(hit)).Known(*this->Blocks);
     // Nothing after all: the table is too small for this picture.
-    const float open = known.samples > 0.0F
-                         ? known.open
-                         : seen.tracer.AmbientOcclusion(seen.view.HitOf(one.pixel),
-                             { static_cast<int>(FirstRays), this->Distance },
-                             static_cast<std::uint32_t>(one.pixel) + 0x9E3779B9U * this->Now);
-    light[one.pixel].x = ToByte(open);
+    const float open = known.samples > 0.0F ? known.open
+                                            : seen.tracer.AmbientOcclusion(hit,
+                                                { static_cast<int>(FirstRays), this->Distance },
+                                                pixel + 0x9E3779B9U * this->Now);
+    light[pixel].x = ToByte(open);
   }
 }
 
@@ -328,6 +326,8 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
   this->RayCount = 0;
   if (tracer.Cells().clusters.empty())
     return;
+  if (settings.ambientDistanceMm)
+    this->Watch(tracer.Cells(), *settings.ambientDistanceMm);
   const LightView from(tracer, view, picture, this->Settings.pixelsACorner);
   const Picture seen{ from, tracer, picture, settings,
     view == this->LastViews[0] || view == this->LastViews[1] };
@@ -336,7 +336,6 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
   if (!settings.ambientDistanceMm)
     return EachTile(picture, cast);
 
-  this->Watch(tracer.Cells(), *settings.ambientDistanceMm);
   const glm::ivec2 tiles = (view.size + TileSide - 1) / TileSide;
   this->Tiles.resize(static_cast<std::size_t>(tiles.x) * tiles.y);
   ++this->Now;

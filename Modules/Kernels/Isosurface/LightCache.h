@@ -43,7 +43,8 @@ using PictureLight = std::vector<glm::u8vec2>;
 /// ready when the viewer steps back. Where nothing is known three rays a pixel are cast at once, so
 /// the first picture is about as good as one of 16 rays each; later a quarter. A view that stays
 /// (one of the last two pictures had it: there may be two eyes) goes on with three till 256 samples
-/// are known, so noise falls with the square root of the pictures; about 150 of them.
+/// are known, about 150 pictures, so noise falls with the square root of the pictures; not after
+/// something was forgotten, for then more may change.
 ///
 /// Error: from the eighth frame of an orbit a picture is better than one of 16 rays a pixel, in
 /// PSNR and by what FLIP sees of it (`hasp report raycaching`, rows cost.lit and ao, has the
@@ -54,8 +55,9 @@ using PictureLight = std::vector<glm::u8vec2>;
 ///
 /// Limit: what changes is told (Forget), nothing ages. Isovalue, geometry and distance are watched.
 /// Deviations from the paper: no bricks; nothing is known of the layout of its cache.
-/// Fixed memory: Bytes(), and about 40 bytes a ray of a frame while it is made.
-/// Threads: one; Light uses all cores inside. The same light with any number of them.
+/// Fixed memory: Bytes(), and beside it about 40 bytes a pixel that casts rays, at most those of
+/// the picture in which most did. Threads: one; Light uses all cores inside. The same light with
+/// any number of them.
 class LightCache
 {
 public:

@@ -83,7 +83,8 @@ RaySampler::Tile RaySampler::SampleTile(const RayCaster& caster, const PictureRa
   const int width = to.x - from.x, area = width * (to.y - from.y);
   const int whole = count >= area ? area : 0; // rays through the middles of all pixels
   count -= whole;
-  const int intoHoles = holes.empty() ? 0 : std::max(least, int(0.5F * count * (1.0F - misses)));
+  const int intoHoles =
+    holes.empty() || count == 0 ? 0 : std::max(least, int(0.5F * count * (1.0F - misses)));
 
   const VoxelPixels pixels(eye.view);
   Tile tile;

@@ -91,16 +91,17 @@ void CellTracing::Update(const hasp::ClusteredCells& cells, vtkMTimeType time)
   this->Milliseconds = MillisecondsSince(start);
 }
 
-void CellTracing::Trace(const CellScene& scene, vtkMTimeType since)
+void CellTracing::Trace(const CellScene& scene, vtkMTimeType since, bool lit)
 {
   const PixelRectangle part = Cover(this->Low, this->High, scene);
   hasp::PictureView view = ViewOf(scene, part);
-  if (this->Time > since && part.first == this->First && view == this->View)
+  const bool has = !lit || this->Traced.places.size() == this->Traced.cells.size();
+  if (this->Time > since && part.first == this->First && view == this->View && has)
     return;
   const auto start = std::chrono::steady_clock::now();
   this->Time = {}; // if tracing fails there is none
   this->First = part.first;
-  this->Tracer->TracePicture(view, this->Traced);
+  this->Tracer->TracePicture(view, this->Traced, lit);
   this->View = std::move(view);
   this->Time.Modified();
   this->TraceMilliseconds = MillisecondsSince(start);
@@ -124,7 +125,7 @@ void CellTracing::Update(const hasp::ClusteredCells&, vtkMTimeType)
                            "HASP_ENABLE_EMBREE=ON (Debian: libembree-dev)");
 }
 
-void CellTracing::Trace(const CellScene&, vtkMTimeType) {}
+void CellTracing::Trace(const CellScene&, vtkMTimeType, bool) {}
 
 std::size_t CellTracing::TreeBytes() const
 {

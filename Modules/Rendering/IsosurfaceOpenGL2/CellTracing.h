@@ -19,8 +19,8 @@ public:
   /// next Update or Release. Throws std::runtime_error, also where tracing is not available.
   void Update(const hasp::ClusteredCells& cells, vtkMTimeType time);
   /// Traces the pixels of the scene's viewport that the cells may cover; nothing if the last
-  /// picture is of the same view and was traced after `since`.
-  void Trace(const CellScene& scene, vtkMTimeType since);
+  /// picture is of the same view and was traced after `since`. lit: with what light needs.
+  void Trace(const CellScene& scene, vtkMTimeType since, bool lit);
   void Release() { *this = {}; }
 
   bool Ready() const { return this->Tracer != nullptr; }

@@ -59,7 +59,7 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
     this->GetRendererChoice() });
   list.push_back(picture);
   const CellLight& light = this->GL->Light;
-  const char* lit = this->AmbientOcclusion ? "of fixed size"
+  const char* lit = this->AmbientOcclusion ? "its table, of fixed size"
                     : this->Shadows        ? "shadows are traced anew; nothing is kept"
                                            : "switched off";
   list.push_back({ "light cache", light.CacheBytes(), 0.0, lit });

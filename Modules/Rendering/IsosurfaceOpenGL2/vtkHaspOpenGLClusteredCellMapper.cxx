@@ -253,9 +253,10 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
   vtkHardwareSelector* selector = renderer->GetSelector();
   const SelectionScope selection(selector, static_cast<vtkIdType>(this->GetCells().Count()));
   // A pick has several passes, each a frame of its own, and follows one that was looked at.
-  tracing.Trace(scene, this->GL->Switch.Measures() ? VTK_MTIME_MAX
-                       : selector                  ? 0
-                                                   : context.GetFrameTime());
+  const vtkMTimeType since = this->GL->Switch.Measures() ? VTK_MTIME_MAX
+                             : selector                  ? 0
+                                                         : context.GetFrameTime();
+  tracing.Trace(scene, since, !selector && (this->AmbientOcclusion || this->Shadows));
   const CellLight* light = this->UpdateLight(scene, selector);
   context.Traced.Upload(window, tracing, selector != nullptr, light);
   vtkShaderProgram* program =

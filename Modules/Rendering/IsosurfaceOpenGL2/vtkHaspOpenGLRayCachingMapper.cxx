@@ -279,14 +279,15 @@ void vtkHaspOpenGLRayCachingMapper::DrawStandIn(
   OpenGL& gl = *this->GL;
   gl.ForgetCache();
   gl.Eyes.ForgetChoices();
-  const bool traceable =
-    CellTracing::Available() && this->GetRenderer() != vtkHaspClusteredCellMapper::Rasterize;
+  const bool traceable = CellTracing::Available() &&
+                         this->GetRenderer() != vtkHaspClusteredCellMapper::Rasterize &&
+                         !actor->IsRenderingTranslucentPolygonalGeometry();
   if (traceable && !gl.StoodIn) // else they cannot be drawn either, and say so
     vtkWarningMacro("Active cells stand in, traced by rays on the CPU: "
                     << lack << ". Cell ids are theirs, not the image's.");
   gl.StoodIn |= traceable;
   this->DrawWhole(renderer, actor);
-  gl.Drew = "all active cells: " + lack;
+  gl.Drew = (traceable ? "all active cells: " : "nothing drawn: ") + lack;
   gl.Share = "; no pixel from the cache";
 }
 

@@ -103,9 +103,35 @@ TEST(CellTracerPicture, PixelsAreWhatTheirRaysMeetInEveryBit)
       continue;
     ++hits;
     ASSERT_EQ(picture.places[n], hit->local) << n;
+    ASSERT_EQ(picture.corners[n], hit->cell) << n;
     ASSERT_EQ(glm::vec3(picture.gradients[n]), hit->gradient) << n;
   }
   EXPECT_GT(hits, 2000);
+}
+
+TEST(CellTracerPicture, APictureThatWasUsedShowsTheNewOneOnly)
+{
+  const auto scene = Gyroid();
+  const hasp::PictureView view = Perspective({ 98, 67 });
+  hasp::PictureView aside = view; // half of what it showed is open now
+  aside.indexToClip[0] *= 0.3;
+  hasp::TracedPicture used, fresh, plain;
+  scene.tracer.TracePicture(view, used);
+  scene.tracer.TracePicture(aside, used);
+  scene.tracer.TracePicture(aside, fresh);
+  scene.tracer.TracePicture(aside, plain, false);
+  EXPECT_NE(std::ranges::count(fresh.cells, hasp::TracedPicture::Nothing), 0);
+  EXPECT_EQ(used.cells, fresh.cells);
+  EXPECT_EQ(used.gradients, fresh.gradients);
+  EXPECT_EQ(plain.cells, fresh.cells);
+  EXPECT_EQ(plain.gradients, fresh.gradients);
+  EXPECT_TRUE(plain.places.empty() && plain.corners.empty()) << "not asked for";
+  for (std::size_t n = 0; n < fresh.cells.size(); ++n)
+    if (fresh.cells[n] != hasp::TracedPicture::Nothing)
+    {
+      ASSERT_EQ(used.places[n], fresh.places[n]) << n;
+      ASSERT_EQ(used.corners[n], fresh.corners[n]) << n;
+    }
 }
 
 /// Embree parts our packets where the CPU has no 16 lanes, and asks for their rays in other orders.
@@ -127,6 +153,7 @@ TEST(CellTracerPicture, NarrowerCpusSeeTheSameInEveryBit)
     narrow.TracePicture(view, picture);
     EXPECT_EQ(picture.cells, wide.cells) << device;
     EXPECT_EQ(picture.places, wide.places) << device;
+    EXPECT_EQ(picture.corners, wide.corners) << device;
     EXPECT_EQ(picture.gradients, wide.gradients) << device;
     std::size_t count = 16, lit = 0;
     for (std::size_t from = 0; from + count <= hits.size(); from += count, count = from % 16 + 1)

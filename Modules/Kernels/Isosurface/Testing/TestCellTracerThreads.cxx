@@ -33,6 +33,7 @@ TEST(CellTracerThreads, GiveTheSamePicture)
     const hasp::TracedPicture many = draw(threads);
     EXPECT_EQ(many.cells, one.cells) << threads;
     EXPECT_EQ(many.places, one.places) << threads;
+    EXPECT_EQ(many.corners, one.corners) << threads;
     EXPECT_EQ(many.gradients, one.gradients) << threads;
   }
 }

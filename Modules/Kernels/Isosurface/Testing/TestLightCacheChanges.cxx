@@ -63,6 +63,9 @@ TEST(LightCacheChanges, AViewThatStaysGoesOnTillItIsSettled)
     for (int frame = 0; frame < 20; ++frame)
       EXPECT_NEAR(Rays(cache, bumps, 8.0, eyes[frame % count]), 3.0, 0.01);
     EXPECT_LT(Rays(cache, bumps, 8.0, Step(2)), 0.5) << "it moves again";
+    EXPECT_NEAR(Rays(cache, bumps, 8.0, Step(2)), 3.0, 0.01);
+    cache.Forget(glm::ivec3(0), glm::ivec3(1));
+    EXPECT_LT(Rays(cache, bumps, 8.0, Step(2)), 0.5) << "it is being edited";
   }
   hasp::LightCache cache;
   double rays = 3.0;

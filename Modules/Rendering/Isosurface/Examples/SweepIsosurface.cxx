@@ -14,7 +14,7 @@ int main(int argc, char* argv[])
   hasp::UseHeadlessWindows(); // before the first window; changes nothing where DISPLAY is set
   vtkNew<vtkHaspVolumeReader> reader;
   reader->SetFileName(argv[1]);
-  vtkNew<vtkHaspRayCachingMapper> mapper; // nothing is extracted anew for an isovalue
+  vtkNew<vtkHaspRayCachingMapper> mapper; // draws each isovalue in the cheaper of its ways
   mapper->SetInputConnection(reader->GetOutputPort());
   mapper->SetFrameBudget(30.0); // milliseconds for rays: a slider that is dragged stays smooth
   vtkNew<vtkActor> actor;
