@@ -93,7 +93,8 @@ int RunCommandLine(int count, char** arguments)
 {
   Session session;
   const std::vector<std::string> words = Words(count, arguments);
-  CaptureVtkMessages([&session](const std::string& text) { SayWarning(session, text); });
+  const VtkMessageCapture capture(
+    [&session](const std::string& text) { SayWarning(session, text); });
   CLI::App app("", "hasp");
   Describe(app);
   AddVerbs(app, session);

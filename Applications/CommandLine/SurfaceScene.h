@@ -2,6 +2,7 @@
 #include "CameraOptions.h"
 #include "SurfaceActors.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -54,7 +55,10 @@ public:
   /// Call after each frame: will another one show more? Ends after mostFrames in any case.
   bool WantsFrame(int mostFrames);
   /// Of the frames that it takes in any case, the share that has been drawn.
-  double ShareDrawn() const { return double(this->Frames) / double(this->LeastFrames); }
+  double ShareDrawn() const
+  {
+    return std::min(1.0, double(this->Frames) / double(this->LeastFrames));
+  }
 
 private:
   void Add(SurfaceActor surface, const std::array<double, 3>& color);

@@ -60,7 +60,7 @@ public:
   void DisplayWarningText(const char* text) override
   {
     const std::lock_guard lock(Guard);
-    if (const Said said(text); said.IsOurs())
+    if (const Said said(text); said.IsOurs() && SayWarning)
       SayWarning(said.text);
   }
   void DisplayGenericWarningText(const char*) override {}
@@ -70,12 +70,19 @@ vtkStandardNewMacro(Collector);
 
 } // namespace
 
-void CaptureVtkMessages(std::function<void(const std::string&)> sayWarning)
+VtkMessageCapture::VtkMessageCapture(std::function<void(const std::string&)> sayWarning)
 {
+  const std::lock_guard lock(Guard);
   SayWarning = std::move(sayWarning);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Collector> collector;
   vtkOutputWindow::SetInstance(collector);
+}
+
+VtkMessageCapture::~VtkMessageCapture()
+{
+  const std::lock_guard lock(Guard);
+  SayWarning = nullptr;
 }
 
 std::string TakeVtkError()

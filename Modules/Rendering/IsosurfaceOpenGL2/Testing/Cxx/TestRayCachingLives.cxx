@@ -144,7 +144,6 @@ TEST_F(RayCachingLives, NoResourceIsListedTwice)
     << "those of the mapper inside are not left out";
 }
 
-/// All of the surface in every frame, while it tries what is faster, and afterwards.
 /// A still picture: all of it in the first frame, and the second finds nothing new.
 TEST_F(RayCachingLives, ARayAPixelCompletesAPictureAtOnce)
 {
@@ -157,6 +156,7 @@ TEST_F(RayCachingLives, ARayAPixelCompletesAPictureAtOnce)
   EXPECT_LE(judged.missed + judged.invented, 1);
 }
 
+/// All of the surface in every frame, while it tries what is faster, and afterwards.
 TEST_F(RayCachingLives, AutomaticAlwaysShowsTheWhole)
 {
   Ball ball(vtkHaspRayCachingMapper::Automatic);
