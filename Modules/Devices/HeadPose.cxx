@@ -23,6 +23,12 @@ bool Finite(const HeadPose& pose) noexcept
 }
 } // namespace
 
+glm::dquat HeadOrientation(double yaw, double pitch, double roll)
+{
+  return glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * glm::angleAxis(pitch, glm::dvec3(1, 0, 0)) *
+         glm::angleAxis(roll, glm::dvec3(0, 0, 1));
+}
+
 HeadPoseFault FaultOf(const HeadPose& pose) noexcept
 {
   if (!Finite(pose))

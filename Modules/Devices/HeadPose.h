@@ -18,6 +18,10 @@ struct HeadPose
   glm::dquat orientation{ 1, 0, 0, 0 }; ///< headToRoom (w, x, y, z); unit within 1e-3
 };
 
+/// Turns about y, then x, then z (the head's own axes, one after the other), radians: yaw to the
+/// left, pitch up, roll to the left (the left ear down) are positive.
+glm::dquat HeadOrientation(double yaw, double pitch, double roll);
+
 /// A pose and when the head was there: seconds of a steady clock (SteadySeconds, or a test's own).
 struct TimedHeadPose
 {

@@ -44,12 +44,6 @@ void Check(const char* what, double value, double most)
 }
 } // namespace
 
-glm::dquat HeadOrientation(double yaw, double pitch, double roll)
-{
-  return glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * glm::angleAxis(pitch, glm::dvec3(1, 0, 0)) *
-         glm::angleAxis(roll, glm::dvec3(0, 0, 1));
-}
-
 SimulatedHeadPath::SimulatedHeadPath(const SimulatedHeadSettings& settings) : Settings(settings)
 {
   for (int axis = 0; axis < 3; ++axis)

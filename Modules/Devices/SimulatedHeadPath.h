@@ -52,8 +52,4 @@ private:
   std::array<Motion, 6> Motions; ///< x, y, z, yaw, pitch, roll
 };
 
-/// Turns about y, then x, then z (the head's own axes, one after the other), radians: yaw to the
-/// left, pitch up, roll to the left (the left ear down) are positive.
-glm::dquat HeadOrientation(double yaw, double pitch, double roll);
-
 } // namespace hasp
