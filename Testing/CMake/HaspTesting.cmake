@@ -44,6 +44,22 @@ function (hasp_add_kernel_test noun)
   hasp_discover_tests(${arg_NAME} kernel ${arg_LABELS})
 endfunction ()
 
+# hasp_add_device_test(SOURCES Testing/TestHeadPose.cxx … [NAME TestX] [LIBRARIES targets…] [LABELS labels…])
+#
+# The same for Modules/Devices; labelled kernel, because they need no more than kernels do, and device.
+function (hasp_add_device_test)
+  if (NOT HASP_BUILD_TESTING)
+    return()
+  endif ()
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if (NOT arg_NAME)
+    set(arg_NAME TestDevices)
+  endif ()
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE Hasp::Devices ${arg_LIBRARIES} GTest::gtest_main)
+  hasp_discover_tests(${arg_NAME} kernel device ${arg_LABELS})
+endfunction ()
+
 # hasp_add_module_test(IOMedical SOURCES Cxx/TestVolumeReader.cxx … [LIBRARIES targets…] [LABELS labels…])
 #
 # GoogleTest cases of a VTK module that draw nothing. Called from the module's Testing/CMakeLists.txt.

@@ -17,7 +17,7 @@ OUTSIDE = [  # first match wins
     ("x11", r"X11/.*"),
     ("vtk", r"vtk\w*\.(h|txx)|vtksys/.*"),
     ("qt", r"Q[A-Z].*|QVTK.*"),
-    ("posix", r"(unistd|fcntl|dirent|dlfcn|signal|pthread|sched|spawn|time|poll)\.h|sys/.*|linux/.*"),
+    ("posix", r"(unistd|fcntl|dirent|dlfcn|signal|pthread|sched|spawn|time|poll)\.h|(sys|linux|arpa|netinet)/.*"),
     ("glm", r"glm/.*"),
     ("tbb", r"(oneapi/)?tbb/.*"),
     ("embree", r"embree[34]/.*"),
@@ -35,7 +35,7 @@ OUTSIDE = [  # first match wins
     ("hidapi", r"hidapi.*"),
     ("gtest", r"g(test|mock)/.*"),
     ("benchmark", r"benchmark/.*"),
-    ("std", r"[a-z0-9_]+"),
+    ("std", r"[a-z0-9_]+|stdint\.h"),
 ]
 FREE_OF_VTK = ("Kernels/", "Devices", "Studies")
 NEVER_BELOW = {"vtk", "gl", "egl", "qt"}

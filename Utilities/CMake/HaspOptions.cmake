@@ -23,6 +23,7 @@ hasp_optional(SECCOMP "Filter the system calls of the DICOM child process (libse
 hasp_optional(CGAL "Check meshes: closed, manifold, no self-intersection (GPL)" CGAL CONFIG)
 hasp_optional(EMBREE "Trace rays against clustered cells (Embree 3)" embree 3 CONFIG)
 hasp_optional(HIGHWAY "Rays of a picture walk side by side (Highway)" hwy CONFIG)
+hasp_optional(EIGEN "Calibrate head trackers (Eigen)" Eigen3 CONFIG)
 hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
 hasp_optional(X11 "Windows on a display: hasp view" X11)
 hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)

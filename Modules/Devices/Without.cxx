@@ -1,0 +1,32 @@
+#include "Devices/TrackerCalibration.h"
+
+#include <stdexcept>
+
+// What this build was made without: it is named, so that the error says what to do.
+namespace hasp
+{
+
+#if !HASP_WITH_EIGEN
+CalibrationFit FitTrackerToRoom(std::span<const CalibrationPair>)
+{
+  throw std::runtime_error(
+    "tracker calibration: this build of Hasp was made without fits; configure"
+    " it with HASP_ENABLE_EIGEN=ON (Debian: libeigen3-dev)");
+}
+#endif
+
+#if !HASP_WITH_JSON
+TrackerCalibration ParseTrackerCalibration(const std::string&)
+{
+  throw std::runtime_error("tracker calibration: this build of Hasp was made without its files;"
+                           " configure it with HASP_ENABLE_JSON=ON (Debian: nlohmann-json3-dev)");
+}
+
+std::string FormatTrackerCalibration(const TrackerCalibration&)
+{
+  throw std::runtime_error("tracker calibration: this build of Hasp was made without its files;"
+                           " configure it with HASP_ENABLE_JSON=ON (Debian: nlohmann-json3-dev)");
+}
+#endif
+
+} // namespace hasp
