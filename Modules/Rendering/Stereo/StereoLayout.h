@@ -1,29 +1,28 @@
 #pragma once
 #include "vtkHaspRenderingStereoModule.h" // for export macro
 
-#include <glm/vec2.hpp>
-
-#include <cstdint>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace hasp
 {
 
-/// How the eyes' pictures become one. SideBySide and TopBottom keep every pixel of each eye: the
-/// result is twice as wide or high. TopBottom has the left eye on top.
+/// How two eyes' pictures become what a viewer is shown. `StereoOutput.h` says which pixel is whose.
 enum class StereoLayout
 {
-  Mono,       ///< one eye between the two: no second eye is drawn
-  SideBySide, ///< left eye on the left
-  TopBottom,  ///< left eye on top
-  Left,       ///< the left eye alone
-  Right,      ///< the right eye alone
-  Anaglyph    ///< red from the left eye's luminance, green and blue from the right eye
+  Mono,         ///< one eye between the two: no second eye is drawn
+  SideBySide,   ///< left eye on the left
+  TopBottom,    ///< left eye on top
+  Left,         ///< the left eye alone
+  Right,        ///< the right eye alone
+  Anaglyph,     ///< red from the left eye's luminance, green and blue from the right eye
+  Interlaced,   ///< rows by turns; the top row is the left eye's
+  Checkerboard, ///< pixels by turns; the top left one is the left eye's
+  DualWindow,   ///< two windows, one eye each
+  QuadBuffer    ///< the driver's left and right buffers of one window
 };
 
-/// "mono", "side-by-side", "top-bottom", "left", "right", "anaglyph".
+/// "mono", "side-by-side", "top-bottom", "left", "right", "anaglyph", "interlaced", "checkerboard",
+/// "dual-window", "quad-buffer".
 VTKHASPRENDERINGSTEREO_EXPORT const char* StereoLayoutName(StereoLayout layout);
 
 /// The reverse. Throws std::invalid_argument with the name found and all that are known.
@@ -32,16 +31,7 @@ VTKHASPRENDERINGSTEREO_EXPORT StereoLayout StereoLayoutFromName(const std::strin
 /// Whether the layout draws two eyes.
 VTKHASPRENDERINGSTEREO_EXPORT bool NeedsSecondEye(StereoLayout layout);
 
-/// Pixels of the composed picture for eyes of `eyeSize` pixels.
-VTKHASPRENDERINGSTEREO_EXPORT glm::ivec2 ComposedSize(StereoLayout layout, glm::ivec2 eyeSize);
-
-/// Puts two RGB pictures into one.
-///
-/// left, right  3 * eyeSize.x * eyeSize.y bytes, x fastest, rows from the bottom (VTK's order)
-/// returns      3 * ComposedSize(...) bytes in the same order
-///
-/// Throws std::invalid_argument if the layout draws one eye or the sizes differ. Any thread.
-VTKHASPRENDERINGSTEREO_EXPORT std::vector<std::uint8_t> ComposeStereo(StereoLayout layout,
-  glm::ivec2 eyeSize, std::span<const std::uint8_t> left, std::span<const std::uint8_t> right);
+/// Whether the layout puts two eyes into one picture. Dual windows and quad buffers have two.
+VTKHASPRENDERINGSTEREO_EXPORT bool IsOnePicture(StereoLayout layout);
 
 } // namespace hasp

@@ -87,7 +87,18 @@ EyeView ViewOfEye(const StereoRig& rig, StereoEye eye)
     2.0 * std::atan(0.5 * rig.screen.heightMm / distance) * 180.0 / std::numbers::pi;
   view.windowCenter = { glm::dot(toCenter, frame.right) / (0.5 * rig.screen.widthMm),
     glm::dot(toCenter, frame.up) / (0.5 * rig.screen.heightMm) };
+  view.aspect = rig.screen.widthMm / rig.screen.heightMm;
   return view;
+}
+
+glm::dvec3 PointOnScreen(const EyeView& view, glm::dvec2 device)
+{
+  const glm::dvec3 axis = view.focalPoint - view.position;
+  const glm::dvec3 right = glm::normalize(glm::cross(axis, view.viewUp));
+  const double half =
+    glm::length(axis) * std::tan(0.5 * view.viewAngleDegrees * std::numbers::pi / 180.0);
+  const glm::dvec2 off = half * glm::dvec2(view.aspect, 1.0) * (device + view.windowCenter);
+  return view.focalPoint + off.x * right + off.y * view.viewUp;
 }
 
 StereoRig TransformStereoRig(const StereoRig& rig, const glm::dmat4& map)
@@ -110,7 +121,7 @@ StereoRig TransformStereoRig(const StereoRig& rig, const glm::dmat4& map)
   result.screen = { point(rig.screen.center), linear * rig.screen.right, linear * rig.screen.up,
     scale * rig.screen.widthMm, scale * rig.screen.heightMm };
   result.head = { point(rig.head.position), linear * rig.head.right,
-    scale * rig.head.eyeSeparationMm };
+    scale * rig.head.eyeSeparationMm, linear * rig.head.up };
   return result;
 }
 

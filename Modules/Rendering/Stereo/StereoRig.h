@@ -32,6 +32,7 @@ struct StereoHead
   glm::dvec3 position{ 0, 0, 600 }; ///< between the eyes
   glm::dvec3 right{ 1, 0, 0 };      ///< from the left eye to the right one; any length > 0
   double eyeSeparationMm = 63.0;    ///< >= 0; adults: 54 to 74. Negative swaps the eyes: refused
+  glm::dvec3 up{ 0, 1, 0 }; ///< perpendicular to right; read for head-mounted displays alone
 };
 
 struct StereoRig
@@ -50,14 +51,13 @@ enum class StereoEye
 struct EyeView
 {
   glm::dvec3 position{ 0.0 }; ///< the eye
-  glm::dvec3 focalPoint{
-    0.0
-  }; ///< the foot of the perpendicular from the eye to the screen's plane
+  glm::dvec3 focalPoint{ 0.0 }; ///< where the axis meets the screen's plane
   glm::dvec3 viewUp{ 0, 1, 0 }; ///< unit
   double viewAngleDegrees = 30; ///< vertical, in (0, 180): 2 atan(height / 2 / distance)
   glm::dvec2 windowCenter{
     0
   }; ///< shift of the screen's middle from the axis, in half screen sizes
+  double aspect = 1.0; ///< width / height of the screen
 };
 
 /// Throws std::invalid_argument, naming the value and the legal range, unless sizes are finite and
@@ -72,6 +72,10 @@ VTKHASPRENDERINGSTEREO_EXPORT glm::dvec3 EyePosition(const StereoHead& head, Ste
 /// With e the eye, c the screen's middle, d the distance of e from the plane, h the height:
 /// angle = 2 atan(h / 2 / d), window centre = (c - e) . (right, up) / (half width, half height).
 VTKHASPRENDERINGSTEREO_EXPORT EyeView ViewOfEye(const StereoRig& rig, StereoEye eye);
+
+/// The point of the screen's plane that an eye sees at `device`, (-1,-1) lower left, (1,1) upper
+/// right: the reverse of ProjectToScreen. A ray from view.position through it is that of a pixel.
+VTKHASPRENDERINGSTEREO_EXPORT glm::dvec3 PointOnScreen(const EyeView& view, glm::dvec2 device);
 
 /// The same rig in other coordinates: what the room's millimetres are in the world, say. `map` is a
 /// rotation, a uniform scale > 0 and a translation (lengths scale along); otherwise throws

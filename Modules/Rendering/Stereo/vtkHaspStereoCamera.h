@@ -1,7 +1,10 @@
 #ifndef vtkHaspStereoCamera_h
 #define vtkHaspStereoCamera_h
 
-#include "StereoRig.h" // for StereoRig
+#include "StereoOutput.h" // for EyeGrid
+#include "StereoRig.h"    // for StereoRig
+
+#include <glm/mat4x4.hpp> // for the room
 
 class vtkCamera;
 
@@ -18,6 +21,12 @@ namespace hasp
 VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToEye(
   vtkCamera* camera, const StereoRig& rig, StereoEye eye);
 
+/// The same for any eye's view, drawn into the pixels of `grid`, whatever their shape: where the
+/// viewport has another aspect than the view, or the grid is shifted, the camera's user transform
+/// stretches the picture (on top of one that is there already).
+VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToView(
+  vtkCamera* camera, const EyeView& view, StereoEye eye, const EyeGrid& grid);
+
 /// The rig of an ordinary camera: the screen stands at the focal point, filling the view, and the
 /// eyes stand beside the camera's position.
 ///
@@ -26,9 +35,24 @@ VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToEye(
 ///                  2 distance tan(angle / 2) apart.
 ///
 /// Throws std::invalid_argument for a parallel projection (it has no eye), VTK's off-axis
-/// projection or a shear.
+/// projection or a shear. So do the functions below.
 VTKHASPRENDERINGSTEREO_EXPORT StereoRig RigFromCamera(
   vtkCamera* camera, double aspect, double eyeAngleDegrees);
+
+/// Where a room with this screen lies in the camera's world: the screen stands at the focal point,
+/// upright in the view, and is as high as the view there (as wide, where the camera's angle is the
+/// horizontal one). All of the room has one scale.
+VTKHASPRENDERINGSTEREO_EXPORT glm::dmat4 RoomOnScreen(
+  vtkCamera* camera, const StereoScreen& roomScreen);
+
+/// A room's screen and head in that world: head and eye separation are scaled along, so that depth
+/// looks as it would on a screen of that size. Moving the camera moves the scene before the viewer.
+VTKHASPRENDERINGSTEREO_EXPORT StereoRig RigOnScreen(vtkCamera* camera, const StereoRig& roomRig);
+
+/// Moves the camera along its axis until RoomOnScreen has the scale 1: a millimetre of the world is
+/// one on the screen. The focal point stays; reset the clipping range afterwards.
+VTKHASPRENDERINGSTEREO_EXPORT void ShowLifeSize(
+  vtkCamera* camera, const StereoScreen& roomScreen);
 
 } // namespace hasp
 

@@ -1,9 +1,10 @@
 #include "vtkHaspStereoPicture.h"
-#include "StereoLayout.h"
+#include "BorrowedView.h"
+#include "StereoOutput.h"
 #include "StereoRig.h"
+#include "vtkHaspStereoCamera.h"
 
 #include "vtkCamera.h"
-#include "vtkHaspStereoCamera.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -22,7 +23,7 @@ vtkStandardNewMacro(vtkHaspStereoPicture);
 struct vtkHaspStereoPicture::Internals
 {
   vtkSmartPointer<vtkRenderer> renderer;
-  hasp::StereoLayout layout = hasp::StereoLayout::SideBySide;
+  hasp::StereoOutput output;
   std::optional<hasp::StereoRig> rig;
   hasp::ResourceUse secondEye{ "second eye", 0, 0.0, "nothing was drawn" };
 };
@@ -30,64 +31,16 @@ struct vtkHaspStereoPicture::Internals
 namespace
 {
 
-/// Sets the camera and the window's switches aside for a while; brings them back whatever happens.
-class BorrowedView
+/// Draws one eye and reads its pixels.
+vtkSmartPointer<vtkUnsignedCharArray> Draw(BorrowedView& view, vtkRenderer* renderer,
+  const hasp::StereoRig& rig, hasp::StereoEye eye, const hasp::EyeGrid& grid)
 {
-public:
-  explicit BorrowedView(vtkRenderer* r)
-    : renderer(r),
-      window(r->GetRenderWindow()),
-      camera(r->GetActiveCamera()),
-      stereo(window->GetStereoRender()),
-      swapBuffers(window->GetSwapBuffers())
-  {
-    this->eyeCamera->DeepCopy(this->camera); // clipping range, user transforms
-    this->renderer->SetActiveCamera(this->eyeCamera);
-    this->window->SetStereoRender(false);
-    this->window->SetSwapBuffers(false); // a visible window does not flicker between the eyes
-  }
-  ~BorrowedView()
-  {
-    this->renderer->SetActiveCamera(this->camera);
-    this->window->SetStereoRender(this->stereo);
-    this->window->SetSwapBuffers(this->swapBuffers);
-  }
-  BorrowedView(const BorrowedView&) = delete;
-  void operator=(const BorrowedView&) = delete;
-
-  vtkSmartPointer<vtkUnsignedCharArray> Draw(const hasp::StereoRig& rig, hasp::StereoEye eye)
-  {
-    hasp::SetCameraToEye(this->eyeCamera, rig, eye);
-    this->renderer->ResetCameraClippingRange();
-    this->window->Render();
-    int width, height, x, y;
-    this->renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-    vtkNew<vtkUnsignedCharArray> pixels;
-    if (!this->window->GetPixelData(x, y, x + width - 1, y + height - 1, 0, pixels, 0))
-      throw std::runtime_error("stereo: the window's pixels cannot be read");
-    return pixels.Get();
-  }
-
-private:
-  vtkRenderer* renderer;
-  vtkRenderWindow* window;
-  vtkSmartPointer<vtkCamera> camera;
-  vtkNew<vtkCamera> eyeCamera;
-  vtkTypeBool stereo;
-  vtkTypeBool swapBuffers;
-};
-
-glm::ivec2 ViewportSize(vtkRenderer* renderer)
-{
-  if (!renderer)
-    throw std::invalid_argument("stereo: no renderer; call SetRenderer");
-  if (!renderer->GetRenderWindow())
-    throw std::invalid_argument("stereo: the renderer is in no window; add it to one");
-  int width, height, x, y;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  if (width < 1 || height < 1)
-    throw std::invalid_argument("stereo: the viewport has no pixels; set the window's size");
-  return { width, height };
+  view.Draw(hasp::ViewOfEye(rig, eye), eye, grid);
+  const glm::ivec2 low = view.Origin(), high = low + grid.size - 1;
+  vtkNew<vtkUnsignedCharArray> pixels;
+  if (!renderer->GetRenderWindow()->GetPixelData(low.x, low.y, high.x, high.y, 0, pixels, 0))
+    throw std::runtime_error("stereo: the window's pixels cannot be read");
+  return pixels.Get();
 }
 
 void RequireAspect(const hasp::StereoScreen& screen, glm::ivec2 size)
@@ -128,17 +81,28 @@ void vtkHaspStereoPicture::SetRenderer(vtkRenderer* renderer)
   this->Modified();
 }
 
+void vtkHaspStereoPicture::SetOutput(const hasp::StereoOutput& output)
+{
+  this->Self->output = output;
+  this->Modified();
+}
+
+const hasp::StereoOutput& vtkHaspStereoPicture::GetOutput() const
+{
+  return this->Self->output;
+}
+
 void vtkHaspStereoPicture::SetLayout(hasp::StereoLayout layout)
 {
-  if (this->Self->layout == layout)
+  if (this->Self->output.layout == layout)
     return;
-  this->Self->layout = layout;
+  this->Self->output.layout = layout;
   this->Modified();
 }
 
 hasp::StereoLayout vtkHaspStereoPicture::GetLayout() const
 {
-  return this->Self->layout;
+  return this->Self->output.layout;
 }
 
 void vtkHaspStereoPicture::SetLayoutName(const std::string& name)
@@ -155,7 +119,7 @@ void vtkHaspStereoPicture::SetLayoutName(const std::string& name)
 
 std::string vtkHaspStereoPicture::GetLayoutName() const
 {
-  return hasp::StereoLayoutName(this->Self->layout);
+  return hasp::StereoLayoutName(this->Self->output.layout);
 }
 
 void vtkHaspStereoPicture::SetRig(const hasp::StereoRig& rig)
@@ -182,32 +146,41 @@ bool vtkHaspStereoPicture::RenderInto(vtkImageData* picture)
 vtkSmartPointer<vtkImageData> vtkHaspStereoPicture::Render()
 {
   Internals& self = *this->Self;
-  const bool two = hasp::NeedsSecondEye(self.layout);
+  const hasp::StereoOutput& output = self.output;
+  const bool two = hasp::NeedsSecondEye(output.layout);
   self.secondEye = { "second eye", 0, 0.0,
-    std::string(hasp::StereoLayoutName(self.layout)) + (two ? "" : ": one eye is drawn") };
+    std::string(hasp::StereoLayoutName(output.layout)) + (two ? "" : ": one eye is drawn") };
   try
   {
-    const glm::ivec2 size = ViewportSize(self.renderer);
+    if (!hasp::IsOnePicture(output.layout))
+      throw std::invalid_argument("stereo: " + self.secondEye.reason +
+                                  " is two pictures; take vtkHaspStereoWindows for it");
+    const glm::ivec2 viewSize = ViewportSize(self.renderer);
     hasp::StereoRig rig = self.rig ? *self.rig
                                    : hasp::RigFromCamera(self.renderer->GetActiveCamera(),
-                                       static_cast<double>(size.x) / size.y, this->EyeAngle);
+                                       static_cast<double>(viewSize.x) / viewSize.y, this->EyeAngle);
     hasp::ValidateStereoRig(rig);
-    RequireAspect(rig.screen, size);
-    if (self.layout == hasp::StereoLayout::Mono)
+    RequireAspect(rig.screen, viewSize);
+    if (output.layout == hasp::StereoLayout::Mono)
       rig.head.eyeSeparationMm = 0.0;
-    BorrowedView view(self.renderer);
-    const bool rightAlone = self.layout == hasp::StereoLayout::Right;
-    const auto first = view.Draw(rig, rightAlone ? hasp::StereoEye::Right : hasp::StereoEye::Left);
+    const glm::ivec2 size = hasp::ComposedSize(output, viewSize);
+    BorrowedView view(self.renderer, self.renderer->GetActiveCamera());
+    const auto draw = [&](hasp::StereoEye eye)
+    { return Draw(view, self.renderer, rig, eye, hasp::GridOfEye(output, size, eye)); };
+    const bool rightAlone = output.layout == hasp::StereoLayout::Right;
+    const auto left = rightAlone ? nullptr : draw(hasp::StereoEye::Left);
+    if (rightAlone)
+      return MakePicture(size,
+        hasp::ComposeStereo(output, size, {}, Bytes(draw(hasp::StereoEye::Right))));
     if (!two)
-      return MakePicture(size, Bytes(first));
+      return MakePicture(size, hasp::ComposeStereo(output, size, Bytes(left), {}));
     const auto start = std::chrono::steady_clock::now();
-    const auto second = view.Draw(rig, hasp::StereoEye::Right);
+    const auto right = draw(hasp::StereoEye::Right);
     const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - start;
-    self.secondEye.bytes = static_cast<std::size_t>(second->GetNumberOfValues());
+    self.secondEye.bytes = static_cast<std::size_t>(right->GetNumberOfValues());
     self.secondEye.milliseconds = spent.count();
-    const auto picture = hasp::ComposeStereo(self.layout, size, Bytes(first), Bytes(second));
-    return MakePicture(hasp::ComposedSize(self.layout, size), picture);
+    return MakePicture(size, hasp::ComposeStereo(output, size, Bytes(left), Bytes(right)));
   }
   catch (const std::exception& error)
   {
@@ -224,7 +197,7 @@ void vtkHaspStereoPicture::ListResources(hasp::ResourceList& resources) const
 void vtkHaspStereoPicture::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Layout: " << hasp::StereoLayoutName(this->Self->layout) << "\n"
+  os << indent << "Layout: " << hasp::StereoLayoutName(this->Self->output.layout) << "\n"
      << indent << "EyeAngle: " << this->EyeAngle << "\n"
      << indent << "Rig: " << (this->Self->rig ? "given" : "of the camera") << "\n";
 }

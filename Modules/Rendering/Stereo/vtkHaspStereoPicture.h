@@ -12,11 +12,12 @@
 class vtkImageData;
 class vtkRenderer;
 
-// StereoLayout.h and StereoRig.h say what these are. Included here they would bring GLM to VTK's
+// StereoOutput.h and StereoRig.h say what these are. Included here they would bring GLM to VTK's
 // wrapper, which parses it for minutes.
 namespace hasp
 {
 enum class StereoLayout;
+struct StereoOutput;
 struct StereoRig;
 }
 
@@ -27,7 +28,7 @@ struct StereoRig;
  * Each eye is drawn by an ordinary camera from the eye rig (StereoRig.h), never by VTK's stereo,
  * one after the other into the renderer's own window; the pictures are put together by
  * ComposeStereo. The renderer's camera is set aside meanwhile and comes back untouched, as do the
- * window's StereoRender and SwapBuffers. Mono draws one eye; a second one is then not made.
+ * window's StereoRender, SwapBuffers and viewports. Mono draws one eye; a second one is then not made.
  *
  * Threads: RENDER. Cost: one frame and one read of the viewport's pixels for each eye.
  * Errors: vtkErrorMacro and no picture: no window, a parallel projection, a rig whose screen has
@@ -43,8 +44,9 @@ public:
   /** What is drawn. It must be in a render window. */
   void SetRenderer(vtkRenderer* renderer);
 
-  /** "side-by-side" by default, or "mono", "top-bottom", "left", "right", "anaglyph". On an unknown
-   * name vtkErrorMacro lists them, and the layout stays. */
+  /** "side-by-side" by default, or another name of StereoLayout.h; those of two pictures
+   * ("dual-window", "quad-buffer") are an error of Render. On an unknown name vtkErrorMacro lists
+   * them, and the layout stays. */
   void SetLayoutName(const std::string& name);
   std::string GetLayoutName() const;
 
@@ -52,6 +54,11 @@ public:
   /** The same by value. */
   void SetLayout(hasp::StereoLayout layout);
   hasp::StereoLayout GetLayout() const;
+
+  /** The layout with its resolution, mirror flip and order of the eyes. Pixels of the picture:
+   * hasp::ComposedSize of the viewport. */
+  void SetOutput(const hasp::StereoOutput& output);
+  const hasp::StereoOutput& GetOutput() const;
 
   /** A screen and a head in world millimetres. Without one, or after ClearRig, the rig is that of
    * the renderer's camera: the screen stands at its focal point. */

@@ -1,0 +1,94 @@
+#include "BorrowedView.h"
+
+#include "vtkHaspStereoCamera.h"
+
+#include "vtkCamera.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <stdexcept>
+
+BorrowedView::BorrowedView(vtkRenderer* r, vtkCamera* of)
+  : renderer(r),
+    window(r->GetRenderWindow()),
+    camera(r->GetActiveCamera()),
+    settings(of),
+    stereo(window->GetStereoRender()),
+    swapBuffers(window->GetSwapBuffers())
+{
+  this->eyeCamera->DeepCopy(of);
+  r->GetTiledSizeAndOrigin(&this->size.x, &this->size.y, &this->origin.x, &this->origin.y);
+  glm::dvec4 own;
+  r->GetViewport(&own.x);
+  vtkCollectionSimpleIterator at;
+  vtkRendererCollection* renderers = this->window->GetRenderers();
+  renderers->InitTraversal(at);
+  while (vtkRenderer* other = renderers->GetNextRenderer(at))
+  {
+    glm::dvec4 viewport;
+    other->GetViewport(&viewport.x);
+    if (viewport.x >= own.x && viewport.y >= own.y && viewport.z <= own.z && viewport.w <= own.w)
+      this->kept.push_back({ other, viewport });
+  }
+  r->SetActiveCamera(this->eyeCamera);
+  this->window->SetStereoRender(false);
+  this->window->SetSwapBuffers(false); // a visible window does not flicker between the eyes
+}
+
+BorrowedView::~BorrowedView()
+{
+  this->ShowFrames();
+  this->renderer->SetActiveCamera(this->camera);
+  this->window->SetStereoRender(this->stereo);
+}
+
+void BorrowedView::ShowFrames()
+{
+  for (const Kept& one : this->kept)
+    one.renderer->SetViewport(
+      one.viewport.x, one.viewport.y, one.viewport.z, one.viewport.w); // nothing if it is the same
+  this->window->SetSwapBuffers(this->swapBuffers);
+}
+
+void BorrowedView::SetViewports(glm::ivec2 pixels)
+{
+  const int* windowSize = this->window->GetSize();
+  const glm::dvec2 whole(windowSize[0], windowSize[1]);
+  const glm::dvec2 low = glm::dvec2(this->origin) / whole;
+  const glm::dvec2 squeeze = glm::dvec2(pixels) / glm::dvec2(this->size);
+  const auto map = [&](const glm::dvec2& point) { return low + (point - low) * squeeze; };
+  for (const Kept& one : this->kept)
+  {
+    const glm::dvec2 from = map({ one.viewport.x, one.viewport.y });
+    glm::dvec2 to = map({ one.viewport.z, one.viewport.w });
+    if (one.renderer == this->renderer)
+      to = glm::dvec2(this->origin + pixels) / whole; // exactly, whatever its viewport's rounding
+    one.renderer->SetViewport(from.x, from.y, to.x, to.y);
+  }
+}
+
+void BorrowedView::Draw(
+  const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
+{
+  this->eyeCamera->SetUserTransform(this->settings->GetUserTransform()); // not the last eye's
+  hasp::SetCameraToView(this->eyeCamera, view, eye, grid);
+  if (grid.size != this->size)
+    this->SetViewports(grid.size);
+  this->renderer->ResetCameraClippingRange();
+  this->window->Render();
+}
+
+glm::ivec2 ViewportSize(vtkRenderer* renderer)
+{
+  if (!renderer)
+    throw std::invalid_argument("stereo: no renderer; call SetRenderer");
+  if (!renderer->GetRenderWindow())
+    throw std::invalid_argument("stereo: the renderer is in no window; add it to one");
+  int width, height, x, y;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+  if (width < 1 || height < 1)
+    throw std::invalid_argument("stereo: the viewport has no pixels; set the window's size");
+  return { width, height };
+}
