@@ -8,13 +8,6 @@
 
 namespace hasp
 {
-namespace
-{
-
-constexpr int Ms = 1;
-
-} // namespace
-
 FrameTimer::FrameTimer(vtkRenderWindowInteractor* interactor, std::function<void()> call)
   : Interactor(interactor),
     Call(std::move(call))
@@ -31,10 +24,10 @@ FrameTimer::~FrameTimer()
   this->Interactor->RemoveObserver(this->Tag);
 }
 
-void FrameTimer::Start()
+void FrameTimer::Start(int ms)
 {
   if (this->Id == 0 && this->Interactor->GetInitialized())
-    this->Id = this->Interactor->CreateOneShotTimer(Ms);
+    this->Id = this->Interactor->CreateOneShotTimer(ms);
 }
 
 void FrameTimer::Fire(void* id)

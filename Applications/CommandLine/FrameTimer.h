@@ -18,8 +18,8 @@ public:
   FrameTimer(const FrameTimer&) = delete;
   void operator=(const FrameTimer&) = delete;
 
-  /// Nothing happens where it runs, or the interactor is not initialised.
-  void Start();
+  /// In so many milliseconds. Nothing happens where it runs, or the interactor is not initialised.
+  void Start(int ms = 1);
   bool Runs() const { return this->Id != 0; }
 
 private:

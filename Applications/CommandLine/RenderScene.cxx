@@ -3,10 +3,9 @@
 #include "Failure.h"
 #include "PictureFile.h"
 #include "Session.h"
-#include "StereoRig.h"
+#include "StereoView.h"
 #include "VtkMessages.h"
 #include "Windows.h"
-#include "vtkHaspStereoPicture.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -30,8 +29,8 @@ struct RenderScene::Parts
 {
   vtkSmartPointer<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkHaspStereoPicture> picture;
   std::optional<SurfaceScene> scene;
+  std::unique_ptr<StereoView> view;
   Session* session = nullptr;
 
   void OpenWindow(const RenderOptions& options)
@@ -40,7 +39,9 @@ struct RenderScene::Parts
     this->window = vtkSmartPointer<vtkRenderWindow>::New();
     this->window->SetOffScreenRendering(true);
     this->window->SetMultiSamples(0);
-    this->window->SetSize(options.resolution[0], options.resolution[1]);
+    const auto size =
+      WindowPixels(MakeStereoWindow(options.stereo), options.resolution, options.squarePixels);
+    this->window->SetSize(size[0], size[1]);
     this->window->AddRenderer(this->renderer);
     RequireOpenGL(this->window);
   }
@@ -53,9 +54,7 @@ RenderScene::RenderScene(vtkDataObject* volume, const RenderOptions& options, Se
   self.session = &session;
   self.OpenWindow(options);
   self.scene.emplace(self.renderer, volume, options, session);
-  self.picture->SetRenderer(self.renderer);
-  self.picture->SetLayout(options.stereo);
-  self.picture->SetEyeAngle(options.eyeAngle);
+  self.view = std::make_unique<StereoView>(self.renderer, self.window, options.stereo);
 }
 
 RenderScene::~RenderScene() = default;
@@ -65,25 +64,29 @@ std::string RenderScene::DrawPng()
   Parts& self = *this->Self;
   self.session->progress.Step("drawing");
   const auto start = std::chrono::steady_clock::now();
-  vtkSmartPointer<vtkImageData> picture;
   int frames = 0;
   for (bool more = true; more; ++frames)
   {
-    picture = self.picture->Render();
+    self.view->Draw(0.0);
     more = self.scene->WantsFrame(MostFrames);
     self.session->progress.Share(self.scene->ShareDrawn());
   }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::CannotDraw, "cannot draw");
-  if (!picture)
-    throw Failure(ExitCode::CannotDraw, "cannot draw: the window gave no picture");
+  const auto picture = WindowPicture(self.window);
+  ThrowVtkError(ExitCode::CannotDraw, "cannot draw");
   ResourceList& resources = self.session->resources;
   self.scene->ListResources(resources);
   resources.push_back(
     { "picture", static_cast<std::size_t>(picture->GetNumberOfPoints()) * 3, spent.count(),
       "all eyes, frames of each: " + std::to_string(frames) + "; shaders and uploads count here" });
-  self.picture->ListResources(resources);
+  self.view->ListResources(resources);
   return PngFile(picture);
+}
+
+std::string RenderScene::SketchPng() const
+{
+  return this->Self->view->SketchPng();
 }
 
 } // namespace hasp

@@ -1,5 +1,5 @@
 #pragma once
-#include "StereoLayout.h"
+#include "StereoChoices.h"
 #include "SurfaceScene.h"
 
 #include <memory>
@@ -9,8 +9,8 @@ namespace hasp
 
 struct RenderOptions : SceneOptions
 {
-  StereoLayout stereo = StereoLayout::Mono;
-  double eyeAngle = 2.0; ///< degrees
+  StereoChoices stereo;
+  bool squarePixels = true; ///< the width of `resolution` follows the screen's, where there is one
 };
 
 /// One picture of a scene, without a display. RENDER thread.
@@ -23,6 +23,8 @@ public:
 
   /// The picture as a PNG file. Throws Failure: CannotDraw.
   std::string DrawPng();
+  /// The plan of --sketch likewise.
+  std::string SketchPng() const;
 
 private:
   struct Parts;

@@ -134,7 +134,7 @@ std::optional<WorldPoint> SurfaceScene::Pick(const WorldPoint& from, const World
   return nearest;
 }
 
-std::optional<WorldPoint> SurfaceScene::PickPixel(int x, int y) const
+std::optional<std::pair<WorldPoint, WorldPoint>> SurfaceScene::RayOf(int x, int y) const
 {
   const auto world = [&](double depth)
   {
@@ -143,7 +143,7 @@ std::optional<WorldPoint> SurfaceScene::PickPixel(int x, int y) const
     const double* p = this->Shown->GetWorldPoint();
     return WorldPoint{ p[0] / p[3], p[1] / p[3], p[2] / p[3] };
   };
-  return this->Pick(world(0.0), world(1.0));
+  return std::pair{ world(0.0), world(1.0) };
 }
 
 void SurfaceScene::ListResources(ResourceList& list) const

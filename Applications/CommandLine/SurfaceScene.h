@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -45,8 +46,8 @@ public:
   bool CanPick() const { return bool(this->Surfaces.front().pick); }
   /// Where the line first meets a surface.
   std::optional<WorldPoint> Pick(const WorldPoint& from, const WorldPoint& to) const;
-  /// The same for what the camera shows in a pixel of the window, from the lower left.
-  std::optional<WorldPoint> PickPixel(int x, int y) const;
+  /// What the camera shows in a pixel of the window, from the lower left: from, to.
+  std::optional<std::pair<WorldPoint, WorldPoint>> RayOf(int x, int y) const;
   /// After drawing: what each surface holds.
   void ListResources(ResourceList& list) const;
 

@@ -19,32 +19,30 @@ struct Choices
 {
   SceneChoices scene;
   std::string output;
-  std::string stereo = "mono";
   RenderOptions render;
 };
+
+/// Two windows and a driver's buffers are no file.
+void RequireOnePicture(const StereoChoices& stereo)
+{
+  const StereoLayout layout = StereoLayoutFromName(stereo.layout);
+  if (layout == StereoLayout::DualWindow || layout == StereoLayout::QuadBuffer)
+    throw Failure(ExitCode::WrongUse,
+      "--stereo " + stereo.layout + " is for hasp view; left and right draw one eye each");
+}
 
 void Run(Choices choices, Session& session)
 {
   RequireWritable(choices.output, { ".png" });
+  if (!choices.render.stereo.sketch.empty())
+    RequireWritable(choices.render.stereo.sketch, { ".png" });
+  RequireOnePicture(choices.render.stereo);
   const LoadedScene loaded = ReadScene(choices.scene, choices.render, session);
   RenderScene scene(loaded.input, choices.render, session);
   WriteFile(choices.output, scene.DrawPng());
   session.result["output"] = FileLabel(choices.output);
-}
-
-void AddStereoOptions(CLI::App& verb, Choices& choices)
-{
-  verb
-    .add_option("--stereo", choices.stereo,
-      "mono, side-by-side, top-bottom, left, right or anaglyph; two eyes make the picture twice "
-      "as wide or high")
-    ->check(CLI::IsMember({ "mono", "side-by-side", "top-bottom", "left", "right", "anaglyph" }))
-    ->capture_default_str();
-  verb
-    .add_option(
-      "--eye-angle", choices.render.eyeAngle, "Degrees between the eyes, seen from the middle")
-    ->check(Within(0.0, 90.0))
-    ->capture_default_str();
+  if (!choices.render.stereo.sketch.empty())
+    WriteFile(choices.render.stereo.sketch, scene.SketchPng());
 }
 
 } // namespace
@@ -56,19 +54,21 @@ void AddRenderVerb(CLI::App& app, Session& session)
     "render", "Draw an isosurface of a volume, or active cells, into a PNG file");
   AddSceneOptions(*verb, choices->scene, choices->render);
   verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();
-  AddStereoOptions(*verb, *choices);
+  AddStereoOptions(*verb, choices->render.stereo);
   AddCommonOptions(*verb, session);
   verb->footer("Examples:\n"
                "  hasp render head.mha --isovalue 226 --output head.png\n"
                "  hasp render head.mha --isovalue 226 --view right --surface guide.stl \\\n"
                "       --stereo side-by-side --resolution 960,1080 --output pair.png\n"
+               "  hasp render head.mha --isovalue 226 --stereo anaglyph --screen 520x320 \\\n"
+               "       --life-size --sketch desk.png --output head.png\n"
                "  hasp render head.mha --isovalue 226 --output head.png --explain\n"
                "  hasp render head.hcells --output head.png\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 4 cannot draw.");
   verb->callback(
-    [&session, choices]
+    [&session, choices, verb]
     {
-      choices->render.stereo = StereoLayoutFromName(choices->stereo);
+      choices->render.squarePixels = verb->count("--resolution") == 0;
       session.run = [&session, choices] { Run(*choices, session); };
     });
 }

@@ -1,8 +1,10 @@
 #include "Failure.h"
 #include "Files.h"
+#include "HeadChoices.h"
 #include "PictureFile.h"
 #include "SceneChoices.h"
 #include "Session.h"
+#include "StereoView.h"
 #include "Verbs.h"
 #include "ViewKeys.h"
 #include "ViewWindow.h"
@@ -28,6 +30,10 @@ struct Choices
 {
   SceneChoices scene;
   SceneOptions options;
+  StereoChoices stereo;
+  HeadChoices head;
+  bool squarePixels = true; ///< the window's width follows the screen's, where there is one
+  bool fullScreen = false;
   std::string output;
 };
 
@@ -44,24 +50,52 @@ ViewSettings SettingsOf(const LoadedScene& loaded, const SceneOptions& options)
   return settings;
 }
 
+/// Draws for eyes before a screen, or null: an ordinary window.
+std::unique_ptr<StereoView> MakeEyes(
+  const Choices& choices, vtkRenderer* renderer, vtkRenderWindow* window)
+{
+  if (!choices.stereo.Any())
+    return nullptr;
+  HeadPose rest;
+  rest.position = RoomHead(choices.stereo).position;
+  return std::make_unique<StereoView>(
+    renderer, window, choices.stereo, MakeHeadTracker(choices.head, rest));
+}
+
+void OpenWindow(const Choices& choices, vtkRenderWindow* window)
+{
+  const StereoWindow eyes = MakeStereoWindow(choices.stereo);
+  const auto size = WindowPixels(eyes, choices.options.resolution, choices.squarePixels);
+  window->SetWindowName("hasp view"); // no name of a file: it may be a patient's
+  window->SetSize(size[0], size[1]);
+  window->SetFullScreen(choices.fullScreen);
+  if (eyes.output.layout == StereoLayout::QuadBuffer)
+    window->StereoCapableWindowOn(); // before it opens
+}
+
 void Run(Choices choices, Session& session)
 {
-  if (!choices.output.empty())
-    RequireWritable(choices.output, { ".png" });
+  for (const std::string& file : { choices.output, choices.stereo.sketch })
+    if (!file.empty())
+      RequireWritable(file, { ".png" });
   RequireDisplay();
   const LoadedScene loaded = ReadScene(choices.scene, choices.options, session);
-  const SceneOptions& options = choices.options;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderWindowInteractor> interactor;
-  window->SetWindowName("hasp view"); // no name of a file: it may be a patient's
-  window->SetSize(options.resolution[0], options.resolution[1]);
+  OpenWindow(choices, window);
   window->AddRenderer(renderer);
   interactor->SetRenderWindow(window);
   interactor->Initialize(); // first: VTK 9.1 crashes at the end where the window opened the display
   RequireOpenGL(window);
-  SurfaceScene scene(renderer, loaded.input, options, session);
-  ViewWindow view(scene, window, interactor, SettingsOf(loaded, options));
+  SurfaceScene scene(renderer, loaded.input, choices.options, session);
+  const auto eyes = MakeEyes(choices, renderer, window);
+  ViewSettings settings = SettingsOf(loaded, choices.options);
+  settings.eyes = eyes.get();
+  settings.sayWarning = [&session](const std::string& text) { SayWarning(session, text); };
+  ViewWindow view(scene, window, interactor, settings);
+  if (!choices.stereo.sketch.empty())
+    WriteFile(choices.stereo.sketch, eyes->SketchPng());
   session.progress.Wipe();
   if (choices.output.empty())
     view.Run();
@@ -91,17 +125,28 @@ void AddViewVerb(CLI::App& app, Session& session)
   AddSceneOptions(*verb, choices->scene, choices->options);
   verb->add_option("--output", choices->output,
     "Wait for no one: write the window as a .png file when it is complete, and end");
+  AddStereoOptions(*verb, choices->stereo);
+  AddHeadOptions(*verb, choices->head);
+  verb->add_flag("--full-screen", choices->fullScreen,
+    "All of the screen: interlaced and checkerboard displays need each pixel in its place");
   AddCommonOptions(*verb, session);
   verb->footer(ViewKeys() + "\n"
                             "Examples:\n"
                             "  hasp view head.mha\n"
                             "  hasp view head.mha --isovalue 300 --ambient-occlusion 25 --shadows\n"
                             "  hasp view head.mha --surface guide.stl --view right\n"
+                            "  hasp view head.mha --stereo interlaced --screen 520x292 "
+                            "--full-screen --head opentrack\n"
+                            "  hasp view head.mha --stereo anaglyph --screen 520x320 --head mouse\n"
                             "  hasp view head.mha --output window.png\n"
                             "It needs a display; hasp render draws pictures without.\n"
                             "Exit codes: 0 done, 1 wrong use, 2 bad input, 4 cannot draw.");
   verb->callback(
-    [&session, choices] { session.run = [&session, choices] { Run(*choices, session); }; });
+    [&session, choices, verb]
+    {
+      choices->squarePixels = verb->count("--resolution") == 0;
+      session.run = [&session, choices] { Run(*choices, session); };
+    });
 }
 
 } // namespace hasp

@@ -1,5 +1,6 @@
 #include "ViewOverlay.h"
 
+#include "StereoView.h"
 #include "SurfaceScene.h"
 #include "ViewWindow.h"
 
@@ -124,9 +125,10 @@ std::string ViewOverlay::IsoValueText(double value) const
   return text + this->Unit;
 }
 
-std::string PickText(const SurfaceScene& scene, int x, int y)
+std::string PickText(const SurfaceScene& scene, int x, int y, const StereoView* eyes)
 {
-  const auto point = scene.PickPixel(x, y);
+  const auto ray = eyes ? eyes->RayOf(x, y) : scene.RayOf(x, y);
+  const auto point = ray ? scene.Pick(ray->first, ray->second) : std::nullopt;
   if (!point && !scene.CanPick())
     return "not known: " + scene.DrewBy() + " gives no points in this build; --mapper mesh does";
   if (!point)

@@ -11,6 +11,7 @@ class vtkRenderer;
 namespace hasp
 {
 
+class StereoView;
 class SurfaceScene;
 struct ViewSettings;
 
@@ -38,7 +39,8 @@ private:
   bool Changeable;
 };
 
-/// Where the scene's surface is in a pixel of the window: "picked 1.00, 2.00, 3.00 mm (LPS)".
-std::string PickText(const SurfaceScene& scene, int x, int y);
+/// Where the scene's surface is in a pixel of the window: "picked 1.00, 2.00, 3.00 mm (LPS)". eyes:
+/// draw the window, unless null.
+std::string PickText(const SurfaceScene& scene, int x, int y, const StereoView* eyes);
 
 } // namespace hasp

@@ -2,13 +2,13 @@
 
 #include "Failure.h"
 #include "Files.h"
-#include "FrameTimer.h"
 #include "PictureFile.h"
+#include "StereoView.h"
 #include "SurfaceScene.h"
+#include "ViewFrames.h"
 #include "ViewKeys.h"
 #include "ViewOverlay.h"
 #include "ViewStyle.h"
-#include "VtkMessages.h"
 
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -18,20 +18,12 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <utility>
 #include <vector>
 
 namespace hasp
 {
-namespace
-{
-
-constexpr int MostFrames = 2000; // a picture is refined for, where its noise never ends
-
-} // namespace
-
 struct ViewWindow::Parts
 {
   SurfaceScene& scene;
@@ -41,14 +33,10 @@ struct ViewWindow::Parts
   ViewOverlay overlay;
   vtkNew<ViewStyle> style;
 
-  std::string answer;  ///< to the last key
-  std::string failure; ///< why nothing can be drawn any more
+  std::string answer; ///< to the last key
   ResourceList resources;
   bool closed = false;
-  std::chrono::steady_clock::time_point frameStart;
-  double frameMs = 0.0;
-  bool refines = false, ticking = false;
-  FrameTimer timer;
+  ViewFrames frames;
   std::vector<std::pair<vtkObject*, unsigned long>> observed;
 
   Parts(SurfaceScene& scene_, vtkRenderWindow* window_, vtkRenderWindowInteractor* interactor_,
@@ -58,12 +46,14 @@ struct ViewWindow::Parts
       interactor(interactor_),
       settings(settings_),
       overlay(scene_.Renderer(), interactor_, settings_),
-      timer(interactor_, [this] { this->Tick(); })
+      frames(scene_, window_, interactor_, settings_.eyes,
+        { [this] { this->overlay.SetText(this->Text()); }, [this] { this->Close(); },
+          settings_.sayWarning })
   {
     this->style->SetDefaultRenderer(this->scene.Renderer());
     this->interactor->SetInteractorStyle(this->style);
-    this->Observe(this->window, vtkCommand::StartEvent, &Parts::FrameStarts);
-    this->Observe(this->window, vtkCommand::EndEvent, &Parts::FrameEnds);
+    if (this->settings.eyes)
+      this->Observe(this->interactor, vtkCommand::MouseMoveEvent, &Parts::Point);
     this->Observe(this->interactor, vtkCommand::KeyPressEvent, &Parts::Key);
     this->Observe(this->interactor, vtkCommand::ExitEvent, &Parts::Close);
     if (vtkSliderWidget* slider = this->overlay.Slider())
@@ -82,46 +72,35 @@ struct ViewWindow::Parts
   std::string Text() const
   {
     char text[200];
-    std::snprintf(text, sizeof text, "%.1f ms a frame, %s%s", this->frameMs,
-      this->scene.DrewBy().c_str(), this->refines ? ", refining" : "");
-    return this->overlay.IsoValueText(this->settings.isoValue) + ", " + text +
+    std::snprintf(text, sizeof text, "%.1f ms a frame, %s%s", this->frames.Milliseconds(),
+      this->scene.DrewBy().c_str(), this->frames.Refines() ? ", refining" : "");
+    const std::string head = this->frames.Tracked() ? "\n" + this->settings.eyes->Text() : "";
+    return this->overlay.IsoValueText(this->settings.isoValue) + ", " + text + head +
            (this->answer.empty() ? "" : "\n" + this->answer);
   }
-  void FrameStarts()
+  /// The pointer is the head, unless it drags something.
+  void Point()
   {
-    this->overlay.SetText(this->Text());
-    this->frameStart = std::chrono::steady_clock::now();
+    const int* size = this->window->GetSize();
+    const int* at = this->interactor->GetEventPosition();
+    if (this->style->GetState() == VTKIS_NONE)
+      this->settings.eyes->PointAt(2.0 * at[0] / size[0] - 1.0, 2.0 * at[1] / size[1] - 1.0);
   }
-  void FrameEnds()
+  void List(ResourceList& list) const
   {
-    const std::chrono::duration<double, std::milli> spent =
-      std::chrono::steady_clock::now() - this->frameStart;
-    this->frameMs = spent.count();
-    if (this->failure.empty())
-      this->failure = TakeVtkError();
-    if (!this->failure.empty())
-      return this->Close();
-    if (!this->ticking) // camera, isovalue or window: what was complete is no more
-      this->scene.Restart();
-    this->refines = this->scene.WantsFrame(MostFrames);
-    if (this->refines)
-      this->timer.Start();
-  }
-  void Tick()
-  {
-    if (this->closed || !this->refines)
-      return;
-    this->ticking = true;
-    this->window->Render();
-    this->ticking = false;
+    this->scene.ListResources(list);
+    if (this->settings.eyes)
+      this->settings.eyes->ListResources(list);
+    else
+      list.push_back({ "second eye", 0, 0.0, "no --stereo was given" });
   }
   void Close()
   {
     if (this->closed)
       return;
     this->closed = true;
-    this->scene.ListResources(this->resources); // closing frees them
-    this->interactor->EnableRenderOff();        // or what comes now would open the window again
+    this->List(this->resources); // closing frees them
+    this->frames.Stop();
     this->interactor->TerminateApp();
   }
   void SetIsoValue(double value)
@@ -159,7 +138,7 @@ struct ViewWindow::Parts
   void Pick()
   {
     const int* at = this->interactor->GetEventPosition();
-    this->answer = PickText(this->scene, at[0], at[1]);
+    this->answer = PickText(this->scene, at[0], at[1], this->settings.eyes);
   }
   void Save()
   {
@@ -177,8 +156,8 @@ struct ViewWindow::Parts
   }
   void RequireDrawn() const
   {
-    if (!this->failure.empty())
-      throw Failure(ExitCode::CannotDraw, "cannot draw: " + this->failure);
+    if (const std::string& error = this->frames.Error(); !error.empty())
+      throw Failure(ExitCode::CannotDraw, "cannot draw: " + error);
   }
 };
 
@@ -194,7 +173,7 @@ void ViewWindow::Run()
 {
   Parts& self = *this->Self;
   self.interactor->Initialize();
-  self.window->Render();
+  self.frames.Draw();
   self.RequireDrawn();
   self.interactor->Start();
   self.RequireDrawn();
@@ -203,13 +182,7 @@ void ViewWindow::Run()
 vtkSmartPointer<vtkImageData> ViewWindow::DrawComplete()
 {
   Parts& self = *this->Self;
-  self.window->Render();
-  self.ticking = true;
-  while (self.refines && !self.closed)
-    self.window->Render();
-  self.RequireDrawn();
-  self.window->Render(); // with the text of the last frame
-  self.ticking = false;
+  self.frames.DrawComplete();
   self.RequireDrawn();
   return WindowPicture(self.window);
 }
@@ -218,7 +191,7 @@ ResourceList ViewWindow::Resources() const
 {
   ResourceList list = this->Self->resources;
   if (!this->Self->closed)
-    this->Self->scene.ListResources(list);
+    this->Self->List(list);
   return list;
 }
 
@@ -234,7 +207,7 @@ std::string ViewWindow::Text() const
 
 bool ViewWindow::WaitsForTimer() const
 {
-  return this->Self->timer.Runs();
+  return this->Self->frames.WaitsForTimer();
 }
 
 vtkSliderWidget* ViewWindow::Slider() const

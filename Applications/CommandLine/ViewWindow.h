@@ -5,6 +5,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ class vtkSliderWidget;
 namespace hasp
 {
 
+class StereoView;
 class SurfaceScene;
 
 struct ViewSettings
@@ -25,11 +27,15 @@ struct ViewSettings
   double isoValue = 0.0;                      ///< that the scene has
   std::string unit;                           ///< of the isovalue, "HU"; empty: not known
   CameraOptions camera;                       ///< of the first view, to which key r goes back
+  StereoView* eyes = nullptr; ///< draws the frames, of one eye or two; none: the window itself.
+                              ///< Must outlive the ViewWindow
+  std::function<void(const std::string&)> sayWarning; ///< takes what a head tracker warns of
 };
 
 /// A scene in a window that answers mouse and keys: trackball camera, a slider for the isovalue
 /// that the surface follows while it is dragged, and a line of text. While the scene refines, a
-/// timer draws it again; when it is complete nothing runs until the next event.
+/// timer draws it again; when it is complete nothing runs until the next event. Where eyes follow
+/// a tracker, a timer asks it 120 times a second, and draws when the head has moved.
 ///
 /// Left button turns, middle button pans (and left with Shift), right button and wheel zoom. Keys:
 /// see ViewKeys.h. RENDER thread. Scene, window and interactor must outlive it; the scene's
@@ -50,8 +56,8 @@ public:
   ResourceList Resources() const;
 
   double IsoValue() const;
-  /// The line of text: isovalue, milliseconds of the last frame but one, what drew it, and the last
-  /// answer to a key.
+  /// The line of text: isovalue, milliseconds of the last frame but one, what drew it, the head
+  /// tracker's state, and the last answer to a key.
   std::string Text() const;
   /// Will the timer draw another frame?
   bool WaitsForTimer() const;

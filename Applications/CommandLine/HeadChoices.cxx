@@ -1,0 +1,149 @@
+#include "HeadChoices.h"
+
+#include "Devices/MouseHeadPose.h"
+#include "Devices/OpentrackHeadPose.h"
+#include "Devices/PluginHeadPose.h"
+#include "Devices/RecordedHeadPose.h"
+#include "Failure.h"
+#include "Session.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <stdexcept>
+
+namespace hasp
+{
+namespace
+{
+
+constexpr const char* Opentrack = "opentrack";
+
+/// "opentrack", "opentrack:PORT", "opentrack:ADDRESS:PORT".
+OpentrackSettings OpentrackOf(const std::string& text, const HeadPose& rest)
+{
+  OpentrackSettings settings;
+  settings.origin = rest.position;
+  const std::string prefix = Opentrack;
+  if (text == prefix)
+    return settings;
+  const auto colon = text.rfind(':');
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + colon + 1, end, settings.port);
+  if (error != std::errc() || stop != end || settings.port == 0)
+    throw Failure(ExitCode::WrongUse,
+      "--head opentrack takes a port from 1 to 65535: opentrack:4242, opentrack:0.0.0.0:4242");
+  if (colon > prefix.size())
+    settings.address = text.substr(prefix.size() + 1, colon - prefix.size() - 1);
+  return settings;
+}
+
+std::unique_ptr<HeadPoseSource> MakeSource(const std::string& name, const HeadPose& rest)
+{
+  if (name == "mouse")
+  {
+    MouseHeadSettings settings;
+    settings.rest = rest;
+    return std::make_unique<MouseHeadPose>(settings);
+  }
+  if (name == Opentrack || name.starts_with("opentrack:"))
+    return std::make_unique<OpentrackHeadPose>(OpentrackOf(name, rest));
+  if (name.ends_with(".csv"))
+  {
+    PlaybackSettings settings;
+    settings.startS = SteadySeconds();
+    settings.loop = true;
+    return std::make_unique<RecordedHeadPose>(ReadHeadPath(name), settings);
+  }
+  if (name.ends_with(".so"))
+    return std::make_unique<PluginHeadPose>(name);
+  throw Failure(ExitCode::WrongUse, "--head must be mouse, opentrack, opentrack:PORT, "
+                                    "opentrack:ADDRESS:PORT, a .csv file or a plugin, .so");
+}
+
+const char* StateName(HeadTrackerState state)
+{
+  switch (state)
+  {
+    case HeadTrackerState::Waiting:
+      return "waiting for";
+    case HeadTrackerState::Tracking:
+      return "tracking by";
+    case HeadTrackerState::Holding:
+      return "held, late poses of";
+    case HeadTrackerState::Easing:
+      return "going to rest, no poses of";
+    case HeadTrackerState::Resting:
+      return "at rest, no poses of";
+    case HeadTrackerState::Returning:
+      return "coming back to";
+  }
+  return "";
+}
+
+} // namespace
+
+void AddHeadOptions(CLI::App& verb, HeadChoices& choices)
+{
+  CLI::Option* screen = verb.get_option("--screen");
+  CLI::Option* head =
+    verb
+      .add_option("--head", choices.source,
+        "The picture follows the viewer's head. mouse: as if the pointer were it; opentrack: UDP "
+        "on "
+        "this machine's port 4242 (opentrack:PORT, opentrack:ADDRESS:PORT); FILE.csv: a recorded "
+        "path, again and again; FILE.so: a plugin for a tracker")
+      ->needs(screen);
+  verb
+    .add_option("--head-calibration", choices.calibration,
+      ".json file of where the tracker stands; hasp calibrate makes one")
+    ->needs(head);
+  verb
+    .add_option("--head-prediction", choices.predictionMs,
+      "ms until a frame is seen: the head is drawn where it will be then. 0: where it was")
+    ->check(Within(0.0, 200.0))
+    ->capture_default_str()
+    ->needs(head);
+}
+
+std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const HeadPose& rest)
+{
+  if (choices.source.empty())
+    return nullptr;
+  HeadTrackerSettings settings;
+  settings.rest = rest;
+  settings.horizonS = 1e-3 * choices.predictionMs;
+  settings.predict = choices.predictionMs > 0.0;
+  std::string part = "--head-calibration";
+  try
+  {
+    const TrackerCalibration calibration = choices.calibration.empty()
+                                             ? TrackerCalibration{}
+                                             : ReadTrackerCalibration(choices.calibration);
+    part = "--head";
+    return std::make_unique<HeadTracker>(MakeSource(choices.source, rest), settings, calibration);
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(ExitCode::BadInput, part + ": " + error.what());
+  }
+}
+
+std::string HeadText(const TrackedHead& head, const char* source)
+{
+  char text[200];
+  if (head.state != HeadTrackerState::Tracking && head.state != HeadTrackerState::Returning)
+    std::snprintf(text, sizeof text, "head: %s %s", StateName(head.state), source);
+  else
+    std::snprintf(text, sizeof text, "head: %s %s, %.0f ms (%.1f frames) old, %.0f predicted",
+      StateName(head.state), source, 1e3 * head.latencyS, head.latencyFrames,
+      1e3 * head.predictedS);
+  return text;
+}
+
+} // namespace hasp

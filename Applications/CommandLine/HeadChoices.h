@@ -1,0 +1,35 @@
+#pragma once
+#include "Devices/HeadTracker.h"
+
+#include <memory>
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+/// Where `hasp view` has the viewer's head from.
+namespace hasp
+{
+
+struct HeadChoices
+{
+  std::string source;      ///< empty: the head stays where it is
+  std::string calibration; ///< .json file; empty: the tracker says room coordinates
+  double predictionMs = 33.0;
+};
+
+/// Adds --head, --head-calibration and --head-prediction; they need the verb's --screen.
+void AddHeadOptions(CLI::App& verb, HeadChoices& choices);
+
+/// The source that `choices` name: "mouse"; "opentrack", "opentrack:PORT" or
+/// "opentrack:ADDRESS:PORT"; a recorded path, .csv; a plugin, .so. Null if there is none. rest:
+/// where the head is without a pose. Throws Failure: WrongUse for what is none of these, BadInput
+/// where it cannot be opened.
+std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const HeadPose& rest);
+
+/// "tracking by opentrack, 33 ms (2.0 frames) behind, 33 ms of it predicted".
+std::string HeadText(const TrackedHead& head, const char* source);
+
+} // namespace hasp

@@ -1,0 +1,55 @@
+#pragma once
+#include "Devices/HeadTracker.h"
+#include "Grid/ResourceUse.h"
+#include "StereoChoices.h"
+#include "SurfaceActors.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace hasp
+{
+
+/// A window's eyes: one or two, before a screen in the room or beside the camera, standing still or
+/// going where a tracker says. What `hasp render` and `hasp view` draw through. RENDER thread.
+class StereoView
+{
+public:
+  /// Renderer and window must outlive it; the window must have the size that WindowPixels gives.
+  /// tracker: null for a head that stands still. Throws Failure: WrongUse for choices that do not
+  /// go together, BadInput for files.
+  StereoView(vtkRenderer* renderer, vtkRenderWindow* window, const StereoChoices& choices,
+    std::unique_ptr<HeadTracker> tracker = nullptr);
+  ~StereoView();
+
+  /// Draws one frame for where the head is at nowS (SteadySeconds). False: an error, as VTK's.
+  bool Draw(double nowS);
+  /// Is the head at nowS elsewhere than in the last frame, by more than 0.1 mm or 0.02 degrees?
+  /// Never without a tracker.
+  bool HeadMoved(double nowS);
+  bool IsTracked() const;
+
+  /// The tracker where it is the mouse: x and y in [-1, 1] of the window. Else does nothing.
+  void PointAt(double x, double y);
+  /// The line of sight of a window's pixel through all that is shown; none where nothing is seen.
+  std::optional<std::pair<WorldPoint, WorldPoint>> RayOf(int x, int y) const;
+
+  /// "head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted"; empty without a tracker.
+  std::string Text() const;
+  /// What its tracker warns of, once each.
+  std::vector<std::string> TakeWarnings();
+  /// Draws the plan of --sketch as a PNG file. Throws Failure: CannotDraw.
+  std::string SketchPng() const;
+  void ListResources(ResourceList& list) const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> Self;
+};
+
+} // namespace hasp
