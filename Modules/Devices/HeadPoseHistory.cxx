@@ -55,7 +55,10 @@ void HeadPoseHistory::Add(const TimedHeadPose& pose)
 
 bool HeadPoseHistory::KeepStill(double timeS)
 {
-  const bool moved = this->Count > 1;
+  const glm::dvec3 none(0.0);
+  const bool moved = this->Position.rate != none || this->Turn.rate != none ||
+                     this->Position.value != this->Newest().pose.position ||
+                     this->Turn.value != none;
   this->Poses[0] = { timeS, this->Newest().pose };
   this->Count = 1;
   this->Fit();

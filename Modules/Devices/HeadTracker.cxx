@@ -82,7 +82,7 @@ struct HeadTracker::Internals
   HeadTrackerSettings settings;
   TrackerCalibration calibration;
   HeadTrackerCounts counts;
-  std::array<bool, 4> warned{};
+  std::array<bool, 5> warned{};
 
   HeadPoseHistory history; ///< room
   HeadPose lastGiven;      ///< as the source gave it
@@ -127,6 +127,7 @@ bool HeadTracker::Internals::Take(const TimedHeadPose& given, double now)
     ++this->counts.future;
     timeS = now;
   }
+  this->counts.stale += now - timeS > this->settings.staleAfterS;
   const bool same = !this->history.Empty() && given.pose.position == this->lastGiven.position &&
                     given.pose.orientation == this->lastGiven.orientation;
   this->lastGiven = given.pose;
@@ -225,6 +226,9 @@ TrackedHead HeadTracker::At(double nowS)
   in.fade.Advance(step);
   in.drawn = in.wanted;
   in.drawn.pose = in.fade.Apply(in.wanted.pose);
+  if (const double away = glm::length(in.drawn.pose.position); away > MostHeadDistanceMm)
+    in.drawn.pose.position *=
+      (1.0 - 1e-12) * MostHeadDistanceMm / away; // a line through wild poses
   if (in.fade.Active())
     in.drawn.state = rest ? HeadTrackerState::Easing : HeadTrackerState::Returning;
   in.began = true;
@@ -258,6 +262,8 @@ std::vector<std::string> HeadTracker::TakeWarnings()
   } kinds[] = {
     { in.counts.outOfOrder, "poses older than the one before; they are left out" },
     { in.counts.future, "poses of a time yet to come; do tracker and program share a clock?" },
+    { in.counts.stale,
+      "poses that were stale as they came; do tracker and program share a clock?" },
     { in.counts.clockJumps, "times a clock went back" },
     { in.counts.refused, "poses that are none: not finite, further than 10 m or not unit" },
   };

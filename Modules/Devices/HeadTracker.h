@@ -10,7 +10,7 @@ namespace hasp
 
 struct HeadTrackerSettings
 {
-  HeadPose rest;              ///< what is drawn without a tracker
+  HeadPose rest{};            ///< what is drawn without a tracker
   double frameS = 1.0 / 60;   ///< time from frame to frame, in (0, 1]; only counts latency
   double horizonS = 2.0 / 60; ///< from the call of At until the picture is seen, in [0, 0.2]; what
                               ///< is drawn is the head's place then. 0: as it was
@@ -38,7 +38,7 @@ enum class HeadTrackerState
 /// What to draw now, and how good it is.
 struct TrackedHead
 {
-  HeadPose pose; ///< room
+  HeadPose pose; ///< room; always one that ValidateHeadPose lets pass
   HeadTrackerState state = HeadTrackerState::Waiting;
   double latencyS = 0.0; ///< from the newest pose until the picture is seen: now + horizon - pose
   double latencyFrames = 0.0; ///< the same in frames
@@ -53,6 +53,7 @@ struct HeadTrackerCounts
                            ///< a sender faster than its camera
   std::uint64_t outOfOrder = 0; ///< older than the one before
   std::uint64_t future = 0;     ///< of a time yet to come: taken as of now
+  std::uint64_t stale = 0;      ///< older than staleAfterS as they came
   std::uint64_t clockJumps = 0; ///< time went back for good, of the source or of the asker
   std::uint64_t refused = 0;    ///< not a valid pose
 };

@@ -8,7 +8,7 @@ namespace hasp
 
 struct MouseHeadSettings
 {
-  HeadPose rest;                  ///< with the mouse in the middle
+  HeadPose rest{};                ///< with the mouse in the middle
   glm::dvec2 reachMm{ 250, 150 }; ///< how far the head is off with the mouse at an edge, >= 0
   double stepFactor = 1.1;        ///< distance from the screen grows by it a wheel step, in (1, 2]
   double nearestMm = 150.0, farthestMm = 3000.0; ///< the wheel stops there; nearest > 0

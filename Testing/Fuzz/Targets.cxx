@@ -142,6 +142,8 @@ std::vector<Target> Targets()
 #if HASP_WITH_DICOM
   targets.push_back({ "dicom", "input.dcm", MakeDicomSeeds, ReadSeries });
 #endif
+  for (Target& target : DeviceTargets())
+    targets.push_back(std::move(target));
   return targets;
 }
 

@@ -26,6 +26,8 @@ struct Target
 
 /// Every reader of this build.
 std::vector<Target> Targets();
+/// Those of Devices, a part of Targets().
+std::vector<Target> DeviceTargets();
 
 /// The bytes of each seed, a file directly in the folder, in the order of their names. They are
 /// made in a process of their own: libraries that start threads cannot be used before a fork.
