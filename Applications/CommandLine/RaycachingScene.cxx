@@ -154,6 +154,19 @@ double DiffuseShade(
   return std::max(0.0, glm::dot(gradient, toEye) < 0.0 ? -facing : facing);
 }
 
+double HoleShare(IsosurfaceMethod& exact, IsosurfaceMethod& shown)
+{
+  exact.Draw();
+  const SurfacePoints truth = exact.Points(), points = shown.Points();
+  std::size_t surface = 0, holes = 0;
+  for (std::size_t n = 0; n < truth.size(); ++n)
+  {
+    surface += truth[n].has_value();
+    holes += truth[n] && !points[n];
+  }
+  return surface ? double(holes) / double(surface) : 0.0;
+}
+
 std::string Decibels(double psnr)
 {
   char text[40];

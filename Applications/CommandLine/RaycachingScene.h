@@ -54,6 +54,9 @@ PictureTruth CentreRaycachingPicture(const IsosurfaceView& view, double isovalue
 double DiffuseShade(
   const glm::dvec3& gradient, const glm::dvec3& toEye, const glm::dvec3& towardsLight);
 
+/// Share of the pixels with surface where nothing is shown. Draws `exact`.
+double HoleShare(IsosurfaceMethod& exact, IsosurfaceMethod& shown);
+
 /// "33.1 dB"
 std::string Decibels(double psnr);
 
@@ -64,6 +67,8 @@ std::string Decibels(double psnr);
 void ReportRaycachingFrames(ReportContext& context, const RaycachingScene& scene);
 /// raycaching.psnr, .depth.median, .holes, .bricks.unique
 void ReportRaycachingQuality(ReportContext& context, const RaycachingScene& scene);
+/// raycaching.head.*: a minute before a screen
+void ReportRaycachingHead(ReportContext& context, const RaycachingScene& scene);
 /// raycaching.stereo.*
 void ReportRaycachingStereo(ReportContext& context, const RaycachingScene& scene);
 /// raycaching.cost.lit

@@ -17,6 +17,7 @@ void Measure(ReportContext& context, const CellScene& cells, int pixels)
 {
   const RaycachingScene scene(cells, pixels);
   ReportRaycachingQuality(context, scene);
+  ReportRaycachingHead(context, scene);
   ReportRaycachingStereo(context, scene);
   ReportRaycachingLight(context, scene);
   ReportRaycachingStillLight(context, scene);

@@ -88,20 +88,6 @@ void AddConvergence(ReportContext& context, const RaycachingScene& scene)
     { { {}, 0.25 } });
 }
 
-/// Share of the pixels with surface where nothing is shown.
-double HoleShare(IsosurfaceMethod& exact, IsosurfaceMethod& shown)
-{
-  exact.Draw();
-  const SurfacePoints truth = exact.Points(), points = shown.Points();
-  std::size_t surface = 0, holes = 0;
-  for (std::size_t n = 0; n < truth.size(); ++n)
-  {
-    surface += truth[n].has_value();
-    holes += truth[n] && !points[n];
-  }
-  return surface ? double(holes) / double(surface) : 0.0;
-}
-
 void AddHoles(ReportContext& context, const RaycachingScene& scene, bool prediction)
 {
   IsosurfaceView view = scene.View();

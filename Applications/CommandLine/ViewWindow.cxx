@@ -74,9 +74,12 @@ struct ViewWindow::Parts
     char text[200];
     std::snprintf(text, sizeof text, "%.1f ms a frame, %s%s", this->frames.Milliseconds(),
       this->scene.DrewBy().c_str(), this->frames.Refines() ? ", refining" : "");
-    const std::string head = this->frames.Tracked() ? "\n" + this->settings.eyes->Text() : "";
-    return this->overlay.IsoValueText(this->settings.isoValue) + ", " + text + head +
-           (this->answer.empty() ? "" : "\n" + this->answer);
+    std::string lines = this->overlay.IsoValueText(this->settings.isoValue) + ", " + text;
+    if (this->frames.Tracked())
+      lines.append("\n").append(this->settings.eyes->Text());
+    if (!this->answer.empty())
+      lines.append("\n").append(this->answer);
+    return lines;
   }
   /// The pointer is the head, unless it drags something.
   void Point()
