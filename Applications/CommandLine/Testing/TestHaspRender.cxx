@@ -160,14 +160,43 @@ TEST_F(HaspRender, TheLayoutMakesTheSize)
 {
   this->Phantom();
   using Size = std::pair<int, int>;
-  for (const auto& [layout, size] : std::vector<std::pair<std::string, Size>>{
-         { "mono", { 120, 90 } }, { "left", { 120, 90 } }, { "side-by-side", { 240, 90 } },
-         { "top-bottom", { 120, 180 } }, { "anaglyph", { 120, 90 } } })
+  for (const auto& [layout, size] :
+    std::vector<std::pair<std::string, Size>>{ { "mono", { 120, 90 } }, { "left", { 120, 90 } },
+      { "side-by-side", { 240, 90 } }, { "top-bottom", { 120, 180 } }, { "anaglyph", { 120, 90 } },
+      { "right", { 120, 90 } }, { "interlaced", { 120, 90 } }, { "checkerboard", { 120, 90 } } })
   {
     const HaspRun run = this->Render({ "--stereo", layout });
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(this->Size("out.png"), size) << layout;
   }
+}
+
+TEST_F(HaspRender, AScreenMakesTheShapeAndASketchIsDrawn)
+{
+  this->Phantom();
+  const HaspRun run = RunHasp({ "render", this->Path("head.mha"), "--isovalue", "226", "--stereo",
+    "side-by-side", "--screen", "400x100", "--eye-separation", "60", "--head-position", "50,0,500",
+    "--life-size", "--mirror", "horizontal", "--eye-resolution", "half", "--sketch",
+    this->Path("sketch.png"), "--output", this->Path("out.png") });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(this->Size("out.png"), std::make_pair(3200, 800)); // two halves of 4 to 1
+  EXPECT_EQ(this->Size("sketch.png"), std::make_pair(1200, 720));
+}
+
+TEST_F(HaspRender, EyesThatCannotBeAreToldAndNothingIsWritten)
+{
+  this->Phantom();
+  const auto fail = [&](const Words& more, const std::string& words)
+  { ExpectFailure(this->Render(more), 1, words); };
+  fail({ "--stereo", "dual-window" }, "hasp view");
+  fail({ "--stereo", "quad-buffer" }, "hasp view");
+  fail({ "--screen", "520" }, "WIDTHxHEIGHT");
+  fail({ "--screen", "520x320", "--head-position", "0,0,0" }, "in front of the screen");
+  fail({ "--screen", "520x320", "--eye-angle", "3" }, "--eye-angle");
+  fail({ "--sketch", this->Path("s.png") }, "--screen");
+  fail({ "--eye-separation", "63" }, "--screen");
+  fail({ "--screen", "520x320", "--sketch", this->Path("s.jpg") }, ".png");
+  EXPECT_EQ(this->Names(), (Words{ "head.mha" }));
 }
 
 TEST_F(HaspRender, TwoRunsGiveTheSameBytes)

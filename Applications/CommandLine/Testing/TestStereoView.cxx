@@ -1,0 +1,321 @@
+// Eyes before a screen, and the window of `hasp view` around them.
+#include "StereoView.h"
+
+#include "Devices/MouseHeadPose.h"
+#include "Failure.h"
+#include "ViewDesk.h"
+
+#include "vtkRenderWindow.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <functional>
+
+namespace
+{
+
+using namespace hasp;
+using hasp::testing::Ball;
+
+/// A tracker that a test moves by hand.
+class HandHeld : public HeadPoseSource
+{
+public:
+  HeadPose pose;
+  std::vector<std::string> warnings;
+
+  std::optional<TimedHeadPose> Latest(double nowS) override { return TimedHeadPose{ nowS, pose }; }
+  const char* Name() const noexcept override { return "a hand"; }
+  std::vector<std::string> TakeWarnings() override { return std::exchange(this->warnings, {}); }
+};
+
+/// A ball of 20 mm in the middle of a screen of 400 x 300 mm.
+struct StereoDesk
+{
+  bool headless = UseHeadlessWindows();
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  int frames = 0; ///< of the window: one an eye
+  int timers = 0; ///< that wait
+  int lastTimer = 0;
+  Session session;
+  SceneOptions options;
+  StereoChoices choices;
+  HandHeld* hand = nullptr;
+  std::vector<std::string> said;
+  std::unique_ptr<SurfaceScene> scene;
+  std::unique_ptr<StereoView> eyes;
+  std::unique_ptr<ViewWindow> view;
+
+  explicit StereoDesk(
+    const std::string& layout, std::unique_ptr<HeadPoseSource> source = nullptr,
+    const std::function<void(StereoChoices&)>& change = [](StereoChoices&) {})
+  {
+    this->session.quiet = true;
+    this->options.isoValue = 80.0;
+    this->options.drawing.mapper = "cells";
+    this->options.drawing.interactive = true;
+    this->choices.layout = layout;
+    this->choices.screen = "400x300";
+    this->choices.eyeSeparationMm = 60.0;
+    change(this->choices);
+    const auto size = WindowPixels(MakeStereoWindow(this->choices), { 200, 150 }, true);
+    this->window->SetOffScreenRendering(true);
+    this->window->SetSize(size[0], size[1]);
+    this->window->AddRenderer(this->renderer);
+    this->interactor->SetRenderWindow(this->window);
+    this->interactor->AddObserver(vtkCommand::CreateTimerEvent, this, &StereoDesk::Timer);
+    this->window->AddObserver(vtkCommand::StartEvent, this, &StereoDesk::Frame);
+    this->scene =
+      std::make_unique<SurfaceScene>(this->renderer, Ball(), this->options, this->session);
+    std::unique_ptr<HeadTracker> tracker;
+    this->hand = dynamic_cast<HandHeld*>(source.get());
+    if (source)
+    {
+      HeadTrackerSettings settings;
+      settings.horizonS = 0.0;
+      settings.predict = false;
+      tracker = std::make_unique<HeadTracker>(std::move(source), settings);
+    }
+    this->eyes =
+      std::make_unique<StereoView>(this->renderer, this->window, this->choices, std::move(tracker));
+    ViewSettings view;
+    view.eyes = this->eyes.get();
+    view.sayWarning = [this](const std::string& text) { this->said.push_back(text); };
+    this->view = std::make_unique<ViewWindow>(*this->scene, this->window, this->interactor, view);
+    this->interactor->Initialize();
+    this->interactor->Render();
+  }
+  void Timer()
+  {
+    this->lastTimer = this->interactor->GetTimerEventId();
+    this->interactor->SetTimerEventPlatformId(this->lastTimer);
+    ++this->timers;
+  }
+  void Frame() { ++this->frames; }
+  /// Fires what waits; false if nothing does.
+  bool Fire()
+  {
+    if (!this->view->WaitsForTimer())
+      return false;
+    int id = this->lastTimer;
+    this->interactor->InvokeEvent(vtkCommand::TimerEvent, &id);
+    return true;
+  }
+  /// Millimetres of the world in one of the room: the screen is as high as the view.
+  double Scale() const
+  {
+    vtkCamera* camera = this->renderer->GetActiveCamera();
+    return 2.0 * camera->GetDistance() * std::tan(camera->GetViewAngle() * M_PI / 360.0) / 300.0;
+  }
+  /// From the middle of the screen, in the room's millimetres: right, up, towards the viewer.
+  glm::dvec3 InRoom(const WorldPoint& p) const
+  {
+    vtkCamera* camera = this->renderer->GetActiveCamera();
+    double focus[3], normal[3], up[3], right[3];
+    camera->GetFocalPoint(focus);
+    camera->GetViewPlaneNormal(normal);
+    camera->OrthogonalizeViewUp();
+    camera->GetViewUp(up);
+    vtkMath::Cross(up, normal, right);
+    const double from[3] = { p[0] - focus[0], p[1] - focus[1], p[2] - focus[2] };
+    return glm::dvec3(
+             vtkMath::Dot(from, right), vtkMath::Dot(from, up), vtkMath::Dot(from, normal)) /
+           this->Scale();
+  }
+};
+
+/// Where a line meets the screen.
+glm::dvec2 OnScreen(const glm::dvec3& from, const glm::dvec3& to)
+{
+  return glm::dvec2(from + (to - from) * (from.z / (from.z - to.z)));
+}
+
+TEST(StereoView, EachPixelIsSeenByItsEyeFromWhereItIs)
+{
+  StereoDesk desk("side-by-side");
+  EXPECT_EQ(desk.window->GetSize()[0], 400); // two eyes of 200
+  constexpr double pixel = 2.0;              // mm
+  for (const bool right : { false, true })
+  {
+    const auto ray = desk.eyes->RayOf(right ? 350 : 150, 37); // 3/4 along the screen, 1/4 up
+    ASSERT_TRUE(ray);
+    const glm::dvec3 from = desk.InRoom(ray->first), to = desk.InRoom(ray->second);
+    EXPECT_NEAR(from.x, right ? 30.0 : -30.0, 1e-6);
+    EXPECT_NEAR(from.y, 0.0, 1e-6);
+    EXPECT_NEAR(from.z, 600.0, 1e-6);
+    EXPECT_LT(to.z, -10.0) << "behind all that is shown";
+    EXPECT_NEAR(OnScreen(from, to).x, 100.0, pixel);
+    EXPECT_NEAR(OnScreen(from, to).y, -75.0, pixel);
+  }
+}
+
+TEST(StereoView, APickLiesOnTheLineOfThatEye)
+{
+  StereoDesk desk("left", nullptr, [](StereoChoices& c) { c.headMm = { 150.0, 40.0, 500.0 }; });
+  const auto ray = desk.eyes->RayOf(100, 75); // the middle, where the ball is
+  ASSERT_TRUE(ray);
+  const auto hit = desk.scene->Pick(ray->first, ray->second);
+  ASSERT_TRUE(hit);
+  const glm::dvec3 p((*hit)[0], (*hit)[1], (*hit)[2]);
+  EXPECT_NEAR(glm::length(p), 20.0, 0.15); // samples 2 to 3 mm apart round off a ball
+  const glm::dvec3 room = desk.InRoom(*hit), eye(120.0, 40.0, 500.0);
+  const glm::dvec2 seen = OnScreen(eye, room);
+  EXPECT_LT(glm::length(seen - glm::dvec2(1.0, 1.0)), 0.1); // the pixel's middle, 2 mm wide
+}
+
+TEST(StereoView, LifeSizeIsLifeSize)
+{
+  StereoDesk desk("mono", nullptr, [](StereoChoices& c) { c.lifeSize = true; });
+  EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
+}
+
+TEST(StereoView, AHeadMovesThePictureWhenItMovedFarEnough)
+{
+  StereoDesk desk("left", std::make_unique<HandHeld>());
+  EXPECT_FALSE(desk.eyes->HeadMoved(0.0));
+  desk.hand->pose.position.x = 0.05; // mm
+  EXPECT_FALSE(desk.eyes->HeadMoved(1.0));
+  desk.hand->pose.position = { 200.0, 0.0, 400.0 };
+  EXPECT_TRUE(desk.eyes->HeadMoved(2.0));
+  double now = 3.0;
+  for (; now < 5.0; now += 0.05) // a jump of the head is not shown as one
+    desk.eyes->Draw(now);
+  EXPECT_FALSE(desk.eyes->HeadMoved(now));
+  const auto ray = desk.eyes->RayOf(100, 75);
+  ASSERT_TRUE(ray);
+  EXPECT_NEAR(desk.InRoom(ray->first).x, 170.0, 1.0);
+  EXPECT_NEAR(desk.InRoom(ray->first).z, 400.0, 1.0);
+}
+
+TEST(StereoView, WithoutATrackerNothingRunsWhenThePictureIsComplete)
+{
+  StereoDesk desk("anaglyph");
+  int fired = 0;
+  while (fired < 100 && desk.Fire())
+    ++fired;
+  EXPECT_LT(fired, 100);
+  const int frames = desk.frames;
+  EXPECT_EQ(frames % 2, 0) << "two eyes each";
+  desk.interactor->Render(); // what a widget, a key or an exposed window asks for
+  EXPECT_EQ(desk.frames, frames + 2);
+  EXPECT_EQ(desk.view->Text().find("head"), std::string::npos);
+}
+
+TEST(StereoView, WithATrackerItIsAskedAndOnlyAHeadThatMovedIsDrawn)
+{
+  StereoDesk desk("anaglyph", std::make_unique<HandHeld>());
+  desk.hand->warnings = { "the tracker lost its light" };
+  for (int n = 0; n < 30; ++n)
+    ASSERT_TRUE(desk.Fire());
+  EXPECT_EQ(desk.said, std::vector<std::string>{ "the tracker lost its light" });
+  EXPECT_NE(desk.view->Text().find("head: tracking by a hand"), std::string::npos)
+    << desk.view->Text();
+  const int frames = desk.frames;
+  for (int n = 0; n < 30; ++n)
+    ASSERT_TRUE(desk.Fire());
+  EXPECT_EQ(desk.frames, frames) << "nobody moved";
+  desk.hand->pose.position.x = 20.0;
+  for (int n = 0; n < 5; ++n)
+    ASSERT_TRUE(desk.Fire());
+  EXPECT_GT(desk.frames, frames);
+}
+
+TEST(StereoView, TheMouseIsTheHeadUnlessItDrags)
+{
+  StereoDesk desk("mono", std::make_unique<MouseHeadPose>());
+  const auto mouse = [&](int x, int y, unsigned long event)
+  {
+    desk.interactor->SetEventInformation(x, y, 0, 0, 0);
+    desk.interactor->InvokeEvent(event);
+  };
+  /// The head comes there, in the tracker's own time; five seconds are many times that.
+  const auto comes = [&](const glm::dvec3& place)
+  {
+    glm::dvec3 at(0.0);
+    const double start = SteadySeconds();
+    do
+    {
+      desk.Fire();
+      if (const auto ray = desk.eyes->RayOf(100, 75))
+        at = desk.InRoom(ray->first);
+    } while (glm::length(at - place) > 0.2 && SteadySeconds() - start < 5.0);
+    EXPECT_LT(glm::length(at - place), 0.2) << at.x << " " << at.y << " " << at.z;
+  };
+  mouse(100, 75, vtkCommand::MouseMoveEvent);
+  comes({ 0.0, 0.0, 600.0 });
+  mouse(150, 75, vtkCommand::MouseMoveEvent); // half of 250 mm
+  comes({ 125.0, 0.0, 600.0 });
+  mouse(150, 75, vtkCommand::LeftButtonPressEvent);
+  mouse(20, 20, vtkCommand::MouseMoveEvent);
+  comes({ 125.0, 0.0, 600.0 });
+}
+
+TEST(StereoView, ADualWindowHasTwo)
+{
+  StereoDesk desk("dual-window");
+  const int frames = desk.frames;
+  desk.interactor->Render();
+  EXPECT_EQ(desk.frames, frames + 1) << "the other eye is drawn in the other window";
+  const auto ray = desk.eyes->RayOf(100, 75);
+  ASSERT_TRUE(ray);
+  EXPECT_NEAR(desk.InRoom(ray->first).x, -30.0, 1e-6);
+}
+
+TEST(StereoChoices, AreRefusedWithWhatToDo)
+{
+  const auto refuse = [](const std::function<void(StereoChoices&)>& change, const char* words)
+  {
+    StereoChoices choices;
+    change(choices);
+    try
+    {
+      MakeStereoWindow(choices);
+      ADD_FAILURE() << "taken: " << words;
+    }
+    catch (const Failure& failure)
+    {
+      EXPECT_NE(std::string(failure.what()).find(words), std::string::npos) << failure.what();
+    }
+  };
+  for (const char* size : { "520", "520x", "x320", "520x320x1", "520,320", "nanx320", "1x320",
+         "520x1e9", "520 x 320", "520x320mm", "infxinf", "-520x320" })
+    refuse([&](StereoChoices& c) { c.screen = size; }, "--screen must be WIDTHxHEIGHT in mm");
+  refuse([](StereoChoices& c) { c.headMm = { 0.0, 0.0, 600.0 }; }, "give --screen or --hmd too");
+  refuse(
+    [](StereoChoices& c)
+    {
+      c.screen = "520x320";
+      c.headMm = { 0.0, 0.0, -1.0 };
+    },
+    "in front of the screen");
+  refuse([](StereoChoices& c) { c.hmd = { -1.0, 1.0, 1.0, 1.0 }; }, "0");
+  refuse([](StereoChoices& c) { c.lens = "no-such-lens.json"; }, "--lens");
+  EXPECT_EQ(ScreenSize("520.5x320"), (std::array{ 520.5, 320.0 }));
+}
+
+TEST(StereoChoices, PixelsFollowScreenAndLayout)
+{
+  StereoChoices choices;
+  choices.screen = "520x320";
+  using Size = std::array<int, 2>;
+  const auto pixels = [&](const char* layout, bool square)
+  {
+    choices.layout = layout;
+    return WindowPixels(MakeStereoWindow(choices), { 800, 800 }, square);
+  };
+  EXPECT_EQ(pixels("mono", true), (Size{ 1300, 800 }));
+  EXPECT_EQ(pixels("mono", false), (Size{ 800, 800 }));
+  EXPECT_EQ(pixels("side-by-side", true), (Size{ 2600, 800 }));
+  choices.resolution = "half";
+  EXPECT_EQ(pixels("side-by-side", true), (Size{ 1300, 800 }));
+  EXPECT_EQ(pixels("interlaced", true), (Size{ 1300, 800 }));
+  choices.screen.clear();
+  choices.resolution = "full";
+  choices.layout = "side-by-side";
+  EXPECT_THROW(WindowPixels(MakeStereoWindow(choices), { 16384, 100 }, true), Failure);
+}
+
+} // namespace
