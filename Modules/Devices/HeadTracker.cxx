@@ -75,7 +75,7 @@ struct HeadTracker::Internals
   }
 
   bool Take(const TimedHeadPose& given, double nowS);
-  bool Follow(const TimedHeadPose& pose);
+  bool Follow(const TimedHeadPose& pose, double sinceHeardS);
   TrackedHead Want(double nowS) const;
 
   std::unique_ptr<HeadPoseSource> source;
@@ -133,27 +133,29 @@ bool HeadTracker::Internals::Take(const TimedHeadPose& given, double now)
   this->lastGiven = given.pose;
   this->lastGivenS = given.timeS;
   this->newsS = now;
+  const double sinceHeard = timeS - this->heardS;
   this->heardS = timeS;
   if (same)
   {
     ++this->counts.still;
     const bool still = timeS - this->history.Newest().timeS >= StillAfterS;
-    return still && this->history.KeepStill(timeS);
+    return still && this->history.KeepStill(timeS) && this->settings.predict;
   }
-  return this->Follow({ timeS, ToRoom(this->calibration, given.pose) }) || broke;
+  return this->Follow({ timeS, ToRoom(this->calibration, given.pose) }, sinceHeard) || broke;
 }
 
 /// A pose that moved. True if it came too late to go on from the ones before.
-bool HeadTracker::Internals::Follow(const TimedHeadPose& pose)
+bool HeadTracker::Internals::Follow(const TimedHeadPose& pose, double sinceHeardS)
 {
   ++this->counts.followed;
   bool broke = false;
   if (!this->history.Empty())
   {
-    const double since = pose.timeS - this->history.Newest().timeS;
-    if (since < SameTimeS) // two clocks, or poses taken as of now: no time to make a velocity of
+    // Two clocks, or poses taken as of now: no time to make a velocity of.
+    const bool together = pose.timeS - this->history.Newest().timeS < SameTimeS;
+    if (together)
       this->history.Clear();
-    broke = since > GapS || since < SameTimeS;
+    broke = together || sinceHeardS > GapS;
   }
   this->history.Add(pose);
   return broke;

@@ -10,7 +10,9 @@ struct OpentrackSettings
 {
   std::string address = "127.0.0.1"; ///< this machine alone; elsewhere anybody may move the view
   std::uint16_t port = 4242;         ///< opentrack's; 0: a free one, see Port
-  glm::dvec3 origin{ 0, 0, 600 };    ///< the head in the room, mm, when opentrack is centred
+  /// The head in the room, mm, when opentrack is centred. {0, 0, 0} where a TrackerCalibration maps
+  /// opentrack's own coordinates: when it is made, and when it is used.
+  glm::dvec3 origin{ 0, 0, 600 };
 };
 
 /// opentrack (github.com/opentrack/opentrack) as a tracker: a webcam or a clip with lights, on this

@@ -134,6 +134,26 @@ TEST(HeadTrackerFlow, AHeadThatKeepsStillIsNotStale)
   EXPECT_GT(tracker.Counts().still, 250u);
 }
 
+/// A mouse that rests for any while and goes on: followed at once, nothing is faded.
+TEST(HeadTrackerFlow, APauseOfTheHeadIsNoBreak)
+{
+  for (int rest = 1; rest < 40; ++rest)
+  {
+    hasp::HeadTracker tracker = hasp::Track(
+      [&](double now)
+      {
+        const double x = now < 1.0 ? 50 * now : std::max(50.0, 50 * (now - rest * Frame));
+        return hasp::TimedHeadPose{ now, { { x, 0, 600 }, { 1, 0, 0, 0 } } };
+      },
+      { .predict = false });
+    for (int n = 0; n < 150; ++n)
+    {
+      const hasp::TrackedHead head = tracker.At(n * Frame);
+      EXPECT_EQ(head.state, State::Tracking) << rest << " " << n;
+    }
+  }
+}
+
 /// opentrack repeats the pose of a 30 Hz camera at 250 Hz: the repetitions are no news, and the
 /// prediction is that of 30 Hz.
 TEST(HeadTrackerFlow, RepeatedPosesDoNotSpoilTheVelocity)
