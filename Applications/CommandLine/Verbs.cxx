@@ -11,6 +11,7 @@ void AddVerbs(CLI::App& app, Session& session)
   AddRenderVerb(app, session);
 #if HASP_WITH_VIEW
   AddViewVerb(app, session);
+  AddCalibrateVerb(app, session);
 #endif
 #if HASP_WITH_GUIDES
   AddGuideVerb(app, session);

@@ -20,6 +20,7 @@ void AddConvertVerb(CLI::App& app, Session& session);
 void AddCellsVerb(CLI::App& app, Session& session);
 void AddRenderVerb(CLI::App& app, Session& session);
 void AddViewVerb(CLI::App& app, Session& session);
+void AddCalibrateVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);

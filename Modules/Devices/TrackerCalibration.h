@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hasp
@@ -31,6 +32,16 @@ struct CalibrationPair
   glm::dvec3 trackerMm{ 0.0 };
   glm::dvec3 roomMm{ 0.0 };
 };
+
+/// Pairs as text: a line that names the columns, then a line a pair, as HeadPath.h's:
+///
+///   trackerXMm,trackerYMm,trackerZMm,roomXMm,roomYMm,roomZMm
+///   12.5,-80,1020,-260,160,0
+///
+/// Errors are std::runtime_error (file) or std::invalid_argument (content, at most 10,000 pairs and
+/// 4 MiB); they say the line, never the file's name or text. Any thread.
+std::vector<CalibrationPair> ParseCalibrationPairs(std::string_view text);
+std::vector<CalibrationPair> ReadCalibrationPairs(const std::string& file);
 
 struct CalibrationFit
 {

@@ -60,7 +60,7 @@ TEST(HeadPath, WhatIsWrongInTheTextIsSaidByItsLine)
     { "", "line 1: it must be timeS,xMm" },
     { "time,x,y,z\n" + fine, "line 1" },
     { Columns, "line 2: there is no pose" },
-    { Columns + "0,0,0,600,1,0,0\n", "line 2: there must be eight" },
+    { Columns + "0,0,0,600,1,0,0\n", "line 2: there must be 8" },
     { Columns + fine + "1,0,0,600,1,0,0,0,0\n", "line 3: something stands behind" },
     { Columns + fine + "\n" + fine, "line 3: column 1" },
     { Columns + fine + "1,0,0,six,1,0,0,0\n", "line 3: column 4" },
