@@ -25,7 +25,8 @@ struct EvenMotion
 /// values      as many, any unit
 /// noiseFloor  > 0, same unit
 /// Fewer than three samples, or less than `leastSpanS` between the first and the last: the newest
-/// value and no rate. Any thread; never throws, takes no memory. O(n^2 log n), about 1 us for five.
+/// value and no rate. Any thread; never throws, takes no memory. O(n^2), 0.4 us for five, 6 us
+/// for 24.
 EvenMotion FitEvenMotion(std::span<const double> timesS, std::span<const glm::dvec3> values,
   double noiseFloor, double leastSpanS) noexcept;
 

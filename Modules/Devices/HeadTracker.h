@@ -66,7 +66,8 @@ struct HeadTrackerCounts
 /// shrinks to nothing along a smooth step over toRestS or backS. Frames more than 0.1 s apart count
 /// as 0.1 s, so that a pause ends without a jump, too.
 /// Threads: RENDER, or whoever owns it; one at a time. No thread of its own.
-/// Cost: the source's, about 5 us a call, 4 KiB; no memory is taken after construction.
+/// Cost: the source's, 1 us a call at 60 Hz, 14 us where a 1 kHz tracker is asked at 1 kHz
+/// (bin/BenchHeadTracker), 4 KiB; no memory is taken after construction.
 class HeadTracker
 {
 public:
