@@ -1,7 +1,7 @@
 // bin/hasp view as its user meets it, on a screen of Xvfb.
 #include "HaspProcess.h"
 #include "OlderOpenGL.h"
-#include "TestScreen.h"
+#include "ViewFixture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,32 +13,7 @@
 namespace
 {
 
-using Words = std::vector<std::string>;
-
 constexpr unsigned long KeyQ = 0x71, KeyRight = 0xff53; // X11/keysymdef.h
-
-class HaspView : public HaspTest
-{
-protected:
-  Words View(const Words& more) const
-  {
-    Words words{ "view", this->Path("head.mha"), "--resolution", "200,150" };
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-  /// Width and height out of the PNG's header.
-  std::pair<int, int> Size(const std::string& name) const
-  {
-    const std::string png = ReadBytes(this->Path(name));
-    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
-    const auto number = [&](std::size_t at)
-    {
-      return 256 * static_cast<unsigned char>(png.at(at + 2)) +
-             static_cast<unsigned char>(png.at(at + 3));
-    };
-    return { number(16), number(20) };
-  }
-};
 
 /// bin/hasp view, running.
 class OpenView
@@ -86,10 +61,6 @@ private:
   int Null;
   pid_t Child;
 };
-
-#define REQUIRE_SCREEN(screen)                                                                     \
-  if (screen.Display().empty())                                                                    \
-  GTEST_SKIP() << "no Xvfb (Debian: xvfb)"
 
 TEST_F(HaspView, WithoutADisplayItSaysWhatToDo)
 {
@@ -165,44 +136,6 @@ TEST_F(HaspView, TheCompleteWindowIsWritten)
     screen.Display()); // the surface is a dot
   ASSERT_EQ(far.exitCode, 0) << far.err;
   EXPECT_GT(ReadBytes(this->Path("w.png")).size(), 2 * ReadBytes(this->Path("far.png")).size());
-}
-
-TEST_F(HaspView, TwoEyesFollowTheMouseAndAreListed)
-{
-  this->Phantom();
-  TestScreen screen;
-  REQUIRE_SCREEN(screen);
-  const HaspRun run =
-    RunHasp(this->View({ "--stereo", "interlaced", "--screen", "520x390", "--head", "mouse",
-              "--sketch", this->Path("s.png"), "--output", this->Path("w.png"), "--explain" }),
-      {}, screen.Display());
-  ASSERT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_EQ(run.err.find("ERR"), std::string::npos) << run.err;
-  EXPECT_EQ(this->Size("w.png"), std::make_pair(200, 150));
-  EXPECT_EQ(this->Size("s.png"), std::make_pair(1200, 720));
-  EXPECT_NE(run.out.find("mouse"), std::string::npos) << run.out;
-}
-
-TEST_F(HaspView, AHeadThatCannotBeFollowedIsTold)
-{
-  this->Phantom();
-  TestScreen screen;
-  REQUIRE_SCREEN(screen);
-  const auto fail = [&](const Words& more, int code, const std::string& words)
-  { ExpectFailure(RunHasp(this->View(more), {}, screen.Display()), code, words); };
-  const auto head = [](const std::string& source) {
-    return Words{ "--screen", "520x320", "--head", source };
-  };
-  fail({ "--head", "mouse" }, 1, "--screen");
-  fail(head("telepathy"), 1, "--head must be mouse, opentrack");
-  fail(head("opentrack:0"), 1, "port from 1 to 65535");
-  fail(head("opentrack:4242x"), 1, "port from 1 to 65535");
-  fail(head("opentrack:no-address:4242"), 2, "--head: ");
-  fail(head(this->Path("none.csv")), 2, "--head: ");
-  fail(head(this->Path("none.so")), 2, "--head: ");
-  Words calibrated = head("mouse");
-  calibrated.insert(calibrated.end(), { "--head-calibration", this->Path("none.json") });
-  fail(calibrated, 2, "--head-calibration: ");
 }
 
 TEST_F(HaspView, CellsAreShownWithoutASlider)
