@@ -20,7 +20,7 @@ namespace hasp
 namespace
 {
 constexpr int PacketsAWake = 64;
-constexpr int RestMs = 2; ///< after so many at once
+constexpr int RestMs = 2; ///< after so many at once, while it floods
 
 /// Set from one thread, polled by another.
 class StopEvent
@@ -104,8 +104,12 @@ private:
     try
     {
       while (this->WaitForPackets())
-        if (this->TakeAll(now) == PacketsAWake && this->WaitForStop(RestMs))
+      {
+        const std::uint64_t before = now.counts.flooding;
+        const bool more = this->TakeAll(now) == PacketsAWake;
+        if (more && now.counts.flooding > before && this->WaitForStop(RestMs))
           return;
+      }
     }
     catch (const std::system_error& error)
     {
