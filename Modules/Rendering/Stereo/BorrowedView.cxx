@@ -69,8 +69,7 @@ void BorrowedView::SetViewports(glm::ivec2 pixels)
   }
 }
 
-void BorrowedView::Draw(
-  const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
+void BorrowedView::Draw(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
 {
   this->eyeCamera->SetUserTransform(this->settings->GetUserTransform()); // not the last eye's
   hasp::SetCameraToView(this->eyeCamera, view, eye, grid);

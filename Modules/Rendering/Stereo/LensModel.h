@@ -20,9 +20,9 @@ namespace hasp
 /// A point of the panel at p is seen at c + s (p - c) (1 + k1 r^2 + k2 r^4 + k3 r^6), r = |p - c|.
 struct LensModel
 {
-  glm::dvec3 coefficients{ 0.0 };        ///< k1, k2, k3; finite
-  std::array<glm::dvec2, 2> centers{};   ///< c of the left and the right eye, half heights
-  glm::dvec3 colorScale{ 1.0 };          ///< s of red, green and blue, > 0: chromatic aberration
+  glm::dvec3 coefficients{ 0.0 };      ///< k1, k2, k3; finite
+  std::array<glm::dvec2, 2> centers{}; ///< c of the left and the right eye, half heights
+  glm::dvec3 colorScale{ 1.0 };        ///< s of red, green and blue, > 0: chromatic aberration
 };
 
 /// Throws std::invalid_argument, with the value and the legal range, unless all is finite, scales

@@ -17,8 +17,8 @@ namespace hasp
 /// Where each pixel of the panel takes its colour from in the eye's picture.
 struct LensTable
 {
-  static constexpr int Steps = 256;         ///< of a pixel
-  static constexpr float Dark = -16777216;  ///< x of what lies outside the picture: black
+  static constexpr int Steps = 256;        ///< of a pixel
+  static constexpr float Dark = -16777216; ///< x of what lies outside the picture: black
 
   glm::ivec2 size{ 0 }; ///< pixels of the panel and of the picture
   int channels = 1;     ///< 3 where colours are scaled differently, each with a table of its own

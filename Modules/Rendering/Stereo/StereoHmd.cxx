@@ -43,8 +43,7 @@ EyeView ViewOfHmdEye(const StereoHmd& hmd, const StereoHead& head, StereoEye eye
   EyeView view;
   view.viewUp = glm::normalize(head.up);
   view.position = EyePosition(head, eye);
-  view.focalPoint =
-    view.position - 500.0 * glm::cross(glm::normalize(head.right), view.viewUp);
+  view.focalPoint = view.position - 500.0 * glm::cross(glm::normalize(head.right), view.viewUp);
   view.viewAngleDegrees = 2.0 * std::atan(0.5 * along) * 180.0 / std::numbers::pi;
   view.windowCenter = { (field.right - field.left) / across, (field.up - field.down) / along };
   view.aspect = across / along;

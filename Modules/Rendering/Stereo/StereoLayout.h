@@ -6,7 +6,8 @@
 namespace hasp
 {
 
-/// How two eyes' pictures become what a viewer is shown. `StereoOutput.h` says which pixel is whose.
+/// How two eyes' pictures become what a viewer is shown. `StereoOutput.h` says which pixel is
+/// whose.
 enum class StereoLayout
 {
   Mono,         ///< one eye between the two: no second eye is drawn

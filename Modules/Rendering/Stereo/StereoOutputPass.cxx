@@ -70,8 +70,7 @@ void SetOutput(vtkShaderProgram* program, const hasp::StereoOutput& output, glm:
   using hasp::StereoLayout;
   const bool one = !hasp::NeedsSecondEye(output.layout);
   const bool right = one ? output.layout == StereoLayout::Right : output.swapEyes;
-  const glm::ivec2 flip(
-    output.flip == MirrorFlip::Horizontal || output.flip == MirrorFlip::Both,
+  const glm::ivec2 flip(output.flip == MirrorFlip::Horizontal || output.flip == MirrorFlip::Both,
     output.flip == MirrorFlip::Vertical || output.flip == MirrorFlip::Both);
   program->SetUniformi("outputLayout", static_cast<int>(output.layout));
   program->SetUniformi("halved", output.resolution == hasp::StereoResolution::Half);
@@ -190,9 +189,20 @@ void StereoOutputPass::Compose(
   }
 }
 
+void StereoOutputPass::Eye::Release()
+{
+  *this = {}; // VTK's objects make their context current to free what they hold
+}
+
+void StereoOutputPass::Forget(hasp::StereoEye eye)
+{
+  this->Eyes[eye == hasp::StereoEye::Right].Release();
+}
+
 void StereoOutputPass::Release()
 {
-  this->Eyes = {}; // VTK's objects make their context current to free what they hold
+  for (Eye& eye : this->Eyes)
+    eye.Release();
 }
 
 std::size_t StereoOutputPass::PictureBytes() const

@@ -50,13 +50,13 @@ enum class StereoEye
 /// What a camera needs to draw one eye's view: VTK's names and units.
 struct EyeView
 {
-  glm::dvec3 position{ 0.0 }; ///< the eye
+  glm::dvec3 position{ 0.0 };   ///< the eye
   glm::dvec3 focalPoint{ 0.0 }; ///< where the axis meets the screen's plane
   glm::dvec3 viewUp{ 0, 1, 0 }; ///< unit
   double viewAngleDegrees = 30; ///< vertical, in (0, 180): 2 atan(height / 2 / distance)
   glm::dvec2 windowCenter{
     0
-  }; ///< shift of the screen's middle from the axis, in half screen sizes
+  };                   ///< shift of the screen's middle from the axis, in half screen sizes
   double aspect = 1.0; ///< width / height of the screen
 };
 

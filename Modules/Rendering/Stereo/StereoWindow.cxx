@@ -17,8 +17,7 @@ void ValidateStereoWindow(const StereoWindow& window)
     StereoRig rig; // a viewer before the middle, for the check of the screen
     rig.screen = *window.screen;
     rig.head.right = rig.screen.right;
-    rig.head.position =
-      rig.screen.center + glm::cross(rig.screen.right, rig.screen.up);
+    rig.head.position = rig.screen.center + glm::cross(rig.screen.right, rig.screen.up);
     rig.head.eyeSeparationMm = 0.0;
     ValidateStereoRig(rig);
   }

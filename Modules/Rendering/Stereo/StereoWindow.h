@@ -21,8 +21,8 @@ struct StereoWindow
   StereoOutput output{};
 
   /// The window's rectangle in the room. Its aspect is that of the scene as the viewer sees it,
-  /// whatever the window's pixels. None: the eyes stand beside the scene's camera, and the aspect is
-  /// that of an eye's pixels (Full) or of the window's (Half).
+  /// whatever the window's pixels. None: the eyes stand beside the scene's camera, and the aspect
+  /// is that of an eye's pixels (Full) or of the window's (Half).
   std::optional<StereoScreen> screen{};
 
   /// A head-mounted display instead of a screen: its eyes go with the head.

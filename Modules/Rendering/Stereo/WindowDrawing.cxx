@@ -91,8 +91,7 @@ std::array<hasp::EyeView, 2> WindowDrawing::Views(const ViewedScene& scene, glm:
   return { hasp::ViewOfEye(rig, StereoEye::Left), hasp::ViewOfEye(rig, StereoEye::Right) };
 }
 
-void WindowDrawing::UpdateLenses(
-  const std::array<hasp::EyeView, 2>& views, glm::ivec2 eyeSize)
+void WindowDrawing::UpdateLenses(const std::array<hasp::EyeView, 2>& views, glm::ivec2 eyeSize)
 {
   const glm::dvec2 aspects(views[0].aspect, views[1].aspect);
   if (this->LensSize == eyeSize && this->LensAspects == aspects)
@@ -107,8 +106,7 @@ void WindowDrawing::UpdateLenses(
   this->LensAspects = aspects;
 }
 
-void WindowDrawing::ShowQuadBuffers(
-  vtkOpenGLRenderWindow* window, const PixelRectangle& target)
+void WindowDrawing::ShowQuadBuffers(vtkOpenGLRenderWindow* window, const PixelRectangle& target)
 {
   const int type = window->GetStereoType();
   const int render = window->GetStereoRender();
@@ -128,8 +126,8 @@ void WindowDrawing::ShowQuadBuffers(
   window->SetStereoType(type);
 }
 
-void WindowDrawing::DrawEyes(vtkOpenGLRenderWindow* window, BorrowedView& view,
-  const std::array<hasp::EyeView, 2>& views)
+void WindowDrawing::DrawEyes(
+  vtkOpenGLRenderWindow* window, BorrowedView& view, const std::array<hasp::EyeView, 2>& views)
 {
   const hasp::StereoOutput& output = this->Set.output;
   const PixelRectangle target{ view.Origin(), view.Size() };

@@ -5,8 +5,8 @@
 #include "StereoOutputPass.h"
 #include "StereoWindow.h"
 
-#include "vtkWeakPointer.h"
 #include "vtkRenderWindow.h"
+#include "vtkWeakPointer.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -50,8 +50,8 @@ public:
 private:
   vtkRenderer* RendererFor(const ViewedScene& scene);
   std::array<hasp::EyeView, 2> Views(const ViewedScene& scene, glm::ivec2 size) const;
-  void DrawEyes(vtkOpenGLRenderWindow* window, BorrowedView& view,
-    const std::array<hasp::EyeView, 2>& views);
+  void DrawEyes(
+    vtkOpenGLRenderWindow* window, BorrowedView& view, const std::array<hasp::EyeView, 2>& views);
   void UpdateLenses(const std::array<hasp::EyeView, 2>& views, glm::ivec2 eyeSize);
   void ShowQuadBuffers(vtkOpenGLRenderWindow* window, const PixelRectangle& target);
 

@@ -51,8 +51,7 @@ VTKHASPRENDERINGSTEREO_EXPORT StereoRig RigOnScreen(vtkCamera* camera, const Ste
 
 /// Moves the camera along its axis until RoomOnScreen has the scale 1: a millimetre of the world is
 /// one on the screen. The focal point stays; reset the clipping range afterwards.
-VTKHASPRENDERINGSTEREO_EXPORT void ShowLifeSize(
-  vtkCamera* camera, const StereoScreen& roomScreen);
+VTKHASPRENDERINGSTEREO_EXPORT void ShowLifeSize(vtkCamera* camera, const StereoScreen& roomScreen);
 
 } // namespace hasp
 

@@ -153,12 +153,13 @@ vtkSmartPointer<vtkImageData> vtkHaspStereoPicture::Render()
   try
   {
     if (!hasp::IsOnePicture(output.layout))
-      throw std::invalid_argument("stereo: " + self.secondEye.reason +
-                                  " is two pictures; take vtkHaspStereoWindows for it");
+      throw std::invalid_argument(
+        "stereo: " + self.secondEye.reason + " is two pictures; take vtkHaspStereoWindows for it");
     const glm::ivec2 viewSize = ViewportSize(self.renderer);
-    hasp::StereoRig rig = self.rig ? *self.rig
-                                   : hasp::RigFromCamera(self.renderer->GetActiveCamera(),
-                                       static_cast<double>(viewSize.x) / viewSize.y, this->EyeAngle);
+    hasp::StereoRig rig = self.rig
+                            ? *self.rig
+                            : hasp::RigFromCamera(self.renderer->GetActiveCamera(),
+                                static_cast<double>(viewSize.x) / viewSize.y, this->EyeAngle);
     hasp::ValidateStereoRig(rig);
     RequireAspect(rig.screen, viewSize);
     if (output.layout == hasp::StereoLayout::Mono)
@@ -170,8 +171,8 @@ vtkSmartPointer<vtkImageData> vtkHaspStereoPicture::Render()
     const bool rightAlone = output.layout == hasp::StereoLayout::Right;
     const auto left = rightAlone ? nullptr : draw(hasp::StereoEye::Left);
     if (rightAlone)
-      return MakePicture(size,
-        hasp::ComposeStereo(output, size, {}, Bytes(draw(hasp::StereoEye::Right))));
+      return MakePicture(
+        size, hasp::ComposeStereo(output, size, {}, Bytes(draw(hasp::StereoEye::Right))));
     if (!two)
       return MakePicture(size, hasp::ComposeStereo(output, size, Bytes(left), {}));
     const auto start = std::chrono::steady_clock::now();

@@ -28,7 +28,8 @@ struct StereoRig;
  * Each eye is drawn by an ordinary camera from the eye rig (StereoRig.h), never by VTK's stereo,
  * one after the other into the renderer's own window; the pictures are put together by
  * ComposeStereo. The renderer's camera is set aside meanwhile and comes back untouched, as do the
- * window's StereoRender, SwapBuffers and viewports. Mono draws one eye; a second one is then not made.
+ * window's StereoRender, SwapBuffers and viewports. Mono draws one eye; a second one is then not
+ * made.
  *
  * Threads: RENDER. Cost: one frame and one read of the viewport's pixels for each eye.
  * Errors: vtkErrorMacro and no picture: no window, a parallel projection, a rig whose screen has

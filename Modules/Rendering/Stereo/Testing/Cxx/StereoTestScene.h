@@ -34,8 +34,8 @@ inline vtkSmartPointer<vtkActor> MakeBall(
   vtkNew<vtkSphereSource> ball;
   ball->SetCenter(center.x, center.y, center.z);
   ball->SetRadius(radius);
-  ball->SetThetaResolution(48);
-  ball->SetPhiResolution(48);
+  ball->SetThetaResolution(64);
+  ball->SetPhiResolution(64);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(ball->GetOutputPort());
   vtkNew<vtkActor> actor;

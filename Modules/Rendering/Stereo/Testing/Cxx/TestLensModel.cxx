@@ -51,7 +51,9 @@ TEST(LensModel, RefusesWhatNoLensDoes)
 TEST(LensModel, RefusesALensThatFoldsOverWithinThePicture)
 {
   // r (1 + k r^2) turns at r = sqrt(-1 / 3 k); the farthest corner of a square is at sqrt(2).
-  const auto fold = [](double radius) { return LensModel{ { -1.0 / (3.0 * radius * radius), 0, 0 } }; };
+  const auto fold = [](double radius) {
+    return LensModel{ { -1.0 / (3.0 * radius * radius), 0, 0 } };
+  };
   EXPECT_NO_THROW(hasp::ValidateLens(fold(1.42), 1.0));
   try
   {
@@ -77,11 +79,10 @@ TEST(LensModel, IsTheFormula)
   const LensModel lens = Strong();
   const glm::dvec2 panel(0.5, 0.7), off = panel - lens.centers[0];
   const double r = glm::length(off);
-  const glm::dvec2 expected = lens.centers[0] +
-                              off * 0.995 * (1 + 0.22 * r * r + 0.24 * std::pow(r, 4) -
-                                              0.03 * std::pow(r, 6));
-  EXPECT_LT(
-    glm::length(hasp::SeenThroughLens(lens, StereoEye::Left, 0, panel) - expected), 1e-15);
+  const glm::dvec2 expected =
+    lens.centers[0] +
+    off * 0.995 * (1 + 0.22 * r * r + 0.24 * std::pow(r, 4) - 0.03 * std::pow(r, 6));
+  EXPECT_LT(glm::length(hasp::SeenThroughLens(lens, StereoEye::Left, 0, panel) - expected), 1e-15);
 }
 
 TEST(LensModel, TheReverseIsTheReverse)
@@ -111,8 +112,8 @@ TEST(LensTable, NoLensIsTheSamePicture)
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
       for (int color = 0; color < 3; ++color)
-        EXPECT_EQ(hasp::SampleThroughLens(table, rgb, { x, y })[color],
-          rgb[3 * (y * size.x + x) + color]);
+        EXPECT_EQ(
+          hasp::SampleThroughLens(table, rgb, { x, y })[color], rgb[3 * (y * size.x + x) + color]);
 }
 
 /// Grey that rises with x, and in green with y: where it is seen can be read from the colour.
@@ -142,7 +143,8 @@ TEST(LensTable, WhatIsSeenThroughTheLensIsThePicture)
       {
         const auto shown = hasp::SampleThroughLens(table, rgb, { x, y });
         const glm::dvec2 half(Aspect, 1.0);
-        const glm::dvec2 panel = (2.0 * glm::dvec2(x + 0.5, y + 0.5) / glm::dvec2(size) - 1.0) * half;
+        const glm::dvec2 panel =
+          (2.0 * glm::dvec2(x + 0.5, y + 0.5) / glm::dvec2(size) - 1.0) * half;
         for (int color = 0; color < 3; ++color)
         {
           const glm::dvec2 seen = hasp::SeenThroughLens(lens, eye, color, panel) / half;

@@ -35,14 +35,14 @@ glm::dvec2 Textbook(const hasp::StereoHead& head, StereoEye eye, const glm::dvec
   const hasp::FieldOfView& f = Display.fields[eye == StereoEye::Right];
   const glm::dvec3 x = glm::normalize(head.right), y = glm::normalize(head.up);
   const glm::dvec3 off = point - hasp::EyePosition(head, eye);
-  const glm::dvec4 clip = glm::frustum(-f.left, f.right, -f.down, f.up, 1.0, 5000.0) *
-                          glm::dvec4(glm::dot(x, off), glm::dot(y, off),
-                            glm::dot(glm::cross(x, y), off), 1.0);
+  const glm::dvec4 clip =
+    glm::frustum(-f.left, f.right, -f.down, f.up, 1.0, 5000.0) *
+    glm::dvec4(glm::dot(x, off), glm::dot(y, off), glm::dot(glm::cross(x, y), off), 1.0);
   return glm::dvec2(clip) / clip.w;
 }
 
-glm::dvec2 ThroughCamera(const hasp::EyeView& view, StereoEye eye, const hasp::EyeGrid& grid,
-  const glm::dvec3& point)
+glm::dvec2 ThroughCamera(
+  const hasp::EyeView& view, StereoEye eye, const hasp::EyeGrid& grid, const glm::dvec3& point)
 {
   vtkNew<vtkCamera> camera;
   hasp::SetCameraToView(camera, view, eye, grid);
@@ -97,8 +97,9 @@ TEST(StereoHmd, TheCameraIsTheTextbooksFrustumInPixelsOfAnyShape)
 
 TEST(StereoHmd, AFarPointHasNoDisparityAndALevelOneNone)
 {
-  const auto seen = [](StereoEye eye, const glm::dvec3& point)
-  { return ThroughCamera(hasp::ViewOfHmdEye(Display, {}, eye), eye, { { 1080, 1200 } }, point); };
+  const auto seen = [](StereoEye eye, const glm::dvec3& point) {
+    return ThroughCamera(hasp::ViewOfHmdEye(Display, {}, eye), eye, { { 1080, 1200 } }, point);
+  };
   // tangent = (x -+ 31.5) / depth; the axes are parallel, so at infinity both see the same tangent.
   const glm::dvec2 left = seen(StereoEye::Left, { 10, 20, -1400 });
   const glm::dvec2 right = seen(StereoEye::Right, { 10, 20, -1400 });
@@ -142,8 +143,8 @@ TEST(StereoWindow, ARoomStandsOnTheScreenOfACamera)
   glm::dvec3 position;
   camera->GetPosition(&position.x);
   const glm::dvec3 axis = glm::normalize(position - world.screen.center);
-  EXPECT_LT(glm::length(world.head.position - world.screen.center - axis * 600.0 * height / 250.0),
-    1e-9);
+  EXPECT_LT(
+    glm::length(world.head.position - world.screen.center - axis * 600.0 * height / 250.0), 1e-9);
   hasp::ShowLifeSize(camera, room.screen);
   EXPECT_NEAR(hasp::RigOnScreen(camera, room).head.eyeSeparationMm, 63.0, 1e-9);
   camera->GetPosition(&position.x);

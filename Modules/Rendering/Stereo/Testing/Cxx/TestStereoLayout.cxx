@@ -32,10 +32,9 @@ TEST(StereoLayout, SaysHowManyEyesAndPictures)
 {
   for (const StereoLayout one : { StereoLayout::Mono, StereoLayout::Left, StereoLayout::Right })
     EXPECT_FALSE(hasp::NeedsSecondEye(one));
-  for (const StereoLayout two :
-    { StereoLayout::SideBySide, StereoLayout::TopBottom, StereoLayout::Anaglyph,
-      StereoLayout::Interlaced, StereoLayout::Checkerboard, StereoLayout::DualWindow,
-      StereoLayout::QuadBuffer })
+  for (const StereoLayout two : { StereoLayout::SideBySide, StereoLayout::TopBottom,
+         StereoLayout::Anaglyph, StereoLayout::Interlaced, StereoLayout::Checkerboard,
+         StereoLayout::DualWindow, StereoLayout::QuadBuffer })
     EXPECT_TRUE(hasp::NeedsSecondEye(two));
   EXPECT_FALSE(hasp::IsOnePicture(StereoLayout::DualWindow));
   EXPECT_FALSE(hasp::IsOnePicture(StereoLayout::QuadBuffer));

@@ -94,8 +94,7 @@ TEST(StereoOutput, AnaglyphHasTheLeftEyeInRed)
 {
   // (77 * 10 + 150 * 20 + 29 * 30 + 128) / 256 = 18.6, and white stays white.
   StereoOutput output{ StereoLayout::Anaglyph };
-  EXPECT_EQ(
-    hasp::ComposeStereo(output, Column, LeftEye, RightEye), (Bytes{ 18, 2, 3, 255, 5, 6 }));
+  EXPECT_EQ(hasp::ComposeStereo(output, Column, LeftEye, RightEye), (Bytes{ 18, 2, 3, 255, 5, 6 }));
   output.swapEyes = true; // (77 * 1 + 150 * 2 + 29 * 3 + 128) / 256 = 2.3; 5.2
   EXPECT_EQ(
     hasp::ComposeStereo(output, Column, LeftEye, RightEye), (Bytes{ 2, 20, 30, 5, 255, 255 }));
@@ -140,8 +139,8 @@ TEST(StereoOutput, HalfResolutionShowsEachEyePixelOnce)
         {
           const hasp::EyePixel from = hasp::EyePixelAt(output, size, { x, y });
           const glm::ivec2 eye = hasp::GridOfEye(output, size, from.eye).size;
-          EXPECT_TRUE(from.pixel.x >= 0 && from.pixel.y >= 0 && from.pixel.x < eye.x &&
-                      from.pixel.y < eye.y);
+          EXPECT_TRUE(
+            from.pixel.x >= 0 && from.pixel.y >= 0 && from.pixel.x < eye.x && from.pixel.y < eye.y);
           EXPECT_TRUE(seen.emplace(from.pixel.x, from.pixel.y, from.eye == StereoEye::Left).second);
         }
     }
@@ -169,8 +168,7 @@ TEST(StereoOutput, HalvedRowsAreSampledWhereTheyAreShown)
             const bool over = flip == MirrorFlip::Vertical || flip == MirrorFlip::Both;
             const glm::dvec2 scene(
               across ? size.x - x - 0.5 : x + 0.5, over ? size.y - y - 0.5 : y + 0.5);
-            const glm::dvec2 drawn =
-              DrawnAt(rows, size, hasp::EyePixelAt(rows, size, { x, y }));
+            const glm::dvec2 drawn = DrawnAt(rows, size, hasp::EyePixelAt(rows, size, { x, y }));
             EXPECT_NEAR(drawn.x, scene.x, 1e-12);
             EXPECT_NEAR(drawn.y, scene.y, 1e-12);
             // Fields: half a pixel beside, never more.
@@ -186,11 +184,9 @@ TEST(StereoOutput, HalvedRowsAreSampledWhereTheyAreShown)
 TEST(StereoOutput, AFlipTurnsEachEyeAndSwapsNone)
 {
   const glm::ivec2 size{ 6, 4 };
-  for (const StereoLayout layout :
-    { StereoLayout::Left, StereoLayout::SideBySide, StereoLayout::TopBottom,
-      StereoLayout::Interlaced, StereoLayout::Checkerboard })
-    for (const MirrorFlip flip :
-      { MirrorFlip::Horizontal, MirrorFlip::Vertical, MirrorFlip::Both })
+  for (const StereoLayout layout : { StereoLayout::Left, StereoLayout::SideBySide,
+         StereoLayout::TopBottom, StereoLayout::Interlaced, StereoLayout::Checkerboard })
+    for (const MirrorFlip flip : { MirrorFlip::Horizontal, MirrorFlip::Vertical, MirrorFlip::Both })
     {
       const StereoOutput plain{ layout }, turned{ layout, StereoResolution::Full, flip };
       for (int y = 0; y < size.y; ++y)

@@ -29,35 +29,39 @@ Bytes BytesOf(vtkImageData* image)
   return { rgb, rgb + 3 * image->GetNumberOfPoints() };
 }
 
-/// The same scene through vtkHaspStereoPicture, which draws one view at a time and composes on the
-/// CPU.
-Bytes ByPicture(BallsScene& scene, glm::ivec2 viewSize, const StereoOutput& output, int samples = 0)
+/// The scene in a window that is resized from picture to picture.
+class ResizedScene : public BallsScene
 {
-  const auto window = stereotest::MakeWindow(viewSize);
-  window->SetMultiSamples(samples);
-  window->AddRenderer(scene.Renderer);
-  vtkNew<vtkHaspStereoPicture> picture;
-  picture->SetRenderer(scene.Renderer);
-  picture->SetEyeAngle(6.0);
-  picture->SetOutput(output);
-  const auto image = picture->Render();
-  window->RemoveRenderer(scene.Renderer);
-  return image ? BytesOf(image) : Bytes();
-}
+public:
+  explicit ResizedScene(int samples = 0)
+  {
+    this->Window->SetMultiSamples(samples);
+    this->Window->AddRenderer(this->Renderer);
+    this->Still->SetRenderer(this->Renderer);
+    this->Still->SetEyeAngle(6.0);
+  }
 
-Bytes ByWindow(
-  BallsScene& scene, glm::ivec2 size, const hasp::StereoWindow& settings, int samples = 0)
-{
-  const auto window = stereotest::MakeWindow(size);
-  window->SetMultiSamples(samples);
-  window->AddRenderer(scene.Renderer);
-  EXPECT_TRUE(scene.Windows->AddWindow(window, settings));
-  EXPECT_TRUE(scene.Windows->Render());
-  const Bytes picture = stereotest::Picture(window);
-  scene.Windows->RemoveWindow(window);
-  window->RemoveRenderer(scene.Renderer);
-  return picture;
-}
+  /// Through vtkHaspStereoPicture, which draws one view at a time and composes on the CPU.
+  Bytes ByPicture(glm::ivec2 viewSize, const StereoOutput& output)
+  {
+    this->Window->SetSize(viewSize.x, viewSize.y);
+    this->Still->SetOutput(output);
+    const auto image = this->Still->Render();
+    return image ? BytesOf(image) : Bytes();
+  }
+
+  Bytes ByWindow(glm::ivec2 size, const hasp::StereoWindow& settings)
+  {
+    this->Window->SetSize(size.x, size.y);
+    EXPECT_TRUE(this->Windows->AddWindow(this->Window, settings));
+    EXPECT_TRUE(this->Windows->Render());
+    return stereotest::Picture(this->Window);
+  }
+
+private:
+  vtkSmartPointer<vtkRenderWindow> Window = stereotest::MakeWindow({ 10, 10 });
+  vtkNew<vtkHaspStereoPicture> Still;
+};
 
 class StereoWindowPixels : public testing::TestWithParam<StereoLayout>
 {
@@ -65,7 +69,7 @@ class StereoWindowPixels : public testing::TestWithParam<StereoLayout>
 
 TEST_P(StereoWindowPixels, AreThoseOfTheCpu)
 {
-  BallsScene scene;
+  ResizedScene scene;
   for (const glm::ivec2 view : { glm::ivec2(120, 80), glm::ivec2(61, 45), glm::ivec2(1, 1) })
     for (const StereoResolution resolution : { StereoResolution::Full, StereoResolution::Half })
       for (const MirrorFlip flip :
@@ -75,40 +79,39 @@ TEST_P(StereoWindowPixels, AreThoseOfTheCpu)
           const StereoOutput output{ GetParam(), resolution, flip, swap };
           SCOPED_TRACE(std::to_string(view.x) + " " + std::to_string(int(resolution)) + " " +
                        std::to_string(int(flip)) + " " + std::to_string(swap));
-          const Bytes expected = ByPicture(scene, view, output);
+          const Bytes expected = scene.ByPicture(view, output);
           ASSERT_FALSE(expected.empty());
-          EXPECT_EQ(ByWindow(scene, hasp::ComposedSize(output, view), { output }), expected);
+          EXPECT_EQ(scene.ByWindow(hasp::ComposedSize(output, view), { output }), expected);
         }
   EXPECT_EQ(scene.Errors, 0);
 }
 
 TEST_P(StereoWindowPixels, AreThoseOfTheCpuWithSeveralSamples)
 {
-  BallsScene scene;
+  ResizedScene smooth(4), hard;
   const StereoOutput output{ GetParam(), StereoResolution::Half, MirrorFlip::Horizontal };
-  const Bytes expected = ByPicture(scene, { 120, 80 }, output, 4);
-  EXPECT_EQ(ByWindow(scene, { 120, 80 }, { output }, 4), expected);
-  EXPECT_NE(expected, ByPicture(scene, { 120, 80 }, output, 0)) << "edges are smoothed";
+  const Bytes expected = smooth.ByPicture({ 120, 80 }, output);
+  EXPECT_EQ(smooth.ByWindow({ 120, 80 }, { output }), expected);
+  EXPECT_NE(expected, hard.ByPicture({ 120, 80 }, output)) << "edges are smoothed";
 }
 
 TEST_P(StereoWindowPixels, AreThoseOfTheCpuThroughALens)
 {
-  BallsScene scene;
+  ResizedScene scene;
   const glm::ivec2 view{ 96, 80 };
   const double aspect = 1.2;
   for (const glm::dvec3& colors : { glm::dvec3(1.0), glm::dvec3(0.99, 1.0, 1.02) })
   {
     hasp::StereoWindow settings{ { GetParam(), StereoResolution::Full, MirrorFlip::Vertical } };
-    settings.lens = hasp::LensModel{ { 0.2, 0.1, 0.0 },
-      { glm::dvec2(0.1, 0.0), glm::dvec2(-0.1, 0.0) }, colors };
-    const Bytes left = ByPicture(scene, view, { GetParam() == StereoLayout::Mono
-                                                   ? StereoLayout::Mono
-                                                   : StereoLayout::Left });
-    const Bytes right = ByPicture(scene, view, { StereoLayout::Right });
+    settings.lens =
+      hasp::LensModel{ { 0.2, 0.1, 0.0 }, { glm::dvec2(0.1, 0.0), glm::dvec2(-0.1, 0.0) }, colors };
+    const Bytes left = scene.ByPicture(
+      view, { GetParam() == StereoLayout::Mono ? StereoLayout::Mono : StereoLayout::Left });
+    const Bytes right = scene.ByPicture(view, { StereoLayout::Right });
     const std::array tables{ hasp::MakeLensTable(*settings.lens, StereoEye::Left, view, aspect),
       hasp::MakeLensTable(*settings.lens, StereoEye::Right, view, aspect) };
     const glm::ivec2 size = hasp::ComposedSize(settings.output, view);
-    EXPECT_EQ(ByWindow(scene, size, settings),
+    EXPECT_EQ(scene.ByWindow(size, settings),
       hasp::ComposeStereo(settings.output, size, left, right, &tables));
   }
 }
@@ -125,12 +128,12 @@ INSTANTIATE_TEST_SUITE_P(Layouts, StereoWindowPixels, testing::ValuesIn(Composed
 /// not shown either.
 TEST(StereoWindowHalf, InterlacedRowsAreThoseOfTheFullPicture)
 {
-  BallsScene scene;
+  ResizedScene scene;
   for (const glm::ivec2 size : { glm::ivec2(120, 80), glm::ivec2(121, 81) })
   {
-    const Bytes full = ByWindow(scene, size, { { StereoLayout::Interlaced } });
+    const Bytes full = scene.ByWindow(size, { { StereoLayout::Interlaced } });
     const Bytes half =
-      ByWindow(scene, size, { { StereoLayout::Interlaced, StereoResolution::Half } });
+      scene.ByWindow(size, { { StereoLayout::Interlaced, StereoResolution::Half } });
     int differ = 0;
     for (std::size_t n = 0; n < full.size(); ++n)
       differ += std::abs(full[n] - half[n]) > 2;
