@@ -1,10 +1,10 @@
 #include "BallScene.h"
 
 #include "Failure.h"
-#include "StereoLayout.h"
 #include "StereoRig.h"
 #include "vtkHaspStereoCamera.h"
 #include "vtkHaspStereoPicture.h"
+#include "vtkHaspStereoWindows.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -160,13 +160,12 @@ std::array<glm::dvec2, 2> BallScene::Truth(const glm::dvec3& center) const
 
 ResourceList BallScene::SkippedInMono()
 {
-  vtkNew<vtkHaspStereoPicture> picture;
-  picture->SetRenderer(this->Renderer);
-  picture->SetLayout(StereoLayout::Mono);
-  if (!picture->Render())
+  vtkNew<vtkHaspStereoWindows> windows;
+  windows->SetRenderer(this->Renderer);
+  if (!windows->AddWindow(this->Window, "mono") || !windows->Render())
     throw Failure(ExitCode::CannotDraw, "stereo report: no picture");
   ResourceList skipped;
-  picture->ListResources(skipped);
+  windows->ListResources(skipped);
   return skipped;
 }
 

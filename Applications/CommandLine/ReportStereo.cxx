@@ -106,6 +106,10 @@ void ReportStereo(ReportContext& context)
   AddRows(context, BallScene::Ball::Mesh, "mesh");
   context.progress(0.5, "stereo: balls as volumes");
   AddRows(context, BallScene::Ball::Volume, "volume");
+  ReportStereoLayouts(context);
+#if HASP_WITH_CELLS
+  ReportStereoSilhouettes(context);
+#endif
   BallScene mono;
   mono.PlaceBall({ 0, 0, 0 }, BallScene::Ball::Mesh);
   context.report.unused = mono.SkippedInMono();

@@ -33,6 +33,10 @@ if (EXISTS "/usr/bin/python3")
   set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that VTK was wrapped for")
 endif ()
 hasp_optional(PYTHON "import hasp" VTK 9.1 COMPONENTS Python WrappingPythonCore)
+hasp_optional(OPENXR "Head-mounted displays through OpenXR" VTK 9.1 COMPONENTS RenderingOpenXR)
+if (NOT HASP_ENABLE_OPENXR)
+  message(STATUS "Hasp: no OpenXR output; it takes a VTK >= 9.2 with its module RenderingOpenXR")
+endif ()
 
 # Modules not named by VTK_MODULE_ENABLE_Hasp_<Module>=YES are built only when this is ON.
 option(HASP_BUILD_ALL_MODULES "Build every VTK module whose dependencies are there" ON)

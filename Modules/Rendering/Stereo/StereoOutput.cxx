@@ -83,6 +83,43 @@ EyePicture Require(const EyeGrid& grid, std::span<const std::uint8_t> rgb, const
   return { grid.size, rgb, lens };
 }
 
+/// EyePixelAt for an eye's picture of `eyeSize`, unchecked.
+EyePixel Locate(const StereoOutput& output, glm::ivec2 size, glm::ivec2 eyeSize, glm::ivec2 pixel)
+{
+  glm::ivec2 fromTop{ pixel.x, size.y - 1 - pixel.y };
+  bool second = false;
+  switch (output.layout)
+  {
+    case StereoLayout::SideBySide:
+      second = fromTop.x >= eyeSize.x;
+      fromTop.x -= second ? eyeSize.x : 0;
+      break;
+    case StereoLayout::TopBottom:
+      second = fromTop.y >= eyeSize.y;
+      fromTop.y -= second ? eyeSize.y : 0;
+      break;
+    case StereoLayout::Interlaced:
+      second = (fromTop.y & 1) != 0;
+      fromTop.y /= Halves(output, StereoLayout::Interlaced) ? 2 : 1;
+      break;
+    case StereoLayout::Checkerboard:
+      second = ((fromTop.x + fromTop.y) & 1) != 0;
+      fromTop.x /= Halves(output, StereoLayout::Checkerboard) ? 2 : 1;
+      break;
+    case StereoLayout::Mono:
+    case StereoLayout::Left:
+      return { StereoEye::Left, Flip(output.flip, size, pixel) };
+    case StereoLayout::Right:
+      return { StereoEye::Right, Flip(output.flip, size, pixel) };
+    case StereoLayout::Anaglyph:
+    case StereoLayout::DualWindow:
+    case StereoLayout::QuadBuffer:
+      return { Place(output, false), Flip(output.flip, size, pixel) };
+  }
+  const glm::ivec2 upwards{ fromTop.x, eyeSize.y - 1 - fromTop.y };
+  return { Place(output, second), Flip(output.flip, eyeSize, upwards) };
+}
+
 } // namespace
 
 glm::ivec2 ComposedSize(const StereoOutput& output, glm::ivec2 viewSize)
@@ -125,39 +162,7 @@ EyePixel EyePixelAt(const StereoOutput& output, glm::ivec2 size, glm::ivec2 pixe
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
     throw std::invalid_argument("stereo: pixel (" + std::to_string(pixel.x) + ", " +
                                 std::to_string(pixel.y) + ") is not in the output");
-  const glm::ivec2 eyeSize = GridOfEye(output, size, StereoEye::Left).size;
-  glm::ivec2 fromTop{ pixel.x, size.y - 1 - pixel.y };
-  bool second = false;
-  switch (output.layout)
-  {
-    case StereoLayout::SideBySide:
-      second = fromTop.x >= eyeSize.x;
-      fromTop.x -= second ? eyeSize.x : 0;
-      break;
-    case StereoLayout::TopBottom:
-      second = fromTop.y >= eyeSize.y;
-      fromTop.y -= second ? eyeSize.y : 0;
-      break;
-    case StereoLayout::Interlaced:
-      second = (fromTop.y & 1) != 0;
-      fromTop.y /= Halves(output, StereoLayout::Interlaced) ? 2 : 1;
-      break;
-    case StereoLayout::Checkerboard:
-      second = ((fromTop.x + fromTop.y) & 1) != 0;
-      fromTop.x /= Halves(output, StereoLayout::Checkerboard) ? 2 : 1;
-      break;
-    case StereoLayout::Mono:
-    case StereoLayout::Left:
-      return { StereoEye::Left, Flip(output.flip, size, pixel) };
-    case StereoLayout::Right:
-      return { StereoEye::Right, Flip(output.flip, size, pixel) };
-    case StereoLayout::Anaglyph:
-    case StereoLayout::DualWindow:
-    case StereoLayout::QuadBuffer:
-      return { Place(output, false), Flip(output.flip, size, pixel) };
-  }
-  const glm::ivec2 upwards{ fromTop.x, eyeSize.y - 1 - fromTop.y };
-  return { Place(output, second), Flip(output.flip, eyeSize, upwards) };
+  return Locate(output, size, GridOfEye(output, size, StereoEye::Left).size, pixel);
 }
 
 std::vector<std::uint8_t> ComposeStereo(const StereoOutput& output, glm::ivec2 size,
@@ -175,12 +180,13 @@ std::vector<std::uint8_t> ComposeStereo(const StereoOutput& output, glm::ivec2 s
   if (both || output.layout == StereoLayout::Right)
     eyes[1] =
       Require(GridOfEye(output, size, StereoEye::Right), right, lenses ? &(*lenses)[1] : nullptr);
-  std::vector<std::uint8_t> result;
-  result.reserve(3 * static_cast<std::size_t>(size.x) * size.y);
+  const glm::ivec2 eyeSize = GridOfEye(output, size, StereoEye::Left).size;
+  std::vector<std::uint8_t> result(3 * static_cast<std::size_t>(size.x) * size.y);
+  std::uint8_t* to = result.data();
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
+    for (int x = 0; x < size.x; ++x, to += 3)
     {
-      const EyePixel from = EyePixelAt(output, size, { x, y });
+      const EyePixel from = Locate(output, size, eyeSize, { x, y });
       const int eye = from.eye == StereoEye::Right;
       std::array<int, 3> rgb = eyes[eye].At(from.pixel);
       if (output.layout == StereoLayout::Anaglyph)
@@ -189,7 +195,8 @@ std::vector<std::uint8_t> ComposeStereo(const StereoOutput& output, glm::ivec2 s
         rgb = eyes[1 - eye].At(from.pixel);
         rgb[0] = red;
       }
-      result.insert(result.end(), rgb.begin(), rgb.end());
+      for (int color = 0; color < 3; ++color)
+        to[color] = static_cast<std::uint8_t>(rgb[color]);
     }
   return result;
 }

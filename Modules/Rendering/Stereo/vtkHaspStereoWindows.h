@@ -32,8 +32,8 @@ struct StereoWindow;
  * The scene's renderer draws in its own window, if that is one of them; in others a renderer of
  * ours shows the same props, lights and background. Its camera and the windows' StereoRender,
  * SwapBuffers and viewports come back as they were: interactors go on moving the application's
- * camera. So that interaction draws two eyes, not one, let the interactor's RenderEvent call Render
- * (interactor->EnableRenderOff(), see Examples/ShowStereoWindows.cxx).
+ * camera. So that interaction draws two eyes, not one, call interactor->EnableRenderOff() and let
+ * its vtkCommand::RenderEvent call Render.
  *
  * Where the room lies: with SetRoomToWorld(nullptr) the first window's screen stands at the focal
  * point of the scene's camera (hasp::RoomOnScreen), else where the matrix says.

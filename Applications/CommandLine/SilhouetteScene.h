@@ -1,0 +1,51 @@
+#pragma once
+#include "Pairing.h"
+#include "StereoLayout.h"
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkProp;
+
+namespace hasp
+{
+
+/// A lens of 23 x 13 mm as a volume, drawn by one mapper: whose outline the stereo report holds
+/// against that of a mesh, eye by eye. RENDER thread.
+class SilhouetteScene
+{
+public:
+  struct Method
+  {
+    std::string id, name;
+    std::function<vtkSmartPointer<vtkProp>()> make;
+    int frames = 1; ///< until a still picture is whole
+  };
+  /// vtkFlyingEdges3D, what the others are held against.
+  static Method Mesh();
+  /// Our mappers and VTK's ray caster.
+  static std::vector<Method> Methods();
+
+  explicit SilhouetteScene(const Method& method);
+
+  /// Pixels that are not background, of one eye alone (Left, Right, Mono), by the eye rig.
+  std::vector<bool> Outline(StereoLayout eye);
+  Timing Time() const { return this->Spent; } ///< of the last outline
+
+  /// Of the pixels of `truth`, how many differ.
+  static double Share(const std::vector<bool>& found, const std::vector<bool>& truth);
+
+private:
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  int Frames;
+  Timing Spent;
+};
+
+} // namespace hasp
