@@ -99,9 +99,9 @@ DisparityScene::DisparityScene(const StereoWindow& window) : Settings(window)
   for (auto& shown : this->Shown)
   {
     shown->SetOffScreenRendering(true);
-    shown->SetMultiSamples(4); // an outline that fills pixels in part is known better
     shown->SetSize(Size.x, Size.y);
   }
+  this->SetSamples(4); // an outline that fills pixels in part is known better
   this->Shown[0]->StereoCapableWindowOn();
   this->Shown[0]->AddRenderer(this->Renderer);
   this->Windows->SetRenderer(this->Renderer);
@@ -201,6 +201,12 @@ glm::dvec2 DisparityScene::ByVtk()
   }
   window->SetStereoRender(false);
   return middles[1] - middles[0];
+}
+
+void DisparityScene::SetSamples(int samples)
+{
+  for (auto& shown : this->Shown)
+    shown->SetMultiSamples(samples);
 }
 
 Timing DisparityScene::TimeOurs()

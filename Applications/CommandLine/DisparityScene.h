@@ -34,6 +34,7 @@ public:
   /// of this separation. For windows with a screen.
   glm::dvec2 ByVtk();
 
+  void SetSamples(int samples); ///< a pixel; 4 at first
   Timing TimeOurs();
   /// VTK's stereo in the same layout, where VTK has it (VtkName); else two frames of one eye.
   Timing TimeVtk();

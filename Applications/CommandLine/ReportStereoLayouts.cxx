@@ -41,9 +41,10 @@ struct Worst
 
 Worst MeasureDisparities(DisparityScene& scene, bool quick, bool screen)
 {
-  std::vector<glm::dvec3> points{ { 0, 0, 0 }, { 60, -35, 90 } };
+  std::vector<glm::dvec3> points{ { 60, -35, 90 } };
   if (!quick)
-    points.insert(points.end(), { { -55, 40, -160 }, { 30, 20, 40 }, { -80, -30, -60 } });
+    points.insert(
+      points.end(), { { 0, 0, 0 }, { -55, 40, -160 }, { 30, 20, 40 }, { -80, -30, -60 } });
   Worst worst;
   for (const StereoHead& head : Heads(quick))
     for (const glm::dvec3& point : points)
@@ -73,12 +74,16 @@ void AddLayout(ReportContext& context, StereoLayout layout, bool screen)
   const std::string name = StereoLayoutName(layout);
   const MeasuredError error{ worst.ours, "pixel" };
   PairedTimes times;
+  scene.SetSamples(0);
   if (screen)
     times = ComparePairs([&] { return scene.TimeOurs(); }, [&] { return scene.TimeVtk(); });
   else
+  {
+    scene.TimeOurs(); // makes what later frames have
     times.a = scene.TimeOurs();
-  const std::string data = "640 x 400 pixels, 4 samples, one ball, " + std::to_string(worst.n) +
-                           " heads and places, " +
+  }
+  const std::string data = "640 x 400 pixels (4 samples but for times), one ball, " +
+                           std::to_string(worst.n) + " heads and places, " +
                            (screen ? "520 x 325 mm screen" : "head-mounted display");
   char vtks[80];
   std::snprintf(

@@ -251,6 +251,30 @@ class Stereo(unittest.TestCase):
         self.assertTrue(said)
         self.assertEqual(image.GetNumberOfPoints(), 0)
 
+    def test_two_windows_show_one_scene(self):
+        hasp.UseHeadlessWindows()
+        mapper = hasp.vtkHaspClusteredCellMapper()
+        mapper.SetInputData(ball())
+        mapper.SetIsoValue(0.0)
+        window, renderer = scene(mapper)
+        renderer.GetActiveCamera().ParallelProjectionOff()
+        windows = hasp.vtkHaspStereoWindows()
+        windows.SetRenderer(renderer)
+        other = window.NewInstance()
+        other.SetOffScreenRendering(True)
+        said = errors_of(windows)
+        self.assertFalse(windows.AddWindow(other, "sideways"))
+        self.assertIn("interlaced", "".join(said))
+        self.assertTrue(windows.AddWindow(window, "mono"))
+        self.assertTrue(windows.AddWindow(other, "interlaced"))
+        self.assertEqual(windows.GetNumberOfWindows(), 2)
+        self.assertTrue(windows.Render())
+        eye, through = [0.0] * 3, [0.0] * 3
+        self.assertTrue(windows.GetRay(other, 10, 10, eye, through))
+        self.assertNotEqual(eye, through)
+        windows.RemoveWindow(other)
+        self.assertEqual(windows.GetNumberOfWindows(), 1)
+
 
 class Guide(unittest.TestCase):
     def test_reads_recipes_and_reports_those_that_are_none(self):

@@ -62,6 +62,18 @@ TEST_F(HaspReport, WritesWhatItMeasured)
     EXPECT_LT(row.value("error", 0.0), 0.3) << row;
   }
   EXPECT_LT(Row(report, "stereo.memory.peak").at("value"), 2.0); // GiB
+  for (const std::string layout : { "side-by-side", "top-bottom", "anaglyph", "interlaced",
+         "checkerboard", "dual-window", "quad-buffer" })
+    for (const std::string kind : { "", ".hmd" })
+    {
+      // pixels: the bar is 0.5, a disc of rows or fields alone has its middle known to 0.2
+      EXPECT_LT(Row(report, "stereo.disparity.max@" + layout + kind).at("value"), 0.25) << layout;
+    }
+#if HASP_WITH_CELLS
+  for (const char* mapper : { "clustered", "raycaching" })
+    EXPECT_EQ(
+      Row(report, std::string("stereo.silhouette@") + mapper).value("bar_missed", true), false);
+#endif
   ASSERT_FALSE(report.at("unused").empty());
   for (const auto& resource : report.at("unused"))
     EXPECT_EQ(resource.at("bytes"), 0) << resource;

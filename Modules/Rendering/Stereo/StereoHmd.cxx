@@ -23,6 +23,8 @@ double Span(double one, double other, const char* name)
 
 void RequireHead(const StereoHead& head)
 {
+  if (!std::isfinite(glm::length(head.position)))
+    throw std::invalid_argument("head-mounted display: the head's position is not finite");
   const double cosine = glm::dot(glm::normalize(head.right), glm::normalize(head.up));
   if (!(std::abs(cosine) <= 1e-6))
     throw std::invalid_argument("head-mounted display: cosine between the head's right and up is " +

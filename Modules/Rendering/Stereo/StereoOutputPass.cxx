@@ -149,11 +149,11 @@ void StereoOutputPass::Compose(
   vtkOpenGLRenderWindow* window, const hasp::StereoOutput& output, const PixelRectangle& target)
 {
   const PlainState plain(window->GetState(), target);
-  const bool lens = this->Eyes[0].Table.size.x > 0;
   std::array<Eye*, 2> eyes{ &this->Eyes[0], &this->Eyes[1] };
   for (int n = 0; n < 2; ++n)
     if (!eyes[n]->Picture)
       eyes[n] = eyes[1 - n];
+  const bool lens = eyes[0]->Table.size.x > 0;
   std::string fragment = vtkHaspStereoOutputFS;
   const std::string slot = "//Hasp::Defines";
   fragment.replace(fragment.find(slot), slot.size(), lens ? "#define HASP_LENS" : "");
@@ -189,20 +189,15 @@ void StereoOutputPass::Compose(
   }
 }
 
-void StereoOutputPass::Eye::Release()
+void StereoOutputPass::ForgetPicture(hasp::StereoEye eye)
 {
-  *this = {}; // VTK's objects make their context current to free what they hold
-}
-
-void StereoOutputPass::Forget(hasp::StereoEye eye)
-{
-  this->Eyes[eye == hasp::StereoEye::Right].Release();
+  this->Eyes[eye == hasp::StereoEye::Right].Picture = nullptr;
+  this->Eyes[eye == hasp::StereoEye::Right].Size = glm::ivec2(0);
 }
 
 void StereoOutputPass::Release()
 {
-  for (Eye& eye : this->Eyes)
-    eye.Release();
+  this->Eyes = {}; // VTK's objects make their context current to free what they hold
 }
 
 std::size_t StereoOutputPass::PictureBytes() const

@@ -39,7 +39,7 @@ public:
   /// The tables that later outputs are drawn with; empty ones: none.
   void SetLenses(const std::array<hasp::LensTable, 2>& lenses);
 
-  void Forget(hasp::StereoEye eye);
+  void ForgetPicture(hasp::StereoEye eye);
   void Release();
   std::size_t PictureBytes() const;
   std::size_t LensBytes() const;
@@ -51,7 +51,6 @@ private:
     vtkSmartPointer<vtkTextureObject> Lens;
     hasp::LensTable Table;
     glm::ivec2 Size{ 0 };
-    void Release();
   };
   void FollowContext(vtkOpenGLRenderWindow* window);
   void UploadLens(vtkOpenGLRenderWindow* window, Eye& eye);

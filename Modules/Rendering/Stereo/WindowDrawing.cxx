@@ -151,7 +151,7 @@ void WindowDrawing::DrawEyes(
     this->SecondEye = spent.count();
   }
   else
-    this->Output.Forget(rightAlone ? StereoEye::Left : StereoEye::Right);
+    this->Output.ForgetPicture(rightAlone ? StereoEye::Left : StereoEye::Right);
   this->UpdateLenses(views, eyeSize);
   view.ShowFrames();
   if (output.layout == StereoLayout::QuadBuffer)

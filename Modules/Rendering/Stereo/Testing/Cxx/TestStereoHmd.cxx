@@ -67,6 +67,9 @@ TEST(StereoHmd, RefusesWhatIsNoDisplay)
   head.up = { 0.1, 1, 0 };
   EXPECT_THROW(hasp::ViewOfHmdEye(Display, head, StereoEye::Left), std::invalid_argument);
   head = {};
+  head.position.y = NAN;
+  EXPECT_THROW(hasp::ViewOfHmdEye(Display, head, StereoEye::Left), std::invalid_argument);
+  head = {};
   head.eyeSeparationMm = -1.0;
   EXPECT_THROW(hasp::ViewOfHmdEye(Display, head, StereoEye::Left), std::invalid_argument);
 }
@@ -95,17 +98,20 @@ TEST(StereoHmd, TheCameraIsTheTextbooksFrustumInPixelsOfAnyShape)
       }
 }
 
-TEST(StereoHmd, AFarPointHasNoDisparityAndALevelOneNone)
+TEST(StereoHmd, EyesAreParallelAndLevel)
 {
+  // tangent = (x +- 31.5) / depth, and device x = (2 tangent + left - right) / (left + right).
   const auto seen = [](StereoEye eye, const glm::dvec3& point) {
     return ThroughCamera(hasp::ViewOfHmdEye(Display, {}, eye), eye, { { 1080, 1200 } }, point);
   };
-  // tangent = (x -+ 31.5) / depth; the axes are parallel, so at infinity both see the same tangent.
-  const glm::dvec2 left = seen(StereoEye::Left, { 10, 20, -1400 });
-  const glm::dvec2 right = seen(StereoEye::Right, { 10, 20, -1400 });
-  EXPECT_NEAR(1.15 * (left.x + 0.2 / 2.3 * -1.0) + 0.0, (10 + 31.5) / 2000.0, 1e-9);
-  EXPECT_NEAR(1.15 * (right.x + 0.2 / 2.3), (10 - 31.5) / 2000.0, 1e-9);
-  EXPECT_NEAR(left.y, right.y, 1e-12);
+  for (const double depth : { 500.0, 2000.0, 1e7 })
+  {
+    const glm::dvec3 point(10, 20, 600 - depth);
+    const glm::dvec2 left = seen(StereoEye::Left, point), right = seen(StereoEye::Right, point);
+    EXPECT_NEAR(left.x, (2 * (10 + 31.5) / depth + 1.25 - 1.05) / 2.3, 1e-9);
+    EXPECT_NEAR(right.x, (2 * (10 - 31.5) / depth + 1.05 - 1.25) / 2.3, 1e-9);
+    EXPECT_NEAR(left.y, right.y, 1e-12);
+  }
 }
 
 TEST(StereoWindow, RefusesTwoKindsAtOnceAndLensesThatFold)

@@ -1,0 +1,104 @@
+// Our mappers keep their buffers a window: several windows of one scene show what each shows alone.
+#include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspHeadlessWindows.h"
+#include "vtkHaspRayCachingMapper.h"
+#include "vtkHaspStereoWindows.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+
+constexpr const char* Layouts[] = { "interlaced", "side-by-side", "left" };
+
+vtkSmartPointer<vtkImageData> Ball()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(24, 24, 24);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* sample = static_cast<float*>(image->GetScalarPointer());
+  for (int z = 0; z < 24; ++z)
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x)
+        *sample++ = static_cast<float>(
+          100 - (x - 11.5) * (x - 11.5) - 2 * (y - 11.5) * (y - 11.5) - (z - 11.5) * (z - 11.5));
+  return image;
+}
+
+vtkSmartPointer<vtkRenderWindow> MakeWindow(int width)
+{
+  hasp::UseHeadlessWindows();
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(true);
+  window->SetMultiSamples(0);
+  window->SetSize(width, 80);
+  return window;
+}
+
+std::vector<unsigned char> Picture(vtkRenderWindow* window)
+{
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, window->GetSize()[0] - 1, 79, 1, pixels);
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+template <typename Mapper>
+void ExpectTheSameInEach(int frames)
+{
+  vtkNew<Mapper> mapper;
+  mapper->SetInputData(Ball());
+  mapper->SetIsoValue(0.0);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->ResetCamera();
+  const auto draw = [&](vtkHaspStereoWindows* windows)
+  {
+    for (int frame = 0; frame < frames; ++frame)
+      EXPECT_TRUE(windows->Render());
+  };
+  std::vector<std::vector<unsigned char>> alone;
+  std::vector<vtkSmartPointer<vtkRenderWindow>> shown;
+  vtkNew<vtkHaspStereoWindows> all;
+  all->SetRenderer(renderer);
+  for (const char* layout : Layouts)
+  {
+    const int width = 100 + 20 * static_cast<int>(shown.size());
+    const auto window = MakeWindow(width);
+    vtkNew<vtkHaspStereoWindows> one;
+    one->SetRenderer(renderer);
+    one->AddWindow(window, layout);
+    draw(one);
+    alone.push_back(Picture(window));
+    shown.push_back(MakeWindow(width));
+    all->AddWindow(shown.back(), layout);
+  }
+  draw(all);
+  for (std::size_t n = 0; n < shown.size(); ++n)
+    EXPECT_EQ(Picture(shown[n]), alone[n]) << Layouts[n];
+  EXPECT_NE(alone[2], std::vector<unsigned char>(alone[2].size(), 0));
+}
+
+TEST(StereoCellWindows, ClusteredCellsAreInEach)
+{
+  ExpectTheSameInEach<vtkHaspClusteredCellMapper>(2);
+}
+
+TEST(StereoCellWindows, CachedRaysAreInEach)
+{
+  ExpectTheSameInEach<vtkHaspRayCachingMapper>(25); // until the cache holds what eyes see
+}
+
+} // namespace
