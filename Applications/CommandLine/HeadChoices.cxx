@@ -20,11 +20,12 @@ namespace
 
 constexpr const char* Opentrack = "opentrack";
 
-/// "opentrack", "opentrack:PORT", "opentrack:ADDRESS:PORT".
-OpentrackSettings OpentrackOf(const std::string& text, const HeadPose& rest)
+/// "opentrack", "opentrack:PORT", "opentrack:ADDRESS:PORT". origin: of its coordinates in those
+/// that it is to give.
+OpentrackSettings OpentrackOf(const std::string& text, const glm::dvec3& origin)
 {
   OpentrackSettings settings;
-  settings.origin = rest.position;
+  settings.origin = origin;
   const std::string prefix = Opentrack;
   if (text == prefix)
     return settings;
@@ -39,7 +40,9 @@ OpentrackSettings OpentrackOf(const std::string& text, const HeadPose& rest)
   return settings;
 }
 
-std::unique_ptr<HeadPoseSource> MakeSource(const std::string& name, const HeadPose& rest)
+/// A calibrated source says its own coordinates, as it did when it was measured.
+std::unique_ptr<HeadPoseSource> MakeSource(
+  const std::string& name, const HeadPose& rest, bool calibrated)
 {
   if (name == "mouse")
   {
@@ -48,7 +51,8 @@ std::unique_ptr<HeadPoseSource> MakeSource(const std::string& name, const HeadPo
     return std::make_unique<MouseHeadPose>(settings);
   }
   if (name == Opentrack || name.starts_with("opentrack:"))
-    return std::make_unique<OpentrackHeadPose>(OpentrackOf(name, rest));
+    return std::make_unique<OpentrackHeadPose>(
+      OpentrackOf(name, calibrated ? glm::dvec3(0.0) : rest.position));
   if (name.ends_with(".csv"))
   {
     PlaybackSettings settings;
@@ -122,7 +126,8 @@ std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const H
                                              ? TrackerCalibration{}
                                              : ReadTrackerCalibration(choices.calibration);
     part = "--head";
-    return std::make_unique<HeadTracker>(MakeSource(choices.source, rest), settings, calibration);
+    return std::make_unique<HeadTracker>(
+      MakeSource(choices.source, rest, !choices.calibration.empty()), settings, calibration);
   }
   catch (const Failure&)
   {
