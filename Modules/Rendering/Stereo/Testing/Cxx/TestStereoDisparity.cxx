@@ -233,16 +233,23 @@ TEST_P(StereoDisparity, IsClosedFormInAHeadMountedDisplay)
   std::cout << "largest error of a disparity: " << worst << " pixel\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, StereoDisparity,
+std::string NameOf(
+  const testing::TestParamInfo<std::tuple<StereoLayout, hasp::StereoResolution>>& info)
+{
+  std::string name = hasp::StereoLayoutName(std::get<0>(info.param));
+  std::erase(name, '-');
+  return name + (std::get<1>(info.param) == hasp::StereoResolution::Half ? "_half" : "_full");
+}
+
+INSTANTIATE_TEST_SUITE_P(OnePicture, StereoDisparity,
   testing::Combine(testing::Values(StereoLayout::SideBySide, StereoLayout::TopBottom,
-                     StereoLayout::Anaglyph, StereoLayout::Interlaced, StereoLayout::Checkerboard,
-                     StereoLayout::DualWindow, StereoLayout::QuadBuffer),
+                     StereoLayout::Interlaced, StereoLayout::Checkerboard),
     testing::Values(hasp::StereoResolution::Full, hasp::StereoResolution::Half)),
-  [](const auto& info)
-  {
-    std::string name = hasp::StereoLayoutName(std::get<0>(info.param));
-    std::erase(name, '-');
-    return name + (std::get<1>(info.param) == hasp::StereoResolution::Half ? "_half" : "_full");
-  });
+  NameOf);
+INSTANTIATE_TEST_SUITE_P(WholeEyes, StereoDisparity, // where the resolution says nothing
+  testing::Combine(
+    testing::Values(StereoLayout::Anaglyph, StereoLayout::DualWindow, StereoLayout::QuadBuffer),
+    testing::Values(hasp::StereoResolution::Full)),
+  NameOf);
 
 } // namespace
