@@ -1,13 +1,16 @@
 // Our mappers keep their buffers a window: several windows of one scene show what each shows alone.
+#include "StereoWindow.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspHeadlessWindows.h"
 #include "vtkHaspRayCachingMapper.h"
 #include "vtkHaspStereoWindows.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
+#include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -99,6 +102,58 @@ TEST(StereoCellWindows, ClusteredCellsAreInEach)
 TEST(StereoCellWindows, CachedRaysAreInEach)
 {
   ExpectTheSameInEach<vtkHaspRayCachingMapper>(25); // until the cache holds what eyes see
+}
+
+/// Share of the mesh's pixels that differ, where both eyes share a window's pixels.
+double ShareThatDiffers(vtkMapper* ours, hasp::StereoLayout layout, int frames)
+{
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(Ball());
+  contour->SetValue(0, 0.0);
+  vtkNew<vtkPolyDataMapper> mesh;
+  mesh->SetInputConnection(contour->GetOutputPort());
+  std::vector<std::vector<unsigned char>> pictures;
+  for (vtkMapper* mapper : { ours, static_cast<vtkMapper*>(mesh) })
+  {
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetAmbient(1.0);
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddActor(actor);
+    renderer->ResetCamera(0, 23, 0, 23, 0, 23); // a mapper of cells has the volume's bounds
+    const auto window = MakeWindow(120);
+    vtkNew<vtkHaspStereoWindows> windows;
+    windows->SetRenderer(renderer);
+    windows->AddWindow(window, { { layout, hasp::StereoResolution::Half } });
+    for (int frame = 0; frame < frames; ++frame)
+      EXPECT_TRUE(windows->Render());
+    pictures.push_back(Picture(window));
+  }
+  double differ = 0.0, inside = 0.0;
+  for (std::size_t n = 0; n < pictures[0].size(); n += 3)
+  {
+    differ += (pictures[0][n] > 20) != (pictures[1][n] > 20);
+    inside += pictures[1][n] > 20;
+  }
+  return differ / inside;
+}
+
+TEST(StereoCellWindows, StretchedAndShiftedEyesAreThoseOfAMesh)
+{
+  for (const auto layout : { hasp::StereoLayout::SideBySide, hasp::StereoLayout::TopBottom,
+         hasp::StereoLayout::Interlaced, hasp::StereoLayout::Checkerboard })
+  {
+    vtkNew<vtkHaspClusteredCellMapper> cells;
+    cells->SetInputData(Ball());
+    cells->SetIsoValue(0.0);
+    // A pixel here and there on outlines of 150 pixels around 1500.
+    EXPECT_LT(ShareThatDiffers(cells, layout, 1), 0.005) << hasp::StereoLayoutName(layout);
+    vtkNew<vtkHaspRayCachingMapper> cache;
+    cache->SetInputData(Ball());
+    cache->SetIsoValue(0.0);
+    EXPECT_LT(ShareThatDiffers(cache, layout, 25), 0.005) << hasp::StereoLayoutName(layout);
+  }
 }
 
 } // namespace

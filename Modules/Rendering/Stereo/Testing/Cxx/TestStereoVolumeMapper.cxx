@@ -1,6 +1,7 @@
 #include "StereoLayout.h"
-#include "StereoRig.h"
+#include "StereoWindow.h"
 #include "vtkHaspStereoPicture.h"
+#include "vtkHaspStereoWindows.h"
 
 #include "vtkHaspHeadlessWindows.h"
 
@@ -70,6 +71,19 @@ public:
     picture->SetLayout(hasp::StereoLayout::Left);
     const auto image = picture->Render();
     return Silhouette(static_cast<unsigned char*>(image->GetScalarPointer()));
+  }
+
+  /// Both eyes in one window, squeezed, or rows by turns.
+  std::vector<bool> HalfEyes(hasp::StereoLayout layout)
+  {
+    vtkNew<vtkHaspStereoWindows> windows;
+    windows->SetRenderer(this->renderer);
+    windows->SetEyeAngle(8.0);
+    EXPECT_TRUE(windows->AddWindow(this->window, { { layout, hasp::StereoResolution::Half } }));
+    EXPECT_TRUE(windows->Render());
+    vtkNew<vtkUnsignedCharArray> pixels;
+    this->window->GetPixelData(0, 0, Size - 1, Size - 1, 1, pixels);
+    return Silhouette(pixels->GetPointer(0));
   }
 
   std::vector<bool> VtksLeftEye()
@@ -153,6 +167,17 @@ TEST(StereoVolumeMapper, VtksRayCasterSeesWhatMeshesShow)
   // it right, this test would prove nothing.
   EXPECT_LT(ours, 0.006);
   EXPECT_GT(vtks, 0.05);
+}
+
+TEST(StereoVolumeMapper, StretchedAndShiftedEyesAreThoseOfMeshes)
+{
+  hasp::UseHeadlessWindows();
+  Scene volume(true), mesh(false);
+  // As above, with pixels twice as wide or rows twice as high along the outline.
+  for (const auto layout : { hasp::StereoLayout::SideBySide, hasp::StereoLayout::TopBottom,
+         hasp::StereoLayout::Interlaced, hasp::StereoLayout::Checkerboard })
+    EXPECT_LT(ShareThatDiffers(volume.HalfEyes(layout), mesh.HalfEyes(layout)), 0.012)
+      << hasp::StereoLayoutName(layout);
 }
 
 } // namespace
