@@ -40,6 +40,31 @@ void RequireQuadBuffers(vtkOpenGLRenderWindow* window)
       "drawn, and where the driver has none take another layout (side-by-side, interlaced)");
 }
 
+/// While one lives, the window's frames go to the left and right buffer.
+class QuadBuffers
+{
+public:
+  explicit QuadBuffers(vtkRenderWindow* w)
+    : window(w),
+      type(w->GetStereoType()),
+      render(w->GetStereoRender())
+  {
+    w->SetStereoTypeToCrystalEyes();
+    w->SetStereoRender(true);
+  }
+  ~QuadBuffers()
+  {
+    this->window->SetStereoRender(this->render);
+    this->window->SetStereoType(this->type);
+  }
+  QuadBuffers(const QuadBuffers&) = delete;
+  QuadBuffers& operator=(const QuadBuffers&) = delete;
+
+private:
+  vtkRenderWindow* window;
+  int type, render;
+};
+
 bool IsPlain(const hasp::StereoWindow& set)
 {
   return !hasp::NeedsSecondEye(set.output.layout) && set.output.flip == hasp::MirrorFlip::None &&
@@ -108,22 +133,17 @@ void WindowDrawing::UpdateLenses(const std::array<hasp::EyeView, 2>& views, glm:
 
 void WindowDrawing::ShowQuadBuffers(vtkOpenGLRenderWindow* window, const PixelRectangle& target)
 {
-  const int type = window->GetStereoType();
-  const int render = window->GetStereoRender();
   hasp::StereoOutput one = this->Set.output;
   const auto compose = [&](bool right)
   {
     one.layout = right != one.swapEyes ? StereoLayout::Right : StereoLayout::Left;
     this->Output.Compose(window, one, target);
   };
-  window->SetStereoTypeToCrystalEyes();
-  window->SetStereoRender(true);
+  const QuadBuffers both(window);
   compose(false);
   window->StereoMidpoint(); // VTK puts the frame aside as the left buffer's
   compose(true);
   window->Frame();
-  window->SetStereoRender(render);
-  window->SetStereoType(type);
 }
 
 void WindowDrawing::DrawEyes(
