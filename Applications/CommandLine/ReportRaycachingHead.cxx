@@ -167,9 +167,9 @@ void AddHoles(ReportContext& context, const RaycachingScene& scene, double secon
 void ReportRaycachingHead(ReportContext& context, const RaycachingScene& wide)
 {
   const ReportSettings& settings = context.settings;
-  const RaycachingScene scene(
-    wide.cells, settings.soak ? wide.pixels : std::min(Pixels, wide.pixels));
-  const bool minute = settings.soak || (!settings.quick && scene.cells.tag.empty());
+  const bool soak = settings.soak && !settings.quick;
+  const RaycachingScene scene(wide.cells, soak ? wide.pixels : std::min(Pixels, wide.pixels));
+  const bool minute = soak || (!settings.quick && scene.cells.tag.empty());
   const double seconds = minute ? 60.0 : settings.quick ? 3.0 : 10.0;
   context.progress(0.0, "raycaching: a head's path, " + scene.data);
   for (const bool predict : { true, false })

@@ -5,6 +5,7 @@
 #include "SilhouetteScene.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace hasp
@@ -17,18 +18,24 @@ void ReportStereoSilhouettes(ReportContext& context)
   for (const SilhouetteScene::Method& method : SilhouetteScene::Methods())
   {
     SilhouetteScene scene(method);
-    const auto share = [&](StereoLayout eye)
-    { return SilhouetteScene::Share(scene.Outline(eye), mesh.Outline(eye)); };
-    const double mono = share(StereoLayout::Mono);
-    const double eyes = std::max(share(StereoLayout::Left), share(StereoLayout::Right));
+    const std::array<StereoLayout, 2> eyes{ StereoLayout::Left, StereoLayout::Right };
+    double alone = 0.0, paired = 0.0; // of the worse eye
+    const auto pair = scene.OfPair();
+    const Timing time = scene.Time();
+    for (int eye = 0; eye < 2; ++eye)
+    {
+      const auto truth = mesh.OfEye(eyes[eye]);
+      alone = std::max(alone, SilhouetteScene::Share(scene.OfEye(eyes[eye]), truth));
+      paired = std::max(paired, SilhouetteScene::Share(pair[eye], truth));
+    }
     char rival[80];
-    std::snprintf(rival, sizeof rival, "the same in mono: %.3g", mono);
+    std::snprintf(rival, sizeof rival, "the same eye drawn alone: %.3g", alone);
     ReportRow row = ErrorFigure("stereo.silhouette@" + method.id,
-      { eyes, "share of the mesh's pixels" }, rival, scene.Time(),
-      method.name + " against " + SilhouetteScene::Mesh().name + ", 400 x 400 pixels, worse eye");
-    // Pixels on the outline are few: a dozen of 50,000 fall either way by chance.
+      { paired, "share of the mesh's pixels" }, rival, time,
+      method.name + " against " + SilhouetteScene::Mesh().name +
+        ", 400 x 400 pixels, worse eye of a pair");
     if (method.id != "vtk")
-      row.bars = { { {}, mono + 2.5e-4 } };
+      row.bars = { { {}, alone } };
     context.report.rows.push_back(row);
   }
 }

@@ -98,6 +98,17 @@ vtkSmartPointer<vtkProp> ByVtksRays()
   return volume.Get();
 }
 
+/// Of the eye whose picture begins at that column.
+std::vector<bool> OutlineIn(vtkImageData* picture, int firstColumn)
+{
+  std::vector<bool> outline;
+  for (int y = 0; y < Pixels; ++y)
+    for (int x = 0; x < Pixels; ++x)
+      outline.push_back(
+        static_cast<unsigned char*>(picture->GetScalarPointer(firstColumn + x, y, 0))[0] > 20);
+  return outline;
+}
+
 } // namespace
 
 SilhouetteScene::Method SilhouetteScene::Mesh()
@@ -125,26 +136,33 @@ SilhouetteScene::SilhouetteScene(const Method& method) : Frames(method.frames)
   camera->SetViewUp(0, 0, 1);
 }
 
-std::vector<bool> SilhouetteScene::Outline(StereoLayout eye)
+vtkSmartPointer<vtkImageData> SilhouetteScene::Draw(StereoLayout layout)
 {
   vtkNew<vtkHaspStereoPicture> picture;
   picture->SetRenderer(this->Renderer);
   picture->SetEyeAngle(8.0);
-  picture->SetLayout(eye);
+  picture->SetLayout(layout);
   for (int frame = 1; frame < this->Frames; ++frame)
     picture->Render();
   vtkSmartPointer<vtkImageData> image;
   this->Spent = TimeOf([&] { image = picture->Render(); });
   if (!image)
     throw Failure(ExitCode::CannotDraw, "stereo report: no picture");
-  const auto* rgb = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::vector<bool> inside(static_cast<std::size_t>(Pixels) * Pixels);
-  for (std::size_t p = 0; p < inside.size(); ++p)
-    inside[p] = rgb[3 * p] > 20;
-  return inside;
+  return image;
 }
 
-double SilhouetteScene::Share(const std::vector<bool>& found, const std::vector<bool>& truth)
+SilhouetteScene::Outline SilhouetteScene::OfEye(StereoLayout eye)
+{
+  return OutlineIn(this->Draw(eye), 0);
+}
+
+std::array<SilhouetteScene::Outline, 2> SilhouetteScene::OfPair()
+{
+  const auto pair = this->Draw(StereoLayout::SideBySide);
+  return { OutlineIn(pair, 0), OutlineIn(pair, Pixels) };
+}
+
+double SilhouetteScene::Share(const Outline& found, const Outline& truth)
 {
   double differ = 0.0, inside = 0.0;
   for (std::size_t p = 0; p < truth.size(); ++p)

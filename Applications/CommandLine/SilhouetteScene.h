@@ -7,10 +7,12 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkProp;
 
 namespace hasp
@@ -34,14 +36,19 @@ public:
 
   explicit SilhouetteScene(const Method& method);
 
-  /// Pixels that are not background, of one eye alone (Left, Right, Mono), by the eye rig.
-  std::vector<bool> Outline(StereoLayout eye);
-  Timing Time() const { return this->Spent; } ///< of the last outline
+  using Outline = std::vector<bool>; ///< pixels that are not background
+  /// Of one eye drawn alone (Left, Right), by the eye rig.
+  Outline OfEye(StereoLayout eye);
+  /// Of both, drawn as a pair: left, right.
+  std::array<Outline, 2> OfPair();
+  Timing Time() const { return this->Spent; } ///< of the last picture
 
   /// Of the pixels of `truth`, how many differ.
-  static double Share(const std::vector<bool>& found, const std::vector<bool>& truth);
+  static double Share(const Outline& found, const Outline& truth);
 
 private:
+  vtkSmartPointer<vtkImageData> Draw(StereoLayout layout);
+
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   int Frames;

@@ -18,17 +18,13 @@ namespace
 
 constexpr double LeastScreenMm = 10.0, MostScreenMm = 1e5;
 
-std::string FaultOfLayout(const std::string& name)
+std::vector<std::string> Layouts()
 {
-  try
-  {
-    StereoLayoutFromName(name);
-    return {};
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
+  std::vector<std::string> names;
+  for (int layout = 0; layout <= int(StereoLayout::QuadBuffer); ++layout)
+    names.push_back(StereoLayoutName(StereoLayout(layout)));
+  names.push_back(StereoChoices::OpenXR);
+  return names;
 }
 
 void AddOutputOptions(CLI::App& verb, StereoChoices& choices)
@@ -37,8 +33,10 @@ void AddOutputOptions(CLI::App& verb, StereoChoices& choices)
     .add_option("--stereo", choices.layout,
       "How two eyes become one picture: side-by-side, top-bottom, anaglyph, interlaced (the top "
       "row "
-      "is the left eye's), checkerboard, left, right, dual-window, quad-buffer; mono draws one eye")
-    ->check(CLI::Validator(FaultOfLayout, "LAYOUT"))
+      "is the left eye's), checkerboard, left, right, dual-window, quad-buffer; openxr: a "
+      "head-mounted display by "
+      "VTK's own window; mono draws one eye")
+    ->check(CLI::IsMember(Layouts()))
     ->capture_default_str();
   verb
     .add_option("--eye-resolution", choices.resolution,
@@ -109,10 +107,14 @@ StereoHmd HmdOf(const std::array<double, 4>& tangents)
 
 } // namespace
 
+bool StereoChoices::Placed() const
+{
+  return this->mirror != "none" || !this->screen.empty() || !this->lens.empty() || this->hmd;
+}
+
 bool StereoChoices::Any() const
 {
-  return this->layout != "mono" || this->mirror != "none" || !this->screen.empty() ||
-         !this->lens.empty() || this->hmd;
+  return this->layout != "mono" || this->Placed();
 }
 
 void AddStereoOptions(CLI::App& verb, StereoChoices& choices)

@@ -16,6 +16,7 @@ namespace hasp
 
 struct StereoChoices
 {
+  static constexpr const char* OpenXR = "openxr";
   std::string layout = "mono";     ///< a name of StereoLayout
   std::string resolution = "full"; ///< of an eye: "full" or "half"
   std::string mirror = "none";     ///< "none", "horizontal", "vertical", "both"
@@ -31,6 +32,8 @@ struct StereoChoices
 
   /// Is there anything to see but what an ordinary window shows?
   bool Any() const;
+  /// Is a screen, a display, a lens or a mirror given?
+  bool Placed() const;
 };
 
 /// Adds --stereo and all that goes with it.

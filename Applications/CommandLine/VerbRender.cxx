@@ -25,8 +25,9 @@ struct Choices
 /// Two windows and a driver's buffers are no file.
 void RequireOnePicture(const StereoChoices& stereo)
 {
-  const StereoLayout layout = StereoLayoutFromName(stereo.layout);
-  if (layout == StereoLayout::DualWindow || layout == StereoLayout::QuadBuffer)
+  const auto is = [&](StereoLayout layout) { return stereo.layout == StereoLayoutName(layout); };
+  if (stereo.layout == StereoChoices::OpenXR || is(StereoLayout::DualWindow) ||
+      is(StereoLayout::QuadBuffer))
     throw Failure(ExitCode::WrongUse,
       "--stereo " + stereo.layout + " is for hasp view; left and right draw one eye each");
 }

@@ -8,8 +8,10 @@
 #include "Verbs.h"
 #include "ViewKeys.h"
 #include "ViewWindow.h"
+#include "VtkMessages.h"
 #include "Windows.h"
 #include "vtkHaspFileNames.h"
+#include "vtkHaspOpenXR.h"
 
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
@@ -73,8 +75,30 @@ void OpenWindow(const Choices& choices, vtkRenderWindow* window)
     window->StereoCapableWindowOn(); // before it opens
 }
 
+/// In VTK's window for a head-mounted display, which has eyes and a head of its own.
+void RunOpenXR(Choices& choices, Session& session)
+{
+  if (const std::string lack = WhyNoOpenXR(); !lack.empty())
+    throw Failure(ExitCode::CannotDraw, "--stereo openxr: " + lack);
+  if (choices.stereo.Placed() || !choices.head.source.empty() || !choices.output.empty())
+    throw Failure(ExitCode::WrongUse,
+      "--stereo openxr has its own screen, eyes and head; leave out --screen, --hmd, --lens, "
+      "--mirror, --head and --output");
+  const LoadedScene loaded = ReadScene(choices.scene, choices.options, session);
+  const OpenXRView view = MakeOpenXRView();
+  view.interactor->Initialize();
+  ThrowVtkError(ExitCode::CannotDraw, "cannot draw in a head-mounted display");
+  const SurfaceScene scene(view.renderer, loaded.input, choices.options, session);
+  session.progress.Wipe();
+  view.interactor->Start();
+  ThrowVtkError(ExitCode::CannotDraw, "cannot draw in a head-mounted display");
+  scene.ListResources(session.resources);
+}
+
 void Run(Choices choices, Session& session)
 {
+  if (choices.stereo.layout == StereoChoices::OpenXR)
+    return RunOpenXR(choices, session);
   for (const std::string& file : { choices.output, choices.stereo.sketch })
     if (!file.empty())
       RequireWritable(file, { ".png" });

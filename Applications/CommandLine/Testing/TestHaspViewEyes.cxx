@@ -22,6 +22,15 @@ TEST_F(HaspViewEyes, TwoEyesFollowTheMouseAndAreListed)
   EXPECT_NE(run.out.find("mouse"), std::string::npos) << run.out;
 }
 
+TEST_F(HaspViewEyes, WithoutOpenXRItIsSaidWhatToDo)
+{
+  this->Phantom();
+  const HaspRun run = RunHasp(this->View({ "--stereo", "openxr" }));
+  if (run.err.find("HASP_ENABLE_OPENXR") == run.err.npos)
+    GTEST_SKIP() << "this build has OpenXR";
+  ExpectFailure(run, 4, "--stereo openxr: ");
+}
+
 TEST_F(HaspViewEyes, AHeadThatCannotBeFollowedIsTold)
 {
   this->Phantom();
