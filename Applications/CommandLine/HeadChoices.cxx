@@ -90,15 +90,12 @@ const char* StateName(HeadTrackerState state)
 
 void AddHeadOptions(CLI::App& verb, HeadChoices& choices)
 {
-  CLI::Option* screen = verb.get_option("--screen");
-  CLI::Option* head =
-    verb
-      .add_option("--head", choices.source,
-        "The picture follows the viewer's head. mouse: as if the pointer were it; opentrack: UDP "
-        "on "
-        "this machine's port 4242 (opentrack:PORT, opentrack:ADDRESS:PORT); FILE.csv: a recorded "
-        "path, again and again; FILE.so: a plugin for a tracker")
-      ->needs(screen);
+  CLI::Option* head = verb.add_option("--head", choices.source,
+    "The picture follows the viewer's head. mouse: as if the pointer were it; opentrack: UDP on "
+    "this "
+    "machine's port 4242 (opentrack:PORT, opentrack:ADDRESS:PORT); FILE.csv: a recorded path, "
+    "again "
+    "and again; FILE.so: a plugin for a tracker");
   verb
     .add_option("--head-calibration", choices.calibration,
       ".json file of where the tracker stands; hasp calibrate makes one")

@@ -20,7 +20,7 @@ struct HeadChoices
   double predictionMs = 33.0;
 };
 
-/// Adds --head, --head-calibration and --head-prediction; they need the verb's --screen.
+/// Adds --head, --head-calibration and --head-prediction.
 void AddHeadOptions(CLI::App& verb, HeadChoices& choices);
 
 /// The source that `choices` name: "mouse"; "opentrack", "opentrack:PORT" or
@@ -29,7 +29,7 @@ void AddHeadOptions(CLI::App& verb, HeadChoices& choices);
 /// where it cannot be opened.
 std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const HeadPose& rest);
 
-/// "tracking by opentrack, 33 ms (2.0 frames) behind, 33 ms of it predicted".
+/// "head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted".
 std::string HeadText(const TrackedHead& head, const char* source);
 
 } // namespace hasp

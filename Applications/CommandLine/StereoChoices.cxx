@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -84,7 +85,7 @@ void AddRoomOptions(CLI::App& verb, StereoChoices& choices)
   verb
     .add_flag("--life-size", choices.lifeSize,
       "A mm of the patient is a mm on the screen; else --zoom says what fills it")
-    ->needs(screen);
+    ->excludes(verb.get_option("--zoom"));
   verb
     .add_option("--sketch", choices.sketch,
       ".png file: a plan of screen, eyes and content, to hold against the desk")
@@ -105,11 +106,40 @@ StereoHmd HmdOf(const std::array<double, 4>& tangents)
   return { { left, { left.right, left.left, left.up, left.down } } };
 }
 
+/// What would be left out without a word.
+void RequireFitting(const StereoChoices& choices)
+{
+  const StereoLayout layout = StereoLayoutFromName(choices.layout);
+  const auto refuse = [](const std::string& text) { throw Failure(ExitCode::WrongUse, text); };
+  if (!choices.InRoom() && (choices.eyeSeparationMm || choices.headMm || choices.lifeSize))
+    refuse(
+      "--eye-separation, --head-position and --life-size are mm before a screen; give --screen "
+      "or --hmd too");
+  if (!choices.InRoom() && !choices.lens.empty())
+    refuse("--lens is for a display whose shape is known; give --hmd or --screen too");
+  if (layout == StereoLayout::Mono &&
+      (choices.eyeAngle || choices.eyeSeparationMm || choices.hmd || choices.swapEyes))
+    refuse(
+      "--eye-angle, --eye-separation, --hmd and --swap-eyes are for two eyes; give --stereo too");
+  if (choices.swapEyes && (layout == StereoLayout::Left || layout == StereoLayout::Right))
+    refuse("--swap-eyes is for two eyes; --stereo left and right draw one");
+  if (choices.resolution == "half" && layout != StereoLayout::SideBySide &&
+      layout != StereoLayout::TopBottom && layout != StereoLayout::Interlaced &&
+      layout != StereoLayout::Checkerboard)
+    refuse("--eye-resolution half is for --stereo side-by-side, top-bottom, interlaced and "
+           "checkerboard, where two eyes share pixels");
+}
+
 } // namespace
+
+bool StereoChoices::InRoom() const
+{
+  return !this->screen.empty() || this->hmd;
+}
 
 bool StereoChoices::Placed() const
 {
-  return this->mirror != "none" || !this->screen.empty() || !this->lens.empty() || this->hmd;
+  return this->mirror != "none" || !this->lens.empty() || this->InRoom();
 }
 
 bool StereoChoices::Any() const
@@ -125,9 +155,7 @@ void AddStereoOptions(CLI::App& verb, StereoChoices& choices)
 
 StereoWindow MakeStereoWindow(const StereoChoices& choices)
 {
-  if (choices.screen.empty() && !choices.hmd && (choices.eyeSeparationMm || choices.headMm))
-    throw Failure(ExitCode::WrongUse,
-      "--eye-separation and --head-position are mm before a screen; give --screen or --hmd too");
+  RequireFitting(choices);
   StereoWindow window;
   window.output = { StereoLayoutFromName(choices.layout),
     choices.resolution == "half" ? StereoResolution::Half : StereoResolution::Full,

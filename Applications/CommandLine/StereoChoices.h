@@ -32,7 +32,9 @@ struct StereoChoices
 
   /// Is there anything to see but what an ordinary window shows?
   bool Any() const;
-  /// Is a screen, a display, a lens or a mirror given?
+  /// Is a screen or a head-mounted display given, so that eyes have a place?
+  bool InRoom() const;
+  /// Is that, a lens or a mirror given?
   bool Placed() const;
 };
 

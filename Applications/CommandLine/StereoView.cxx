@@ -45,6 +45,21 @@ bool Differ(const HeadPose& a, const HeadPose& b)
          halfTurn < std::cos(0.5 * glm::radians(degrees));
 }
 
+/// Can both eyes be drawn?
+bool Sees(const StereoHead& head, const StereoWindow& window)
+{
+  constexpr double widest = 179.0; // degrees, of vtkCamera
+  try
+  {
+    const auto views = ViewsOfEyes(window, head, glm::dmat4(1.0));
+    return views[0].viewAngleDegrees <= widest && views[1].viewAngleDegrees <= widest;
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+}
+
 } // namespace
 
 struct StereoView::Parts
@@ -55,44 +70,48 @@ struct StereoView::Parts
   StereoWindow settings;
   StereoHead head;
   std::unique_ptr<HeadTracker> tracker;
-  TrackedHead drawn; ///< in the last frame
-  vtkSmartPointer<vtkRenderWindow> rightWindow;
+  TrackedHead drawn;       ///< in the last frame
+  int unseen = 0;          ///< frames whose head saw nothing of the screen
+  bool saidUnseen = false; ///< that there are such
   vtkNew<vtkHaspStereoWindows> windows;
 
-  void AddWindows()
+  /// Millimetres of the world in one of the room.
+  double Scale() const
   {
-    if (this->settings.output.layout != StereoLayout::DualWindow)
-    {
-      this->windows->AddWindow(this->window, this->settings);
-      return;
-    }
-    this->rightWindow = vtkSmartPointer<vtkRenderWindow>::New();
-    this->rightWindow->SetOffScreenRendering(this->window->GetOffScreenRendering());
-    this->rightWindow->SetWindowName("hasp view, right eye");
-    this->rightWindow->SetSize(this->window->GetSize());
-    this->windows->AddDualWindow(this->window, this->rightWindow, this->settings);
+    const glm::dmat4 roomToWorld = RoomOnScreen(
+      this->renderer->GetActiveCamera(), this->settings.screen.value_or(StereoScreen{}));
+    return std::cbrt(glm::determinant(glm::dmat3(roomToWorld)));
   }
+  bool Placed() const { return this->settings.screen || this->settings.hmd; }
 };
 
 StereoView::StereoView(vtkRenderer* renderer, vtkRenderWindow* window, const StereoChoices& choices,
-  std::unique_ptr<HeadTracker> tracker)
+  std::unique_ptr<HeadTracker> tracker, vtkRenderWindow* right)
   : Self(new Parts{ renderer, window, choices, MakeStereoWindow(choices), RoomHead(choices),
-      std::move(tracker), {}, nullptr, {} })
+      std::move(tracker), {}, 0, false, {} })
 {
   Parts& self = *this->Self;
   self.windows->SetRenderer(renderer);
   self.windows->SetEyeAngle(choices.eyeAngle.value_or(2.0));
   self.windows->SetHead(self.head);
-  self.AddWindows();
-  if (choices.lifeSize)
-  {
-    ShowLifeSize(renderer->GetActiveCamera(), *self.settings.screen);
-    renderer->ResetCameraClippingRange();
-  }
+  if (self.settings.output.layout == StereoLayout::DualWindow)
+    self.windows->AddDualWindow(window, right, self.settings);
+  else
+    self.windows->AddWindow(window, self.settings);
+  this->CameraPlaced();
   ThrowVtkError(ExitCode::WrongUse, "cannot draw for these eyes");
 }
 
 StereoView::~StereoView() = default;
+
+void StereoView::CameraPlaced()
+{
+  const Parts& self = *this->Self;
+  if (!self.choices.lifeSize)
+    return;
+  ShowLifeSize(self.renderer->GetActiveCamera(), self.settings.screen.value_or(StereoScreen{}));
+  self.renderer->ResetCameraClippingRange();
+}
 
 bool StereoView::Draw(double nowS)
 {
@@ -100,7 +119,11 @@ bool StereoView::Draw(double nowS)
   if (self.tracker)
   {
     self.drawn = self.tracker->At(nowS);
-    self.windows->SetHead(HeadOf(self.drawn.pose, self.head.eyeSeparationMm));
+    const StereoHead head = HeadOf(self.drawn.pose, self.head.eyeSeparationMm);
+    if (Sees(head, self.settings))
+      self.windows->SetHead(head);
+    else
+      ++self.unseen;
   }
   return self.windows->Render();
 }
@@ -108,7 +131,10 @@ bool StereoView::Draw(double nowS)
 bool StereoView::HeadMoved(double nowS)
 {
   Parts& self = *this->Self;
-  return self.tracker && Differ(self.tracker->At(nowS).pose, self.drawn.pose);
+  if (!self.tracker)
+    return false;
+  const TrackedHead head = self.tracker->At(nowS);
+  return head.state != self.drawn.state || Differ(head.pose, self.drawn.pose);
 }
 
 bool StereoView::IsTracked() const
@@ -141,12 +167,29 @@ std::optional<std::pair<WorldPoint, WorldPoint>> StereoView::RayOf(int x, int y)
 std::string StereoView::Text() const
 {
   const Parts& self = *this->Self;
-  return self.tracker ? HeadText(self.drawn, self.tracker->Source().Name()) : std::string();
+  std::string text;
+  if (self.Placed())
+  {
+    char size[60];
+    std::snprintf(size, sizeof size, "at %.0f %% of life size", 100.0 / self.Scale());
+    text = size;
+  }
+  if (self.tracker)
+    text.append(text.empty() ? "" : "; ")
+      .append(HeadText(self.drawn, self.tracker->Source().Name()));
+  return text;
 }
 
 std::vector<std::string> StereoView::TakeWarnings()
 {
-  return this->Self->tracker ? this->Self->tracker->TakeWarnings() : std::vector<std::string>();
+  Parts& self = *this->Self;
+  if (!self.tracker)
+    return {};
+  std::vector<std::string> warnings = self.tracker->TakeWarnings();
+  if (self.unseen > 0 && !std::exchange(self.saidUnseen, true))
+    warnings.push_back("the head is behind the screen or too close to it, where nothing can be "
+                       "seen; the view stays. Is the tracker calibrated?");
+  return warnings;
 }
 
 std::string StereoView::SketchPng() const

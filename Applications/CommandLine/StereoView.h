@@ -21,16 +21,18 @@ class StereoView
 {
 public:
   /// Renderer and window must outlive it; the window must have the size that WindowPixels gives.
-  /// tracker: null for a head that stands still. Throws Failure: WrongUse for choices that do not
-  /// go together, BadInput for files.
+  /// tracker: null for a head that stands still. right: the right eye's window of two, for the
+  /// layout dual-window. Throws Failure: WrongUse for choices that do not go together, BadInput for
+  /// files.
   StereoView(vtkRenderer* renderer, vtkRenderWindow* window, const StereoChoices& choices,
-    std::unique_ptr<HeadTracker> tracker = nullptr);
+    std::unique_ptr<HeadTracker> tracker = nullptr, vtkRenderWindow* right = nullptr);
   ~StereoView();
 
-  /// Draws one frame for where the head is at nowS (SteadySeconds). False: an error, as VTK's.
+  /// Draws one frame for where the head is at nowS (SteadySeconds), or was when there was last
+  /// anything to see from it. False: an error, as VTK's.
   bool Draw(double nowS);
-  /// Is the head at nowS elsewhere than in the last frame, by more than 0.1 mm or 0.02 degrees?
-  /// Never without a tracker.
+  /// Is the head at nowS elsewhere than in the last frame, by more than 0.1 mm or 0.02 degrees, or
+  /// does its tracker do something else? Never without a tracker.
   bool HeadMoved(double nowS);
   bool IsTracked() const;
 
@@ -39,7 +41,10 @@ public:
   /// The line of sight of a window's pixel through all that is shown; none where nothing is seen.
   std::optional<std::pair<WorldPoint, WorldPoint>> RayOf(int x, int y) const;
 
-  /// "head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted"; empty without a tracker.
+  /// After the camera was placed anew: --life-size, if it was asked for.
+  void CameraPlaced();
+  /// "at 83 % of life size; head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted";
+  /// empty where there is neither a screen nor a tracker.
   std::string Text() const;
   /// What its tracker warns of, once each.
   std::vector<std::string> TakeWarnings();

@@ -38,6 +38,7 @@ void Run(Choices choices, Session& session)
   if (!choices.render.stereo.sketch.empty())
     RequireWritable(choices.render.stereo.sketch, { ".png" });
   RequireOnePicture(choices.render.stereo);
+  MakeStereoWindow(choices.render.stereo); // before anything is read
   const LoadedScene loaded = ReadScene(choices.scene, choices.render, session);
   RenderScene scene(loaded.input, choices.render, session);
   WriteFile(choices.output, scene.DrawPng());

@@ -3,6 +3,7 @@
 #include "HeadChoices.h"
 #include "PictureFile.h"
 #include "SceneChoices.h"
+#include "SecondWindow.h"
 #include "Session.h"
 #include "StereoView.h"
 #include "Verbs.h"
@@ -21,7 +22,10 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace hasp
 {
@@ -36,6 +40,7 @@ struct Choices
   HeadChoices head;
   bool squarePixels = true; ///< the window's width follows the screen's, where there is one
   bool fullScreen = false;
+  std::optional<std::array<int, 2>> rightAt; ///< of the right eye's window of two, on the desktop
   std::string output;
 };
 
@@ -52,25 +57,36 @@ ViewSettings SettingsOf(const LoadedScene& loaded, const SceneOptions& options)
   return settings;
 }
 
-/// Draws for eyes before a screen, or null: an ordinary window.
-std::unique_ptr<StereoView> MakeEyes(
-  const Choices& choices, vtkRenderer* renderer, vtkRenderWindow* window)
+/// What does not go together, before anything is read.
+void RequireFitting(const Choices& choices)
 {
-  if (!choices.stereo.Any())
-    return nullptr;
-  HeadPose rest;
-  rest.position = RoomHead(choices.stereo).position;
-  return std::make_unique<StereoView>(
-    renderer, window, choices.stereo, MakeHeadTracker(choices.head, rest));
+  const auto refuse = [](const std::string& text) { throw Failure(ExitCode::WrongUse, text); };
+  if (!choices.head.source.empty() && !choices.stereo.InRoom())
+    refuse("--head is where the head is before a screen; give --screen or --hmd too");
+  if (!choices.head.source.empty() && !choices.output.empty())
+    refuse("--output draws one picture; it waits for no head: leave out --head");
+  const bool two = choices.stereo.layout == StereoLayoutName(StereoLayout::DualWindow);
+  if (!choices.output.empty() &&
+      (two || choices.stereo.layout == StereoLayoutName(StereoLayout::QuadBuffer)))
+    refuse("--output writes one picture, and --stereo " + choices.stereo.layout +
+           " makes two; left and right draw one eye each");
+  if (choices.rightAt && !two)
+    refuse("--right-window-at is for --stereo dual-window");
+  if (choices.fullScreen && two)
+    refuse("--full-screen covers one screen; give --resolution and --right-window-at for two");
 }
 
-void OpenWindow(const Choices& choices, vtkRenderWindow* window)
+void OpenWindow(const Choices& choices, const StereoWindow& eyes, vtkRenderWindow* window)
 {
-  const StereoWindow eyes = MakeStereoWindow(choices.stereo);
   const auto size = WindowPixels(eyes, choices.options.resolution, choices.squarePixels);
   window->SetWindowName("hasp view"); // no name of a file: it may be a patient's
   window->SetSize(size[0], size[1]);
   window->SetFullScreen(choices.fullScreen);
+  if (choices.rightAt)
+  {
+    window->BordersOff();
+    window->SetPosition(0, 0);
+  }
   if (eyes.output.layout == StereoLayout::QuadBuffer)
     window->StereoCapableWindowOn(); // before it opens
 }
@@ -102,20 +118,34 @@ void Run(Choices choices, Session& session)
   for (const std::string& file : { choices.output, choices.stereo.sketch })
     if (!file.empty())
       RequireWritable(file, { ".png" });
+  RequireFitting(choices);
+  const StereoWindow shown = MakeStereoWindow(choices.stereo);
+  HeadPose rest;
+  rest.position = RoomHead(choices.stereo).position;
+  auto tracker = MakeHeadTracker(choices.head, rest);
   RequireDisplay();
   const LoadedScene loaded = ReadScene(choices.scene, choices.options, session);
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderWindowInteractor> interactor;
-  OpenWindow(choices, window);
+  OpenWindow(choices, shown, window);
   window->AddRenderer(renderer);
   interactor->SetRenderWindow(window);
   interactor->Initialize(); // first: VTK 9.1 crashes at the end where the window opened the display
   RequireOpenGL(window);
   SurfaceScene scene(renderer, loaded.input, choices.options, session);
-  const auto eyes = MakeEyes(choices, renderer, window);
+  std::optional<SecondWindow> second;
+  if (shown.output.layout == StereoLayout::DualWindow)
+    second.emplace(
+      interactor, std::array{ window->GetSize()[0], window->GetSize()[1] }, choices.rightAt);
+  std::unique_ptr<StereoView> eyes;
+  if (choices.stereo.Any())
+    eyes = std::make_unique<StereoView>(
+      renderer, window, choices.stereo, std::move(tracker), second ? second->Window() : nullptr);
   ViewSettings settings = SettingsOf(loaded, choices.options);
   settings.eyes = eyes.get();
+  if (second)
+    settings.closed = [&second] { second->Close(); };
   settings.sayWarning = [&session](const std::string& text) { SayWarning(session, text); };
   ViewWindow view(scene, window, interactor, settings);
   if (!choices.stereo.sketch.empty())
@@ -153,6 +183,11 @@ void AddViewVerb(CLI::App& app, Session& session)
   AddHeadOptions(*verb, choices->head);
   verb->add_flag("--full-screen", choices->fullScreen,
     "All of the screen: interlaced and checkerboard displays need each pixel in its place");
+  verb
+    ->add_option("--right-window-at", choices->rightAt,
+      "X,Y on the desktop of the right eye's window of dual-window; both are without borders then, "
+      "the left eye's at 0,0")
+    ->delimiter(',');
   AddCommonOptions(*verb, session);
   verb->footer(ViewKeys() + "\n"
                             "Examples:\n"

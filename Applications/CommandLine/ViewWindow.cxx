@@ -75,7 +75,7 @@ struct ViewWindow::Parts
     std::snprintf(text, sizeof text, "%.1f ms a frame, %s%s", this->frames.Milliseconds(),
       this->scene.DrewBy().c_str(), this->frames.Refines() ? ", refining" : "");
     std::string lines = this->overlay.IsoValueText(this->settings.isoValue) + ", " + text;
-    if (this->frames.Tracked())
+    if (this->settings.eyes && !this->settings.eyes->Text().empty())
       lines.append("\n").append(this->settings.eyes->Text());
     if (!this->answer.empty())
       lines.append("\n").append(this->answer);
@@ -105,6 +105,8 @@ struct ViewWindow::Parts
     this->List(this->resources); // closing frees them
     this->frames.Stop();
     this->interactor->TerminateApp();
+    if (this->settings.closed)
+      this->settings.closed();
   }
   void SetIsoValue(double value)
   {
@@ -129,7 +131,11 @@ struct ViewWindow::Parts
       this->overlay.SetSliderValue(this->settings.isoValue);
     }
     else if (key == "r" || key == "R")
+    {
       PlaceCamera(this->scene.Renderer(), this->settings.camera);
+      if (this->settings.eyes)
+        this->settings.eyes->CameraPlaced();
+    }
     else if (key == "p" || key == "P")
       this->Pick();
     else if (key == "s" || key == "S")

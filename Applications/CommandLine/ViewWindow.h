@@ -27,8 +27,9 @@ struct ViewSettings
   double isoValue = 0.0;                      ///< that the scene has
   std::string unit;                           ///< of the isovalue, "HU"; empty: not known
   CameraOptions camera;                       ///< of the first view, to which key r goes back
-  StereoView* eyes = nullptr; ///< draws the frames, of one eye or two; none: the window itself.
-                              ///< Must outlive the ViewWindow
+  StereoView* eyes = nullptr;   ///< draws the frames, of one eye or two; none: the window itself.
+                                ///< Must outlive the ViewWindow
+  std::function<void()> closed; ///< called when the user has closed the window; may be empty
   std::function<void(const std::string&)> sayWarning; ///< takes what a head tracker warns of
 };
 

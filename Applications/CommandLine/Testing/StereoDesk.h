@@ -19,9 +19,19 @@ public:
   HeadPose pose;
   std::vector<std::string> warnings;
 
-  std::optional<TimedHeadPose> Latest(double nowS) override { return TimedHeadPose{ nowS, pose }; }
+  bool silent = false;
+
+  std::optional<TimedHeadPose> Latest(double nowS) override
+  {
+    if (!this->silent)
+      this->Newest = { nowS, this->pose };
+    return this->Newest;
+  }
   const char* Name() const noexcept override { return "a hand"; }
   std::vector<std::string> TakeWarnings() override { return std::exchange(this->warnings, {}); }
+
+private:
+  TimedHeadPose Newest;
 };
 
 /// A ball of 20 mm in the middle of a screen of 400 x 300 mm.
@@ -30,6 +40,7 @@ struct StereoDesk
   bool headless = UseHeadlessWindows();
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderWindow> right; ///< of dual-window
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   int frames = 0; ///< of the window: one an eye
   int timers = 0; ///< that wait
@@ -53,12 +64,15 @@ struct StereoDesk
     this->options.drawing.interactive = true;
     this->choices.layout = layout;
     this->choices.screen = "400x300";
-    this->choices.eyeSeparationMm = 60.0;
+    if (layout != "mono")
+      this->choices.eyeSeparationMm = 60.0;
     change(this->choices);
     const auto size = WindowPixels(MakeStereoWindow(this->choices), { 200, 150 }, true);
     this->window->SetOffScreenRendering(true);
     this->window->SetSize(size[0], size[1]);
     this->window->AddRenderer(this->renderer);
+    this->right->SetOffScreenRendering(true);
+    this->right->SetSize(size[0], size[1]);
     this->interactor->SetRenderWindow(this->window);
     this->interactor->AddObserver(vtkCommand::CreateTimerEvent, this, &StereoDesk::Timer);
     this->window->AddObserver(vtkCommand::StartEvent, this, &StereoDesk::Frame);
@@ -73,8 +87,8 @@ struct StereoDesk
       settings.predict = false;
       tracker = std::make_unique<HeadTracker>(std::move(source), settings);
     }
-    this->eyes =
-      std::make_unique<StereoView>(this->renderer, this->window, this->choices, std::move(tracker));
+    this->eyes = std::make_unique<StereoView>(
+      this->renderer, this->window, this->choices, std::move(tracker), this->right);
     ViewSettings view;
     view.eyes = this->eyes.get();
     view.sayWarning = [this](const std::string& text) { this->said.push_back(text); };

@@ -6,20 +6,20 @@ namespace
 
 using HaspViewEyes = HaspView;
 
-TEST_F(HaspViewEyes, TwoEyesFollowTheMouseAndAreListed)
+TEST_F(HaspViewEyes, TwoEyesAreDrawnAndListed)
 {
   this->Phantom();
   TestScreen screen;
   REQUIRE_SCREEN(screen);
   const HaspRun run =
-    RunHasp(this->View({ "--stereo", "interlaced", "--screen", "520x390", "--head", "mouse",
-              "--sketch", this->Path("s.png"), "--output", this->Path("w.png"), "--explain" }),
+    RunHasp(this->View({ "--stereo", "interlaced", "--screen", "520x390", "--sketch",
+              this->Path("s.png"), "--output", this->Path("w.png"), "--explain" }),
       {}, screen.Display());
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_EQ(run.err.find("ERR"), std::string::npos) << run.err;
   EXPECT_EQ(this->Size("w.png"), std::make_pair(200, 150));
   EXPECT_EQ(this->Size("s.png"), std::make_pair(1200, 720));
-  EXPECT_NE(run.out.find("mouse"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("eye pictures"), std::string::npos) << run.out;
 }
 
 TEST_F(HaspViewEyes, WithoutOpenXRItIsSaidWhatToDo)
@@ -41,7 +41,9 @@ TEST_F(HaspViewEyes, AHeadThatCannotBeFollowedIsTold)
   const auto head = [](const std::string& source) {
     return Words{ "--screen", "520x320", "--head", source };
   };
-  fail({ "--head", "mouse" }, 1, "--screen");
+  fail({ "--head", "mouse" }, 1, "give --screen or --hmd too");
+  fail({ "--head", "mouse", "--screen", "520x320", "--output", this->Path("w.png") }, 1,
+    "leave out --head");
   fail(head("telepathy"), 1, "--head must be mouse, opentrack");
   fail(head("opentrack:0"), 1, "port from 1 to 65535");
   fail(head("opentrack:4242x"), 1, "port from 1 to 65535");
@@ -51,6 +53,37 @@ TEST_F(HaspViewEyes, AHeadThatCannotBeFollowedIsTold)
   Words calibrated = head("mouse");
   calibrated.insert(calibrated.end(), { "--head-calibration", this->Path("none.json") });
   fail(calibrated, 2, "--head-calibration: ");
+}
+
+TEST_F(HaspViewEyes, WhatDrawsTwoPicturesWritesNone)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const auto fail = [&](const Words& more, const std::string& words)
+  { ExpectFailure(RunHasp(this->View(more), {}, screen.Display()), 1, words); };
+  for (const std::string layout : { "dual-window", "quad-buffer" })
+    fail({ "--stereo", layout, "--output", this->Path("w.png") }, "makes two");
+  fail({ "--stereo", "dual-window", "--full-screen" }, "--right-window-at");
+  fail({ "--stereo", "anaglyph", "--right-window-at", "10,10" }, "dual-window");
+}
+
+/// Whichever of the two windows the user closes.
+TEST_F(HaspViewEyes, TheCloseButtonOfTheRightEyesWindowEndsBoth)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  ScreenUser user(screen.Display());
+  OpenView view(this->View({ "--quiet", "--mapper", "mesh", "--stereo", "dual-window",
+                  "--right-window-at", "300,0" }),
+    screen.Display());
+  std::string title = user.SeeWindow();
+  if (title != "hasp view, right eye")
+    title = user.SeeWindow();
+  ASSERT_EQ(title, "hasp view, right eye");
+  user.CloseWindow();
+  EXPECT_EQ(view.ExitCode(), 0);
 }
 
 } // namespace

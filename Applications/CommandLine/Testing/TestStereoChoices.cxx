@@ -30,6 +30,31 @@ TEST(StereoChoices, AreRefusedWithWhatToDo)
          "520x1e9", "520 x 320", "520x320mm", "infxinf", "-520x320" })
     refuse([&](StereoChoices& c) { c.screen = size; }, "--screen must be WIDTHxHEIGHT in mm");
   refuse([](StereoChoices& c) { c.headMm = { 0.0, 0.0, 600.0 }; }, "give --screen or --hmd too");
+  refuse([](StereoChoices& c) { c.lifeSize = true; }, "give --screen or --hmd too");
+  refuse([](StereoChoices& c) { c.eyeAngle = 5.0; }, "for two eyes; give --stereo too");
+  refuse([](StereoChoices& c) { c.swapEyes = true; }, "for two eyes; give --stereo too");
+  refuse(
+    [](StereoChoices& c)
+    {
+      c.screen = "520x320";
+      c.eyeSeparationMm = 63.0;
+    },
+    "for two eyes; give --stereo too");
+  refuse(
+    [](StereoChoices& c)
+    {
+      c.layout = "left";
+      c.swapEyes = true;
+    },
+    "--stereo left and right draw one");
+  for (const char* layout : { "mono", "left", "right", "anaglyph", "dual-window", "quad-buffer" })
+    refuse(
+      [&](StereoChoices& c)
+      {
+        c.layout = layout;
+        c.resolution = "half";
+      },
+      "--eye-resolution half is for");
   refuse(
     [](StereoChoices& c)
     {
@@ -37,8 +62,22 @@ TEST(StereoChoices, AreRefusedWithWhatToDo)
       c.headMm = { 0.0, 0.0, -1.0 };
     },
     "in front of the screen");
-  refuse([](StereoChoices& c) { c.hmd = { -1.0, 1.0, 1.0, 1.0 }; }, "0");
-  refuse([](StereoChoices& c) { c.lens = "no-such-lens.json"; }, "--lens");
+  refuse([](StereoChoices& c) { c.hmd = { 1.0, 1.0, 1.0, 1.0 }; }, "give --stereo too");
+  refuse(
+    [](StereoChoices& c)
+    {
+      c.layout = "side-by-side";
+      c.hmd = { -1.0, 1.0, 1.0, 1.0 };
+    },
+    "left and right add up to");
+  refuse([](StereoChoices& c) { c.lens = "no-such-lens.json"; }, "--lens is for a display");
+  refuse(
+    [](StereoChoices& c)
+    {
+      c.screen = "520x320";
+      c.lens = "no-such-lens.json";
+    },
+    "--lens: ");
   EXPECT_EQ(ScreenSize("520.5x320"), (std::array{ 520.5, 320.0 }));
 }
 

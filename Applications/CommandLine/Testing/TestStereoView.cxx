@@ -1,6 +1,7 @@
 // Eyes before a screen, and the window of `hasp view` around them.
 #include "Devices/MouseHeadPose.h"
 #include "StereoDesk.h"
+#include "VtkMessages.h"
 
 #include "vtkRenderWindow.h"
 
@@ -64,19 +65,83 @@ TEST(StereoView, LifeSizeIsLifeSize)
 TEST(StereoView, AHeadMovesThePictureWhenItMovedFarEnough)
 {
   StereoDesk desk("left", std::make_unique<HandHeld>());
-  EXPECT_FALSE(desk.eyes->HeadMoved(0.0));
+  double now = SteadySeconds();
+  const auto look = [&] // a jump of the head is not shown as one
+  {
+    for (int n = 0; n < 30; ++n)
+      desk.eyes->Draw(now += 0.05);
+  };
+  look();
+  EXPECT_FALSE(desk.eyes->HeadMoved(now));
   desk.hand->pose.position.x = 0.05; // mm
-  EXPECT_FALSE(desk.eyes->HeadMoved(1.0));
+  EXPECT_FALSE(desk.eyes->HeadMoved(now += 0.05));
   desk.hand->pose.position = { 200.0, 0.0, 400.0 };
-  EXPECT_TRUE(desk.eyes->HeadMoved(2.0));
-  double now = 3.0;
-  for (; now < 5.0; now += 0.05) // a jump of the head is not shown as one
-    desk.eyes->Draw(now);
+  EXPECT_TRUE(desk.eyes->HeadMoved(now += 0.05));
+  look();
   EXPECT_FALSE(desk.eyes->HeadMoved(now));
   const auto ray = desk.eyes->RayOf(100, 75);
   ASSERT_TRUE(ray);
   EXPECT_NEAR(desk.InRoom(ray->first).x, 170.0, 1.0);
   EXPECT_NEAR(desk.InRoom(ray->first).z, 400.0, 1.0);
+}
+
+/// Poses that a tracker may have and eyes before a screen cannot.
+TEST(StereoView, AHeadThatSeesNothingLeavesTheViewAndIsSaidOnce)
+{
+  StereoDesk desk("anaglyph", std::make_unique<HandHeld>());
+  const auto eye = [&]
+  {
+    const auto ray = desk.eyes->RayOf(100, 75);
+    return ray ? desk.InRoom(ray->first) : glm::dvec3(0.0);
+  };
+  double now = SteadySeconds();
+  const auto look = [&]
+  {
+    for (int n = 0; n < 20; ++n)
+      EXPECT_TRUE(desk.eyes->Draw(now += 0.05));
+  };
+  look();
+  int said = 0;
+  for (const double z : { 0.0, 1e-9, -400.0, 600.0 - 9'000.0 })
+  {
+    desk.hand->pose.position = { 0.0, 0.0, z };
+    look();
+    EXPECT_GT(eye().z, 0.0);
+    for (const std::string& warning : desk.eyes->TakeWarnings())
+      said += warning.find("the head is behind the screen") != warning.npos;
+  }
+  desk.hand->pose.orientation = { std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0 }; // one eye behind it
+  desk.hand->pose.position = { 0.0, 0.0, 20.0 };
+  look();
+  desk.hand->pose = HeadPose{};
+  look();
+  EXPECT_NEAR(eye().z, 600.0, 1.0);
+  EXPECT_EQ(said, 1);
+  EXPECT_EQ(TakeVtkError(), "");
+}
+
+TEST(StereoView, TheFirstViewComesBackInLifeSize)
+{
+  StereoDesk desk("mono", nullptr, [](StereoChoices& c) { c.lifeSize = true; });
+  EXPECT_NE(desk.view->Text().find("at 100 % of life size"), std::string::npos);
+  desk.renderer->GetActiveCamera()->Dolly(2.0);
+  desk.interactor->Render();
+  desk.interactor->Render(); // the text is of the frame before
+  EXPECT_NE(desk.view->Text().find("at 200 % of life size"), std::string::npos);
+  desk.interactor->SetKeySym("r");
+  desk.interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+  EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
+}
+
+TEST(StereoView, ATrackerThatFallsSilentIsShownWithoutAMove)
+{
+  StereoDesk desk("left", std::make_unique<HandHeld>());
+  double now = 1.0;
+  for (; now < 3.0; now += 0.05)
+    desk.eyes->Draw(now);
+  EXPECT_FALSE(desk.eyes->HeadMoved(now));
+  desk.hand->silent = true;
+  EXPECT_TRUE(desk.eyes->HeadMoved(now + 0.6));
 }
 
 TEST(StereoView, WithoutATrackerNothingRunsWhenThePictureIsComplete)
