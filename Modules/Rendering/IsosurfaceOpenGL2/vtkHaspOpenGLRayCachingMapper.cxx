@@ -27,6 +27,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
 
@@ -332,11 +333,11 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
   OpenGL& gl = *this->GL;
   const hasp::AnyGridView grid = hasp::ViewImage(this->GetImage());
   const double isovalue = FloatRange(this->GetIsoValue());
-  const hasp::Stopwatch watch;
   if (gl.Cache)
     gl.Cache->SetIsovalue(isovalue);
   else
   {
+    const hasp::Stopwatch watch;
     gl.Cache = std::make_unique<hasp::RayCache>(grid, this->GetVolume().Blocks, isovalue);
     gl.CacheMilliseconds = watch.Milliseconds();
   }
@@ -344,17 +345,40 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
     return;
   const CellScene scene(this, hasp::GeometryOf(grid), isovalue, pass.renderer, pass.actor);
   ViewerEye& eye = pass.eye;
-  const hasp::SampledEye seen{ { scene.indexToClip, scene.viewportSize, scene.planes },
-    eye.Depth(scene.viewportSize), eye.Number };
+  if (!std::exchange(eye.Served, false) || gl.Changed)
+    this->CastRays(pass, scene);
+  eye.Moved(scene.indexToClip);
+  eye.ForgetDepth(); // until the cache is drawn again
+}
+
+/// For the eye that begins a frame, and where a second one follows it for that one, too: half each.
+void vtkHaspOpenGLRayCachingMapper::CastRays(const Pass& pass, const CellScene& scene)
+{
+  OpenGL& gl = *this->GL;
+  ViewerEye& eye = pass.eye;
+  const hasp::Stopwatch watch;
+  std::vector<hasp::SampledEye> seen{ { { scene.indexToClip, scene.viewportSize, scene.planes },
+    eye.Depth(scene.viewportSize), eye.Number } };
+  ViewerEye* second = gl.Eyes.SecondOf(eye);
+  const auto beside = second ? second->Beside(eye, scene.indexToClip) : std::nullopt;
+  if (beside)
+  {
+    const bool drawn = second->GetDepthSize() != glm::ivec2(0);
+    const glm::ivec2 size = drawn ? second->GetDepthSize() : scene.viewportSize;
+    seen.push_back({ { *beside, size, scene.planes }, second->Depth(size), second->Number });
+  }
   std::vector<hasp::PictureView> predicted;
   if (const auto next = this->Prediction ? eye.Predict(scene.indexToClip) : std::nullopt)
     predicted.push_back({ *next, scene.viewportSize, scene.planes });
   const int rays = eye.Progress.RaysFor(this->FrameBudget, this->RaysPerTile);
-  gl.Last = gl.Cache->Sample({ &seen, 1 }, predicted, rays);
-  eye.Moved(scene.indexToClip);
-  eye.ForgetDepth(); // until the cache is drawn again
+  const bool split = beside && rays < CacheProgress::MostRays; // a ray a pixel completes a picture
+  gl.Last = gl.Cache->Sample(seen, predicted, split ? (rays + 1) / 2 : rays);
   gl.SampleMilliseconds = watch.Milliseconds();
   eye.Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
+  if (!beside)
+    return;
+  second->Served = true;
+  second->Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
 }
 
 void vtkHaspOpenGLRayCachingMapper::DrawCache(const Pass& pass)
