@@ -246,7 +246,7 @@ void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight
     {
       const CellHit& hit = group.hits[group.count] = seen.view.HitOf(pixel);
       if (seen.otherEye)
-        if (const auto same = seen.otherEye->At(hit.Position()))
+        if (const auto same = seen.otherEye->At(hit))
         {
           light[pixel] = *same;
           ++shared;

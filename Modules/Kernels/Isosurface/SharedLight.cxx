@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@ void SharedLight::Keep(const PictureView& view, const TracedPicture& picture,
   this->Settings = settings;
   this->Size = view.size;
   this->IndexToClip = view.indexToClip;
+  this->Eye = glm::inverse(view.indexToClip) * glm::dvec4(0, 0, -1, 0);
+  if (this->Eye.w != 0.0)
+    this->Eye /= this->Eye.w;
   this->DepthRow = glm::row(view.indexToClip, 2);
   this->WRow = glm::row(view.indexToClip, 3);
   const glm::dvec3 w(this->WRow), depth(this->DepthRow);
@@ -38,8 +42,11 @@ bool SharedLight::IsOf(const PictureLightSettings& settings) const
   return same && settings.ambientDistanceMm == this->Settings.ambientDistanceMm;
 }
 
-std::optional<glm::u8vec2> SharedLight::At(const glm::dvec3& place) const
+std::optional<glm::u8vec2> SharedLight::At(const CellHit& hit) const
 {
+  const glm::dvec3 place = hit.Position(), direction = place * this->Eye.w - glm::dvec3(this->Eye);
+  if ((glm::dot(glm::dvec3(hit.gradient), direction) < 0.0) != hit.fromInside)
+    return std::nullopt;
   const glm::dvec4 clip = this->IndexToClip * glm::dvec4(place, 1.0);
   const glm::dvec2 pixel = (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(this->Size) - 0.5;
   if (!(clip.w > 0.0 && pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < this->Size.x - 1 &&

@@ -22,8 +22,8 @@ public:
   bool IsOf(const PictureLightSettings& settings) const;
   std::size_t Bytes() const { return this->Pixels.capacity() * sizeof(Pixel); }
 
-  /// place: index coordinates.
-  std::optional<glm::u8vec2> At(const glm::dvec3& place) const;
+  /// Where the second eye sees the surface; nothing if the first one was at its other side.
+  std::optional<glm::u8vec2> At(const CellHit& hit) const;
 
 private:
   static constexpr double SameSurfaceVoxels = 2.0; ///< in depth; slopes of four pixels take some
@@ -35,6 +35,7 @@ private:
 
   glm::ivec2 Size{ 0 };
   glm::dmat4 IndexToClip{ 1.0 };
+  glm::dvec4 Eye{ 0.0 }; ///< w 0: it looks along xyz
   glm::dvec4 DepthRow{ 0.0 }, WRow{ 0.0 };
   glm::dvec3 Along{ 0.0 }; ///< as many voxels along the view
   std::vector<Pixel> Pixels;
