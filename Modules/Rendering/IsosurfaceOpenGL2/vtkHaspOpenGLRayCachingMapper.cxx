@@ -347,6 +347,11 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
   ViewerEye& eye = pass.eye;
   if (!std::exchange(eye.Served, false) || gl.Changed)
     this->CastRays(pass, scene);
+  else
+  {
+    gl.Last = {}; // the other eye's frame cast them
+    gl.SampleMilliseconds = 0.0;
+  }
   eye.Moved(scene.indexToClip);
   eye.ForgetDepth(); // until the cache is drawn again
 }
