@@ -269,7 +269,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
                                 : (frame.whole ? "all active cells: " : "cache: ") + choice.Text();
   if (!later.cache)
     gl.ForgetCache();
-  if (!later.whole)
+  if (!later.whole && !(frame.whole && pass.translucent)) // which takes them in every frame
     gl.Whole = nullptr;
 }
 
