@@ -146,7 +146,7 @@ struct LightCache::Picture
   const CellTracer& tracer;
   const TracedPicture& picture;
   const PictureLightSettings& settings;
-  bool stays; ///< one of the last two showed the same view
+  bool stays;                  ///< one of the last two showed the same view
   const SharedLight* otherEye; ///< null: nothing is taken from one
   std::atomic<std::int64_t>& sharedPixels;
 };

@@ -37,8 +37,8 @@ bool SharedLight::IsOf(const PictureLightSettings& settings) const
 {
   constexpr double rounding = 1e-5; // mappers read lights in float, in the coordinates of a view
   const std::optional<glm::dvec4>&now = settings.light, &then = this->Settings.light;
-  const bool same = now && then ? glm::length(*now - *then) <= rounding * glm::length(*now)
-                                : !now && !then;
+  const bool same =
+    now && then ? glm::length(*now - *then) <= rounding * glm::length(*now) : !now && !then;
   return same && settings.ambientDistanceMm == this->Settings.ambientDistanceMm;
 }
 

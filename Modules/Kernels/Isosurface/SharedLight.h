@@ -5,8 +5,8 @@
 namespace hasp
 {
 
-/// The light of the first eye's picture, for the second eye. A place on the surface is looked for in
-/// that picture: where the four pixels round it show the surface there, and all four are in the
+/// The light of the first eye's picture, for the second eye. A place on the surface is looked for
+/// in that picture: where the four pixels round it show the surface there, and all four are in the
 /// light or all four in the shadow, so is it, and as open as they are, by weight. Elsewhere nothing
 /// is said: along the edges of shadows and of things, and where the first eye does not see.
 ///

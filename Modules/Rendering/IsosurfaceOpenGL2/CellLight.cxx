@@ -45,9 +45,7 @@ hasp::LightEye CellLight::EyeOf(vtkRenderer* renderer, vtkMTimeType picture)
   this->Seen = picture;
   this->Renderer = renderer;
   this->Left = left;
-  this->Eye = !pair  ? hasp::LightEye::Alone
-              : left ? hasp::LightEye::First
-                     : hasp::LightEye::Second;
+  this->Eye = !pair ? hasp::LightEye::Alone : left ? hasp::LightEye::First : hasp::LightEye::Second;
   return this->Eye;
 }
 

@@ -177,10 +177,8 @@ ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
 ViewerEye* ViewerEyes::SecondOf(const ViewerEye& first)
 {
   const auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
-    [&](const auto& eye)
-    {
-      return first.IsLeft() && !eye->IsLeft() && eye->IsOfSameRenderer(first) &&
-             eye->IsDrawn(true);
+    [&](const auto& eye) {
+      return first.IsLeft() && !eye->IsLeft() && eye->IsOfSameRenderer(first) && eye->IsDrawn(true);
     });
   return found == this->Eyes.end() ? nullptr : found->get();
 }

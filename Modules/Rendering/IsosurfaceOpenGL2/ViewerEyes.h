@@ -61,7 +61,7 @@ public:
   void Forget();
   std::size_t DepthBytes() const { return this->DepthPixels.size() * sizeof(float); }
 
-  const int Number; ///< of the eye, from 0
+  const int Number;    ///< of the eye, from 0
   bool Served = false; ///< the other eye's frame has cast rays for the one to come, too
 
 private:

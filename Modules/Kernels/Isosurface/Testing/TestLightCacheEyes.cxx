@@ -81,8 +81,9 @@ TEST(LightCacheEyes, TheSecondIsAsGoodAsTheFirstAndCastsFewerRays)
 {
   const auto scene = Gyroid();
   const hasp::PictureLightSettings settings{ 6.0, {} };
-  const auto truth = [&](const hasp::CellHit& hit)
-  { return scene.tracer.AmbientOcclusion(hit, { 64, 6.0 }, hit.number); };
+  const auto truth = [&](const hasp::CellHit& hit) {
+    return scene.tracer.AmbientOcclusion(hit, { 64, 6.0 }, hit.number);
+  };
   hasp::LightCache cache;
   std::int64_t rays[2] = {};
   double errors[2] = {};
@@ -122,7 +123,12 @@ TEST(LightCacheEyes, TheSecondTakesNothingThatIsNotItsOwn)
   EXPECT_EQ(second(nothing, { {}, Sun }), 0);
   EXPECT_EQ(second(nothing, { 7.0, Sun }), 0);
   EXPECT_EQ(second([](hasp::LightCache& cache) { cache.Forget(); }, sun), 0);
-  EXPECT_EQ(second([](hasp::LightCache& cache) { cache.Forget({ 5, 5, 5 }, { 6, 6, 6 }); }, sun), 0);
+  EXPECT_EQ(second(
+              [](hasp::LightCache& cache) {
+                cache.Forget({ 5, 5, 5 }, { 6, 6, 6 });
+              },
+              sun),
+    0);
   const auto elsewhere = [&](hasp::LightCache& cache) // the first eye sees nothing
   {
     auto away = Eye(0.0);

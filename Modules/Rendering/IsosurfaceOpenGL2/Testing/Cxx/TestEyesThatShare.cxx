@@ -1,4 +1,5 @@
-// What two eyes share of a mapper, drawn by VTK's stereo and by rigs, and that one eye pays nothing.
+// What two eyes share of a mapper, drawn by VTK's stereo and by rigs, and that one eye pays
+// nothing.
 #include "RaycastTestScene.h"
 
 #include "vtkLight.h"
@@ -88,8 +89,7 @@ struct EyesScene : RaycastScene
 };
 
 /// The share of the bytes that differ by more than `by`.
-double Different(
-  const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int by)
+double Different(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int by)
 {
   EXPECT_EQ(a.size(), b.size());
   std::size_t different = 0;
