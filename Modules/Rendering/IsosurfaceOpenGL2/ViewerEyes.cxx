@@ -183,6 +183,17 @@ ViewerEye* ViewerEyes::SecondOf(const ViewerEye& first)
   return found == this->Eyes.end() ? nullptr : found->get();
 }
 
+ViewerEye& ViewerEyes::FirstOf(ViewerEye& eye) const
+{
+  const auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
+    [&](const auto& first)
+    {
+      return first->IsLeft() && !eye.IsLeft() && first->IsOfSameRenderer(eye) &&
+             first->IsDrawn(true);
+    });
+  return found == this->Eyes.end() ? eye : **found;
+}
+
 std::size_t ViewerEyes::Bytes() const
 {
   std::size_t bytes = 0;
@@ -227,7 +238,7 @@ DrawingChoice::Frame ViewerEyes::MayDraw() const
   DrawingChoice::Frame may{ false, false, false };
   for (const auto& eye : this->Eyes)
   {
-    const DrawingChoice::Frame own = eye->Choice.MayDraw(eye->Progress.Filled());
+    const DrawingChoice::Frame own = this->FirstOf(*eye).Choice.MayDraw(eye->Progress.Filled());
     may = { may.sample || own.sample, may.cache || own.cache, may.whole || own.whole };
   }
   return may;

@@ -81,6 +81,8 @@ public:
   ViewerEye& Of(vtkRenderer* renderer, bool& begins);
   /// The right eye that follows this left one: its renderer's last frame was of it. Else null.
   ViewerEye* SecondOf(const ViewerEye& first);
+  /// The left eye that this right one follows, whose choice is for both; else the eye itself.
+  ViewerEye& FirstOf(ViewerEye& eye) const;
   std::size_t Bytes() const;
   void Forget();
   void ForgetChoices();

@@ -229,9 +229,11 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
   const bool automatic = this->Mode == Automatic && !lit;
   const bool timed = automatic && pass.begins && !pass.translucent, changed = gl.Changed;
   CacheProgress& progress = pass.eye.Progress;
-  DrawingChoice& choice = pass.eye.Choice;
+  ViewerEye& chooses = gl.Eyes.FirstOf(pass.eye);
+  DrawingChoice& choice = chooses.Choice;
+  const bool measured = timed && &chooses == &pass.eye;
   const int* size = pass.renderer->GetSize();
-  if (timed)
+  if (measured)
     choice.Begin(std::size_t(size[0]) * std::size_t(size[1]), gl.ActiveCells());
   const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, true, false }
                                      : lit || pass.translucent
@@ -244,7 +246,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
     this->SampleCache(pass);
     if (frame.cache)
       this->DrawCache(pass);
-    if (timed && frame.cache)
+    if (measured && frame.cache)
     {
       glFinish();
       choice.CacheTook(changed, watch.Milliseconds() + gl.CacheUpdateMilliseconds);
@@ -254,7 +256,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
   {
     const hasp::Stopwatch watch;
     this->DrawWhole(pass.renderer, pass.actor);
-    if (timed)
+    if (measured)
     {
       glFinish();
       choice.WholeTook(changed, watch.Milliseconds());

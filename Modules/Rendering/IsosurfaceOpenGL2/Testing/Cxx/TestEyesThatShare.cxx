@@ -143,6 +143,28 @@ TEST_P(EyesThatShare, TheCacheComesToRestWithBothPicturesComplete)
   EXPECT_LT(Different(right, alone.Shown(), 2), 1e-3); // a block of which a corner shows
 }
 
+/// Else both ways would be kept, one for each eye.
+TEST_P(EyesThatShare, OneChoiceHoldsForBoth)
+{
+  EyesScene scene(GetParam());
+  scene.Raycaster->SetModeToAutomatic();
+  const auto times = [&]
+  {
+    const std::string text = scene.Raycaster->GetModeChoice();
+    return text.substr(text.find(": "));
+  };
+  std::string left;
+  for (int frame = 0; frame < 24; ++frame)
+  {
+    scene.DrawEye(true);
+    left = times();
+    scene.DrawEye(false);
+    EXPECT_EQ(left, times()) << frame;
+  }
+  scene.DrawEye(false); // with no left one before it, it measures for itself
+  EXPECT_NE(left, times());
+}
+
 INSTANTIATE_TEST_SUITE_P(VtksStereoAndRigs, EyesThatShare, ::testing::Bool(),
   [](const auto& vtks) { return vtks.param ? "VtksStereo" : "Rig"; });
 

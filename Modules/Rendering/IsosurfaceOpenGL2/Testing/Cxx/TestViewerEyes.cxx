@@ -73,6 +73,8 @@ TEST_F(ViewerEyesOfAMapper, AreToldApartByTheCameraWithAndWithoutVtksStereo)
     EXPECT_EQ(&Begin(eyes, scene, true), &left);
     EXPECT_EQ(eyes.SecondOf(left), &right);
     EXPECT_EQ(eyes.SecondOf(right), nullptr);
+    EXPECT_EQ(&eyes.FirstOf(right), &left); // it has just been drawn
+    EXPECT_EQ(&eyes.FirstOf(left), &left);
     EXPECT_EQ(&Begin(eyes, scene, true), &left); // one eye again
     EXPECT_EQ(eyes.SecondOf(left), nullptr);
   }
