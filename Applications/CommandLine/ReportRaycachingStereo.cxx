@@ -115,12 +115,14 @@ void AddEyes(ReportContext& context, const RaycachingScene& scene, const Stereo&
     return TimeOf([&] { method.Draw(); });
   };
   std::vector<Timing> left, right, both, one;
-  constexpr int counted = 21;
-  for (int frame = 0; frame < stereo.warmUps + counted; ++frame)
+  const bool quick = context.settings.quick;
+  const int warmUps = quick ? std::min(stereo.warmUps, 12) : stereo.warmUps;
+  const int counted = quick ? 9 : 21;
+  for (int frame = 0; frame < warmUps + counted; ++frame)
   {
     path.Orbit(frame);
     const Timing m = draw(*mono, 0), l = draw(*ours, -1), r = draw(*ours, 1);
-    if (frame < stereo.warmUps)
+    if (frame < warmUps)
       continue;
     one.push_back(m);
     left.push_back(l);
