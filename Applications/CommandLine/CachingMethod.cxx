@@ -70,13 +70,4 @@ void CachingMethod::Light(
   this->Mapper->ShadowsOn();
 }
 
-void CachingMethod::ChooseEye(int leftOrRight)
-{
-  this->Window->SetStereoRender(leftOrRight != 0);
-  if (leftOrRight < 0)
-    this->Window->SetStereoTypeToLeft();
-  else if (leftOrRight > 0)
-    this->Window->SetStereoTypeToRight();
-}
-
 } // namespace hasp

@@ -25,8 +25,6 @@ public:
   /// From one side, unit and towards the light, in the world, with a hard shadow; without it the
   /// eye has a lamp. What lies within `darkeningMm` darkens what it is, `ambient` and `diffuse`.
   void Light(const glm::dvec3& towardsLight, double darkeningMm, double ambient, double diffuse);
-  /// The eye that the next frames are of; 0: one between both, which is where it starts.
-  void ChooseEye(int leftOrRight);
 
 private:
   vtkNew<vtkActor> Actor;

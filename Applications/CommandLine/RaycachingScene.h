@@ -69,7 +69,7 @@ void ReportRaycachingFrames(ReportContext& context, const RaycachingScene& scene
 void ReportRaycachingQuality(ReportContext& context, const RaycachingScene& scene);
 /// raycaching.head.*: a minute before a screen
 void ReportRaycachingHead(ReportContext& context, const RaycachingScene& scene);
-/// raycaching.stereo.*
+/// raycaching.stereo.*, cells.stereo.*
 void ReportRaycachingStereo(ReportContext& context, const RaycachingScene& scene);
 /// raycaching.cost.lit
 void ReportRaycachingLight(ReportContext& context, const RaycachingScene& scene);

@@ -28,6 +28,15 @@ public:
     this->Window->Render();
     this->Window->WaitForCompletion();
   }
+  /// The eye that the next frames are of; 0: one between both, which is where it starts.
+  void ChooseEye(int leftOrRight)
+  {
+    this->Window->SetStereoRender(leftOrRight != 0);
+    if (leftOrRight < 0)
+      this->Window->SetStereoTypeToLeft();
+    else if (leftOrRight > 0)
+      this->Window->SetStereoTypeToRight();
+  }
   void SetSize(int width, int height) { this->Window->SetSize(width, height); }
   std::vector<glm::vec3> Picture() override
   {

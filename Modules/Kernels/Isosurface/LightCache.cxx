@@ -3,11 +3,13 @@
 #include "Isosurface/EvenPoints.h"
 #include "Isosurface/LightBlocks.h"
 #include "Isosurface/LightView.h"
+#include "Isosurface/SharedLight.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -144,7 +146,9 @@ struct LightCache::Picture
   const CellTracer& tracer;
   const TracedPicture& picture;
   const PictureLightSettings& settings;
-  bool stays; ///< one of the last two showed the same view
+  bool stays;                  ///< one of the last two showed the same view
+  const SharedLight* otherEye; ///< null: nothing is taken from one
+  std::atomic<std::int64_t>& sharedPixels;
 };
 
 /// Hits one after the other: many see the light at once, and what is known of the first arrives
@@ -173,6 +177,7 @@ LightCache::~LightCache() = default;
 void LightCache::Forget()
 {
   this->LastViews = {};
+  this->FirstEye.reset();
   if (this->Blocks)
     this->Blocks->Forget();
 }
@@ -180,6 +185,7 @@ void LightCache::Forget()
 void LightCache::Forget(const glm::ivec3& low, const glm::ivec3& high)
 {
   this->LastViews = {};
+  this->FirstEye.reset();
   if (!this->Blocks)
     return;
   // A sample shapes the cells at both sides of it.
@@ -187,6 +193,11 @@ void LightCache::Forget(const glm::ivec3& low, const glm::ivec3& high)
   const glm::dvec3& spacing = this->Geometry.spacing;
   this->Blocks->Forget((glm::dvec3(low - 1) * spacing - this->Distance) / unit,
     (glm::dvec3(high + 1) * spacing + this->Distance) / unit);
+}
+
+std::size_t LightCache::SharedBytes() const
+{
+  return this->FirstEye ? this->FirstEye->Bytes() : 0;
 }
 
 std::size_t LightCache::Bytes() const
@@ -216,6 +227,7 @@ void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight
     tile->Begin(static_cast<std::uint32_t>(number), this->Now);
   LightBlocks::Finder finder(this->Blocks.get());
   Group group;
+  std::int64_t shared = 0;
   const auto finish = [&]
   {
     if (seen.settings.light && group.count > 0)
@@ -233,6 +245,13 @@ void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight
     [&](std::size_t pixel)
     {
       const CellHit& hit = group.hits[group.count] = seen.view.HitOf(pixel);
+      if (seen.otherEye)
+        if (const auto same = seen.otherEye->At(hit))
+        {
+          light[pixel] = *same;
+          ++shared;
+          return;
+        }
       if (tile)
         group.places[group.count] = { *this->Blocks, finder, seen.view.PlaceOf(hit) };
       group.pixels[group.count] = pixel;
@@ -240,6 +259,7 @@ void LightCache::CastRays(const Picture& seen, std::int64_t number, PictureLight
         finish();
     });
   finish();
+  seen.sharedPixels += shared;
 }
 
 /// To be cast for a pixel that knows so many samples.
@@ -323,18 +343,25 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
     Require(
       *settings.ambientDistanceMm > 0.0, "distance", *settings.ambientDistanceMm, "above 0 mm");
   light.assign(picture.cells.size(), glm::u8vec2(255));
-  this->RayCount = 0;
+  this->RayCount = this->SharedPixelCount = 0;
   if (tracer.Cells().clusters.empty())
     return;
   if (settings.ambientDistanceMm)
     this->Watch(tracer.Cells(), *settings.ambientDistanceMm);
   const LightView from(tracer, view, picture, this->Settings.pixelsACorner);
+  const bool second =
+    settings.eye == LightEye::Second && this->FirstEye && this->FirstEye->IsOf(settings);
+  std::atomic<std::int64_t> sharedPixels = 0;
   const Picture seen{ from, tracer, picture, settings,
-    view == this->LastViews[0] || view == this->LastViews[1] };
+    view == this->LastViews[0] || view == this->LastViews[1],
+    second ? this->FirstEye.get() : nullptr, sharedPixels };
   this->LastViews = { view, std::move(this->LastViews[0]) };
   const auto cast = [&](std::int64_t tile) { this->CastRays(seen, tile, light); };
   if (!settings.ambientDistanceMm)
-    return EachTile(picture, cast);
+  {
+    EachTile(picture, cast);
+    return this->Share(seen, view, light);
+  }
 
   const glm::ivec2 tiles = (view.size + TileSide - 1) / TileSide;
   this->Tiles.resize(static_cast<std::size_t>(tiles.x) * tiles.y);
@@ -349,6 +376,20 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
   }
   EachTile(picture, [&](std::int64_t tile) { this->AddRays(this->Tiles[tile]); });
   EachTile(picture, [&](std::int64_t tile) { this->Settle(seen, this->Tiles[tile], light); });
+  this->Share(seen, view, light);
+}
+
+/// Keeps what the eye to come may take; nothing where there is one eye.
+void LightCache::Share(const Picture& seen, const PictureView& view, const PictureLight& light)
+{
+  this->SharedPixelCount = seen.sharedPixels;
+  if (seen.settings.eye == LightEye::Alone)
+    this->FirstEye.reset();
+  if (seen.settings.eye != LightEye::First)
+    return;
+  if (!this->FirstEye)
+    this->FirstEye = std::make_unique<SharedLight>();
+  this->FirstEye->Keep(view, seen.picture, light, seen.settings);
 }
 
 } // namespace hasp

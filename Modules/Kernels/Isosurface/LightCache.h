@@ -10,12 +10,21 @@ namespace hasp
 
 class LightBlocks;
 class LightBlockFinder;
+class SharedLight;
 
 struct LightCacheSettings
 {
   std::size_t blocks = 65'536; ///< of the table, 524 bytes each; a power of two, 64 to 2^24
   double pixelsACorner = 1.0;  ///< distance of the places where light is kept, about; > 0
   double raysAPixel = 0.25;    ///< and frame, where something is known; in (0, 4]
+};
+
+/// Whose picture it is: of a pair of eyes the second one takes what the first has found.
+enum class LightEye
+{
+  Alone,
+  First, ///< a Second follows, most likely: its light is kept for that
+  Second ///< of the same cells and light as the last First's
 };
 
 /// The light that a picture asks for. World: of the cells' geometry.
@@ -25,6 +34,7 @@ struct PictureLightSettings
                                            ///< darken; > 0, may be infinite
   std::optional<glm::dvec4> light; ///< hard shadow of a light: (the world direction towards it, 0)
                                    ///< or (its place in the world, mm, 1); finite, not 0
+  LightEye eye = LightEye::Alone;
 };
 
 /// A pixel: x the share of the cosine-weighted hemisphere that is open (ambient occlusion), y
@@ -52,6 +62,10 @@ using PictureLight = std::vector<glm::u8vec2>;
 /// takes away stays, most where the surface is rough. It falls with pixelsACorner.
 ///
 /// Hard shadows are one traced ray a pixel that faces the light; nothing is kept of them.
+///
+/// Two eyes (LightEye): the second one takes the light of the first one's picture where that shows
+/// the same surface (SharedLight says when), and casts rays and looks up only where it does not:
+/// along edges, and for what it sees alone.
 ///
 /// Limit: what changes is told (Forget), nothing ages. Isovalue, geometry and distance are watched.
 /// Deviations from the paper: no bricks; nothing is known of the layout of its cache.
@@ -81,8 +95,12 @@ public:
   /// Of the table: fixed, and 0 until ambient occlusion is first asked for. The system hands the
   /// memory out as it is used.
   std::size_t Bytes() const;
+  /// What is kept of the first eye's picture for the second one's: 8 bytes a pixel; else 0.
+  std::size_t SharedBytes() const;
   /// For ambient occlusion, in the last picture.
   std::int64_t Rays() const { return this->RayCount; }
+  /// In it, pixels that took the first eye's light.
+  std::int64_t SharedPixels() const { return this->SharedPixelCount; }
 
 private:
   struct Tile;
@@ -94,14 +112,16 @@ private:
     const Picture& seen, const Group& group, std::size_t n, Tile& tile, LightBlockFinder& finder);
   double RaysFor(float samples, bool stays) const;
   void AddRays(const Tile& tile);
+  void Share(const Picture& seen, const PictureView& view, const PictureLight& light);
   void Settle(const Picture& seen, const Tile& tile, PictureLight& light);
 
   LightCacheSettings Settings;
   std::unique_ptr<LightBlocks> Blocks;
   std::vector<Tile> Tiles;
+  std::unique_ptr<SharedLight> FirstEye;
   std::array<PictureView, 2> LastViews; ///< newest first; two, for two eyes
   std::uint32_t Now = 0;                ///< counts pictures
-  std::int64_t RayCount = 0;
+  std::int64_t RayCount = 0, SharedPixelCount = 0;
   GridGeometry Geometry; ///< that what is known is of
   float Isovalue = 0.0F;
   double Distance = 0.0;

@@ -4,6 +4,9 @@
 #include "CellTracing.h"
 #include "Grid/Stopwatch.h"
 
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -32,8 +35,22 @@ std::optional<glm::dvec4> FirstLight(const CellScene& scene, const hasp::GridGeo
 
 } // namespace
 
-void CellLight::Update(const CellTracing& tracing, const CellScene& scene, const Wanted& wanted,
-  vtkMTimeType time, const Edit& edit)
+/// A picture is one of a pair where the last one was of the same renderer's other eye.
+hasp::LightEye CellLight::EyeOf(vtkRenderer* renderer, vtkMTimeType picture)
+{
+  if (picture == this->Seen)
+    return this->Eye;
+  const bool left = renderer->GetActiveCamera()->GetLeftEye();
+  const bool pair = this->Renderer == renderer && left != this->Left;
+  this->Seen = picture;
+  this->Renderer = renderer;
+  this->Left = left;
+  this->Eye = !pair ? hasp::LightEye::Alone : left ? hasp::LightEye::First : hasp::LightEye::Second;
+  return this->Eye;
+}
+
+void CellLight::Update(const CellTracing& tracing, const CellScene& scene, vtkRenderer* renderer,
+  const Wanted& wanted, vtkMTimeType time, const Edit& edit)
 {
   const hasp::Stopwatch watch;
   if (!wanted.ambientOcclusion && this->CacheBytes() > 0)
@@ -49,6 +66,7 @@ void CellLight::Update(const CellTracing& tracing, const CellScene& scene, const
   }
   this->CellsTime = time;
   hasp::PictureLightSettings settings;
+  settings.eye = this->EyeOf(renderer, tracing.PictureTime());
   if (wanted.ambientOcclusion)
     settings.ambientDistanceMm = wanted.distanceMm;
   const hasp::CellTracer& tracer = tracing.GetTracer();
@@ -64,11 +82,21 @@ std::size_t CellLight::CacheBytes() const
   return this->Cache ? this->Cache->Bytes() : 0;
 }
 
+std::size_t CellLight::SharedBytes() const
+{
+  return this->Cache ? this->Cache->SharedBytes() : 0;
+}
+
 #else
 
 void CellLight::Update(
-  const CellTracing&, const CellScene&, const Wanted&, vtkMTimeType, const Edit&)
+  const CellTracing&, const CellScene&, vtkRenderer*, const Wanted&, vtkMTimeType, const Edit&)
 {
+}
+
+std::size_t CellLight::SharedBytes() const
+{
+  return 0;
 }
 
 std::size_t CellLight::CacheBytes() const

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -75,7 +76,9 @@ void CellTracing::Update(const hasp::ClusteredCells& cells, vtkMTimeType time)
 {
   if (this->Tracer && time == this->CellsTime)
     return;
+  hasp::TracedPicture picture = std::move(this->Traced); // the next one takes its memory
   this->Release();
+  this->Traced = std::move(picture);
   const auto start = std::chrono::steady_clock::now();
   // The mapper owns the cells, and changes them only before the next Update.
   const std::shared_ptr<const hasp::ClusteredCells> borrowed(std::shared_ptr<void>(), &cells);

@@ -65,6 +65,8 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   list.push_back({ "light cache", light.CacheBytes(), 0.0, lit });
   list.push_back({ "light of pixels", light.PictureBytes() + lightTextures, light.Milliseconds(),
     light.PictureBytes() > 0 ? "of the last traced picture" : lit });
+  list.push_back({ "light of the first eye", light.SharedBytes(), 0.0,
+    light.SharedBytes() > 0 ? "the second one takes it where both see" : "one eye, or no light" });
   list.push_back({ "shader: shaded cells", 0, shade,
     shade > 0 ? "compiled at the first frame" : "nothing rasterised" });
   list.push_back({ "shader: traced cells", 0, traced,

@@ -101,6 +101,15 @@ std::optional<glm::dmat4> ViewerEye::Predict(const glm::dmat4& indexToClip) cons
   return wider * indexToClip * glm::inverse(*this->Last) * indexToClip;
 }
 
+std::optional<glm::dmat4> ViewerEye::Beside(
+  const ViewerEye& other, const glm::dmat4& indexToClip) const
+{
+  if (!this->Last || !other.Last)
+    return std::nullopt;
+  // With P E V of this eye and P' V of the other, P E P'^-1 is the same while the eyes move as one.
+  return *this->Last * glm::inverse(*other.Last) * indexToClip;
+}
+
 void ViewerEye::ReadDepth(const glm::ivec2& origin, const glm::ivec2& size)
 {
   this->DepthSize = glm::ivec2(0);
@@ -138,6 +147,7 @@ void ViewerEye::Forget()
 {
   this->ForgetDepth();
   this->Last.reset();
+  this->Served = false;
   this->Progress = {};
 }
 
@@ -146,8 +156,7 @@ ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
   constexpr long long forgotten = 256; // frames of others
   std::erase_if(this->Eyes,
     [&](const auto& eye) { return eye->Lost() || this->Turns - eye->Turn > forgotten; });
-  const bool left =
-    !renderer->GetRenderWindow()->GetStereoRender() || renderer->GetActiveCamera()->GetLeftEye();
+  const bool left = renderer->GetActiveCamera()->GetLeftEye();
   auto found = std::find_if(
     this->Eyes.begin(), this->Eyes.end(), [&](const auto& eye) { return eye->Is(renderer, left); });
   if (found == this->Eyes.end())
@@ -163,6 +172,26 @@ ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
   if (begins)
     eye.Turn = ++this->Turns;
   return eye;
+}
+
+ViewerEye* ViewerEyes::SecondOf(const ViewerEye& first)
+{
+  const auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
+    [&](const auto& eye) {
+      return first.IsLeft() && !eye->IsLeft() && eye->IsOfSameRenderer(first) && eye->IsDrawn(true);
+    });
+  return found == this->Eyes.end() ? nullptr : found->get();
+}
+
+ViewerEye& ViewerEyes::FirstOf(ViewerEye& eye) const
+{
+  const auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
+    [&](const auto& first)
+    {
+      return first->IsLeft() && !eye.IsLeft() && first->IsOfSameRenderer(eye) &&
+             first->IsDrawn(true);
+    });
+  return found == this->Eyes.end() ? eye : **found;
 }
 
 std::size_t ViewerEyes::Bytes() const
@@ -209,7 +238,7 @@ DrawingChoice::Frame ViewerEyes::MayDraw() const
   DrawingChoice::Frame may{ false, false, false };
   for (const auto& eye : this->Eyes)
   {
-    const DrawingChoice::Frame own = eye->Choice.MayDraw(eye->Progress.Filled());
+    const DrawingChoice::Frame own = this->FirstOf(*eye).Choice.MayDraw(eye->Progress.Filled());
     may = { may.sample || own.sample, may.cache || own.cache, may.whole || own.whole };
   }
   return may;

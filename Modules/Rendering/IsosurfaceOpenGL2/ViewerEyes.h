@@ -14,7 +14,9 @@
 class vtkRenderer;
 
 /// An eye that looks at a mapper: a vtkRenderer, or one of its two in stereo; and what is kept of
-/// it from one frame to the next. Threads: RENDER.
+/// it from one frame to the next. Which of the two it is the camera's LeftEye says, while a
+/// renderer draws: VTK's stereo sets it, and rigs that draw each eye as a frame of its own do
+/// (Rendering/Stereo, DrawnEye). Threads: RENDER.
 class ViewerEye
 {
 public:
@@ -26,6 +28,7 @@ public:
   bool Is(vtkRenderer* renderer, bool left) const;
   bool Lost() const;
   bool IsOfSameRenderer(const ViewerEye& other) const;
+  bool IsLeft() const { return this->Left; }
   /// Has it been drawn in its renderer's last frame? A frame in stereo begins twice.
   bool IsDrawn(bool stereo) const;
   void IsDrawnNow();
@@ -40,6 +43,9 @@ public:
   /// The matrix that would come next if the camera moved on as it did between the last two frames,
   /// seen a little wider; none where it has not moved or nothing is known.
   std::optional<glm::dmat4> Predict(const glm::dmat4& indexToClip) const;
+  /// What this eye sees if the other one, drawn before it, sees indexToClip now and both moved
+  /// together since their last frames; none where one has had no frame.
+  std::optional<glm::dmat4> Beside(const ViewerEye& other, const glm::dmat4& indexToClip) const;
   void Moved(const glm::dmat4& indexToClip) { this->Last = indexToClip; }
 
   /// Reads the depth of a part of the framebuffer that is drawn to, of one sample where a pixel has
@@ -47,13 +53,16 @@ public:
   void ReadDepth(const glm::ivec2& origin, const glm::ivec2& size);
   /// Of the last frame; empty if its picture had another size.
   const std::vector<float>& Depth(const glm::ivec2& size);
+  /// Of that picture; 0 if there is none.
+  const glm::ivec2& GetDepthSize() const { return this->DepthSize; }
 
   void ForgetDepth() { this->DepthPixels = {}; }
   /// All but the choice.
   void Forget();
   std::size_t DepthBytes() const { return this->DepthPixels.size() * sizeof(float); }
 
-  const int Number; ///< of the eye, from 0
+  const int Number;    ///< of the eye, from 0
+  bool Served = false; ///< the other eye's frame has cast rays for the one to come, too
 
 private:
   class FrameObserver;
@@ -70,6 +79,10 @@ class ViewerEyes
 public:
   /// begins: a frame of it, nothing of which is drawn yet.
   ViewerEye& Of(vtkRenderer* renderer, bool& begins);
+  /// The right eye that follows this left one: its renderer's last frame was of it. Else null.
+  ViewerEye* SecondOf(const ViewerEye& first);
+  /// The left eye that this right one follows, whose choice is for both; else the eye itself.
+  ViewerEye& FirstOf(ViewerEye& eye) const;
   std::size_t Bytes() const;
   void Forget();
   void ForgetChoices();

@@ -159,18 +159,18 @@ void vtkHaspOpenGLClusteredCellMapper::NoteLight(bool lacking)
 
 /// The light of the picture at hand; null if none is asked for.
 const CellLight* vtkHaspOpenGLClusteredCellMapper::UpdateLight(
-  const CellScene& scene, vtkHardwareSelector* selector)
+  const CellScene& scene, vtkRenderer* renderer)
 {
   CellLight& light = this->GL->Light;
   const CellLight::Wanted wanted{ this->AmbientOcclusion, this->Shadows,
     this->AmbientOcclusionDistance };
   if (!wanted.Any())
     light.Release();
-  if (!wanted.Any() || selector)
+  if (!wanted.Any() || renderer->GetSelector())
     return nullptr;
   CellLight::Edit edit{};
   edit.time = this->GetLastEdit(&edit.low.x, &edit.high.x);
-  light.Update(this->GL->Tracing, scene, wanted, this->GetCellsTime(), edit);
+  light.Update(this->GL->Tracing, scene, renderer, wanted, this->GetCellsTime(), edit);
   return &light;
 }
 
@@ -257,7 +257,7 @@ void vtkHaspOpenGLClusteredCellMapper::DrawTraced(
                              : selector                  ? 0
                                                          : context.GetFrameTime();
   tracing.Trace(scene, since, !selector && (this->AmbientOcclusion || this->Shadows));
-  const CellLight* light = this->UpdateLight(scene, selector);
+  const CellLight* light = this->UpdateLight(scene, renderer);
   context.Traced.Upload(window, tracing, selector != nullptr, light);
   vtkShaderProgram* program =
     context.Program.ReadyTraced(window, this, actor, scene, selector, light != nullptr);

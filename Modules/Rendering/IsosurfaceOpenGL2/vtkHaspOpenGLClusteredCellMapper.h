@@ -28,7 +28,6 @@ class CellLight;
 struct CellDraws;
 struct CellScene;
 enum class CellPass;
-class vtkHardwareSelector;
 class vtkShaderProgram;
 
 class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLClusteredCellMapper :
@@ -64,7 +63,7 @@ private:
     const Pass& pass, vtkShaderProgram* program, const CellDraws& draws, bool occlusion);
   bool NeedsRasterizer() const;
   void NoteLight(bool lacking);
-  const CellLight* UpdateLight(const CellScene& scene, vtkHardwareSelector* selector);
+  const CellLight* UpdateLight(const CellScene& scene, vtkRenderer* renderer);
   void DrawTraced(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
   void DrawRasterized(CellContext& context, vtkRenderer* renderer, vtkActor* actor);
 

@@ -27,6 +27,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
 
@@ -228,9 +229,11 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
   const bool automatic = this->Mode == Automatic && !lit;
   const bool timed = automatic && pass.begins && !pass.translucent, changed = gl.Changed;
   CacheProgress& progress = pass.eye.Progress;
-  DrawingChoice& choice = pass.eye.Choice;
+  ViewerEye& chooses = gl.Eyes.FirstOf(pass.eye);
+  DrawingChoice& choice = chooses.Choice;
+  const bool measured = timed && &chooses == &pass.eye;
   const int* size = pass.renderer->GetSize();
-  if (timed)
+  if (measured)
     choice.Begin(std::size_t(size[0]) * std::size_t(size[1]), gl.ActiveCells());
   const DrawingChoice::Frame frame = this->Mode == Cache ? DrawingChoice::Frame{ true, true, false }
                                      : lit || pass.translucent
@@ -243,7 +246,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
     this->SampleCache(pass);
     if (frame.cache)
       this->DrawCache(pass);
-    if (timed && frame.cache)
+    if (measured && frame.cache)
     {
       glFinish();
       choice.CacheTook(changed, watch.Milliseconds() + gl.CacheUpdateMilliseconds);
@@ -253,7 +256,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
   {
     const hasp::Stopwatch watch;
     this->DrawWhole(pass.renderer, pass.actor);
-    if (timed)
+    if (measured)
     {
       glFinish();
       choice.WholeTook(changed, watch.Milliseconds());
@@ -268,7 +271,7 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
                                 : (frame.whole ? "all active cells: " : "cache: ") + choice.Text();
   if (!later.cache)
     gl.ForgetCache();
-  if (!later.whole)
+  if (!later.whole && !(frame.whole && pass.translucent)) // which takes them in every frame
     gl.Whole = nullptr;
 }
 
@@ -332,11 +335,11 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
   OpenGL& gl = *this->GL;
   const hasp::AnyGridView grid = hasp::ViewImage(this->GetImage());
   const double isovalue = FloatRange(this->GetIsoValue());
-  const hasp::Stopwatch watch;
   if (gl.Cache)
     gl.Cache->SetIsovalue(isovalue);
   else
   {
+    const hasp::Stopwatch watch;
     gl.Cache = std::make_unique<hasp::RayCache>(grid, this->GetVolume().Blocks, isovalue);
     gl.CacheMilliseconds = watch.Milliseconds();
   }
@@ -344,17 +347,45 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
     return;
   const CellScene scene(this, hasp::GeometryOf(grid), isovalue, pass.renderer, pass.actor);
   ViewerEye& eye = pass.eye;
-  const hasp::SampledEye seen{ { scene.indexToClip, scene.viewportSize, scene.planes },
-    eye.Depth(scene.viewportSize), eye.Number };
+  if (!std::exchange(eye.Served, false) || gl.Changed)
+    this->CastRays(pass, scene);
+  else
+  {
+    gl.Last = {}; // the other eye's frame cast them
+    gl.SampleMilliseconds = 0.0;
+  }
+  eye.Moved(scene.indexToClip);
+  eye.ForgetDepth(); // until the cache is drawn again
+}
+
+/// For the eye that begins a frame, and where a second one follows it for that one, too: half each.
+void vtkHaspOpenGLRayCachingMapper::CastRays(const Pass& pass, const CellScene& scene)
+{
+  OpenGL& gl = *this->GL;
+  ViewerEye& eye = pass.eye;
+  const hasp::Stopwatch watch;
+  std::vector<hasp::SampledEye> seen{ { { scene.indexToClip, scene.viewportSize, scene.planes },
+    eye.Depth(scene.viewportSize), eye.Number } };
+  ViewerEye* second = gl.Eyes.SecondOf(eye);
+  const auto beside = second ? second->Beside(eye, scene.indexToClip) : std::nullopt;
+  if (beside)
+  {
+    const bool drawn = second->GetDepthSize() != glm::ivec2(0);
+    const glm::ivec2 size = drawn ? second->GetDepthSize() : scene.viewportSize;
+    seen.push_back({ { *beside, size, scene.planes }, second->Depth(size), second->Number });
+  }
   std::vector<hasp::PictureView> predicted;
   if (const auto next = this->Prediction ? eye.Predict(scene.indexToClip) : std::nullopt)
     predicted.push_back({ *next, scene.viewportSize, scene.planes });
   const int rays = eye.Progress.RaysFor(this->FrameBudget, this->RaysPerTile);
-  gl.Last = gl.Cache->Sample({ &seen, 1 }, predicted, rays);
-  eye.Moved(scene.indexToClip);
-  eye.ForgetDepth(); // until the cache is drawn again
+  const bool split = beside && rays < CacheProgress::MostRays; // a ray a pixel completes a picture
+  gl.Last = gl.Cache->Sample(seen, predicted, split ? (rays + 1) / 2 : rays);
   gl.SampleMilliseconds = watch.Milliseconds();
   eye.Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
+  if (!beside)
+    return;
+  second->Served = true;
+  second->Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
 }
 
 void vtkHaspOpenGLRayCachingMapper::DrawCache(const Pass& pass)

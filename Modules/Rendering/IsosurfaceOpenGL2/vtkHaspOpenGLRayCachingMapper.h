@@ -14,6 +14,8 @@
 #include "vtkHaspRayCachingMapper.h"
 #include "vtkHaspRenderingIsosurfaceOpenGL2Module.h" // for export macro
 
+struct CellScene;
+
 class VTKHASPRENDERINGISOSURFACEOPENGL2_EXPORT vtkHaspOpenGLRayCachingMapper :
   public vtkHaspRayCachingMapper
 {
@@ -40,6 +42,7 @@ private:
   struct Pass;
   void DrawCells(const Pass& pass, bool lit);
   void SampleCache(const Pass& pass);
+  void CastRays(const Pass& pass, const CellScene& scene);
   void DrawCache(const Pass& pass);
   void DrawWhole(vtkRenderer* renderer, vtkActor* actor);
   void DrawStandIn(vtkRenderer* renderer, vtkActor* actor, const std::string& lack);

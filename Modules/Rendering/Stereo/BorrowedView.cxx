@@ -1,4 +1,5 @@
 #include "BorrowedView.h"
+#include "DrawnEye.h"
 
 #include "vtkHaspStereoCamera.h"
 
@@ -75,6 +76,7 @@ void BorrowedView::Draw(const hasp::EyeView& view, hasp::StereoEye eye, const ha
   hasp::SetCameraToView(this->eyeCamera, view, eye, grid);
   if (grid.size != this->size)
     this->SetViewports(grid.size);
+  const DrawnEye drawn(this->renderer, eye == hasp::StereoEye::Left);
   this->renderer->ResetCameraClippingRange();
   this->window->Render();
 }

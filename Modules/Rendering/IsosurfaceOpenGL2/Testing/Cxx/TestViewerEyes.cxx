@@ -3,8 +3,10 @@
 #include "OneSampleDepth.h"
 #include "ViewerEyes.h"
 
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -42,6 +44,65 @@ TEST_F(ViewerEyesOfAMapper, AreForgottenAfter256FramesOfOthers)
   EXPECT_TRUE(isKnownAfter(1));
   EXPECT_TRUE(isKnownAfter(256));
   EXPECT_FALSE(isKnownAfter(257));
+}
+
+/// A renderer that begins a frame of one of its eyes, as the camera says.
+ViewerEye& Begin(ViewerEyes& eyes, CellTestScene& scene, bool left)
+{
+  scene.Renderer->InvokeEvent(vtkCommand::StartEvent);
+  scene.Renderer->GetActiveCamera()->SetLeftEye(left);
+  bool begins = false;
+  ViewerEye& eye = eyes.Of(scene.Renderer, begins);
+  EXPECT_TRUE(begins);
+  return eye;
+}
+
+TEST_F(ViewerEyesOfAMapper, AreToldApartByTheCameraWithAndWithoutVtksStereo)
+{
+  for (const bool stereo : { false, true })
+  {
+    CellTestScene scene(20, 20);
+    scene.Window->SetStereoRender(stereo);
+    ViewerEyes eyes;
+    ViewerEye& left = Begin(eyes, scene, true);
+    EXPECT_EQ(eyes.SecondOf(left), nullptr); // nobody has seen another
+    ViewerEye& right = Begin(eyes, scene, false);
+    EXPECT_NE(&left, &right);
+    EXPECT_NE(left.Number, right.Number);
+    EXPECT_TRUE(left.IsDrawn(true));
+    EXPECT_EQ(&Begin(eyes, scene, true), &left);
+    EXPECT_EQ(eyes.SecondOf(left), &right);
+    EXPECT_EQ(eyes.SecondOf(right), nullptr);
+    EXPECT_EQ(&eyes.FirstOf(right), &left); // it has just been drawn
+    EXPECT_EQ(&eyes.FirstOf(left), &left);
+    EXPECT_EQ(&Begin(eyes, scene, true), &left); // one eye again
+    EXPECT_EQ(eyes.SecondOf(left), nullptr);
+  }
+}
+
+TEST_F(ViewerEyesOfAMapper, TheSecondIsExpectedBesideTheFirst)
+{
+  const glm::dmat4 apart = glm::translate(glm::dmat4(1.0), glm::dvec3(-6.3, 0.2, 0.1));
+  const glm::dmat4 leftLens = glm::perspective(0.5, 1.3, 10.0, 900.0),
+                   rightLens = glm::perspective(0.6, 1.2, 11.0, 800.0);
+  const auto head = [](double turn)
+  {
+    return glm::lookAt(glm::dvec3(200 * turn, -300, 40), glm::dvec3(10, 5, turn),
+      glm::normalize(glm::dvec3(0.2, 0.1, 1)));
+  };
+  CellTestScene scene(20, 20);
+  ViewerEyes eyes;
+  ViewerEye& left = Begin(eyes, scene, true);
+  ViewerEye& right = Begin(eyes, scene, false);
+  EXPECT_FALSE(right.Beside(left, leftLens * head(0.0)));
+  left.Moved(leftLens * head(0.0));
+  EXPECT_FALSE(right.Beside(left, leftLens * head(0.0)));
+  right.Moved(rightLens * apart * head(0.0));
+  const auto beside = right.Beside(left, leftLens * head(0.3));
+  ASSERT_TRUE(beside);
+  const glm::dmat4 truth = rightLens * apart * head(0.3);
+  for (int column = 0; column < 4; ++column) // some 1000 units; rounded a few times
+    EXPECT_LT(glm::distance((*beside)[column], truth[column]), 1e-8) << column;
 }
 
 /// A framebuffer as a program of its own may have bound it.

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -119,6 +120,33 @@ TEST_F(StereoPicture, SaysWhyThereIsNone)
   this->picture->SetLayoutName("quad");
   EXPECT_EQ(this->picture->GetLayoutName(), "anaglyph");
   EXPECT_EQ(this->errors, 6);
+}
+
+/// What shares work between the eyes reads which one is drawn; vtkRenderWindow says left to all.
+TEST_F(StereoPicture, TheCameraSaysWhichEyeIsDrawn)
+{
+  std::vector<int> lefts;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&lefts);
+  note->SetCallback(
+    [](vtkObject* renderer, unsigned long, void* all, void*)
+    {
+      static_cast<std::vector<int>*>(all)->push_back(
+        static_cast<vtkRenderer*>(renderer)->GetActiveCamera()->GetLeftEye());
+    });
+  this->renderer->AddObserver("EndEvent", note);
+  const auto drawn = [&](StereoLayout layout)
+  {
+    lefts.clear();
+    this->picture->SetLayout(layout);
+    EXPECT_NE(this->picture->Render(), nullptr);
+    return lefts;
+  };
+  EXPECT_EQ(drawn(StereoLayout::SideBySide), (std::vector<int>{ 1, 0 }));
+  EXPECT_EQ(drawn(StereoLayout::Right), (std::vector<int>{ 0 }));
+  EXPECT_EQ(drawn(StereoLayout::Left), (std::vector<int>{ 1 }));
+  EXPECT_EQ(drawn(StereoLayout::Mono), (std::vector<int>{ 1 }));
+  EXPECT_EQ(this->renderer->GetActiveCamera()->GetLeftEye(), 1);
 }
 
 TEST_F(StereoPicture, PointsAreWhereGeometryPutsThemInBothEyes)

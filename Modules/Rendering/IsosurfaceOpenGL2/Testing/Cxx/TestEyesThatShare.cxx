@@ -1,0 +1,224 @@
+// What two eyes share of a mapper, drawn by VTK's stereo and by rigs, and that one eye pays
+// nothing.
+#include "RaycastTestScene.h"
+
+#include "vtkLight.h"
+#include "vtkProperty.h"
+
+#include <cstdlib>
+
+namespace
+{
+
+using hasp::testing::Find;
+using hasp::testing::ObliqueGrid;
+using hasp::testing::RaycastScene;
+
+class EyesThatShare : public ::testing::TestWithParam<bool>
+{
+protected:
+  static void SetUpTestSuite() { hasp::UseHeadlessWindows(); }
+};
+
+/// A frame an eye: by VTK's stereo, or as a rig draws, which moves the camera itself.
+struct EyesScene : RaycastScene
+{
+  const bool Vtks;
+  bool Left = true;
+
+  explicit EyesScene(bool vtks) : Vtks(vtks)
+  {
+    this->Show<std::int16_t>(hasp::AnalyticGyroid(20), ObliqueGrid(60, { 1, 0.9, 1.3 }));
+    vtkNew<vtkCallbackCommand> choose; // vtkRenderWindow has set the left one
+    choose->SetClientData(this);
+    choose->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*)
+      {
+        auto* scene = static_cast<EyesScene*>(data);
+        if (!scene->Vtks)
+          scene->Renderer->GetActiveCamera()->SetLeftEye(scene->Left);
+      });
+    this->Renderer->AddObserver(vtkCommand::StartEvent, choose);
+  }
+  void DrawMono()
+  {
+    this->Left = true;
+    this->Window->StereoRenderOff();
+    this->Draw();
+  }
+  void DrawEye(bool left)
+  {
+    this->Left = left;
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    if (this->Vtks)
+    {
+      this->Window->StereoRenderOn();
+      left ? this->Window->SetStereoTypeToLeft() : this->Window->SetStereoTypeToRight();
+      return this->Draw();
+    }
+    camera->Azimuth(left ? -1.0 : 1.0);
+    this->Draw();
+    camera->Azimuth(left ? 1.0 : -1.0);
+  }
+  void DrawBoth()
+  {
+    this->DrawEye(true);
+    this->DrawEye(false);
+  }
+  /// That the last frame cast.
+  int Rays() { return std::atoi(Find(this->Raycaster, "cached cells, host").reason.c_str()); }
+
+  void UseCache() { this->Raycaster->SetModeToCache(); }
+  void UseLight()
+  {
+    vtkNew<vtkLight> lamp;
+    lamp->SetLightTypeToSceneLight();
+    lamp->SetPosition(70, -60, 90);
+    this->Renderer->AddLight(lamp);
+    this->Raycaster->SetModeToAutomatic();
+    this->Raycaster->ShadowsOn();
+    this->Raycaster->AmbientOcclusionOn();
+    this->Raycaster->SetAmbientOcclusionDistance(6);
+  }
+  std::vector<unsigned char> Shown()
+  {
+    vtkNew<vtkUnsignedCharArray> rgb;
+    this->Window->GetPixelData(0, 0, PixelsX - 1, PixelsY - 1, 0, rgb);
+    return { rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues() };
+  }
+};
+
+/// The share of the bytes that differ by more than `by`.
+double Different(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int by)
+{
+  EXPECT_EQ(a.size(), b.size());
+  std::size_t different = 0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    different += std::abs(int(a[n]) - int(b[n])) > by;
+  return double(different) / double(a.size());
+}
+
+TEST_P(EyesThatShare, TheFirstCastsRaysForBoth)
+{
+  EyesScene scene(GetParam());
+  scene.UseCache();
+  scene.Raycaster->PredictionOff(); // which adds rays where a camera moves
+  scene.DrawMono();
+  const int mono = scene.Rays();
+  EXPECT_GT(mono, 100);
+  scene.DrawBoth(); // nobody knew of the second eye
+  EXPECT_EQ(scene.Rays(), mono);
+  scene.DrawEye(true);
+  EXPECT_EQ(scene.Rays(), mono) << "half for each";
+  scene.DrawEye(false);
+  EXPECT_EQ(scene.Rays(), 0);
+  scene.Raycaster->SetIsoValue(scene.Raycaster->GetIsoValue() + 5); // between the eyes
+  scene.DrawEye(true);
+  scene.Raycaster->SetIsoValue(scene.Raycaster->GetIsoValue() + 5);
+  scene.DrawEye(false);
+  EXPECT_GT(scene.Rays(), 0) << "for another surface";
+  // One eye again: one frame's rays are split for nobody, and no more.
+  scene.DrawMono();
+  scene.DrawMono();
+  EXPECT_EQ(scene.Rays(), mono);
+  EXPECT_TRUE(scene.Errors.empty());
+}
+
+TEST_P(EyesThatShare, TheCacheComesToRestWithBothPicturesComplete)
+{
+  EyesScene scene(GetParam()), alone(GetParam());
+  scene.UseCache();
+  alone.UseCache();
+  int frames = 0;
+  for (int quiet = 0; quiet < 8 && frames < 400; ++frames)
+  {
+    scene.DrawBoth();
+    quiet = scene.Raycaster->IsRefining() ? 0 : quiet + 1;
+  }
+  EXPECT_LT(frames, 400);
+  EXPECT_GT(frames, 10) << "it has refined";
+  const auto right = scene.Shown();
+  for (int frame = 0; frame < 2 * frames; ++frame)
+    alone.DrawEye(false);
+  EXPECT_LT(Different(right, alone.Shown(), 2), 1e-3); // a block of which a corner shows
+}
+
+/// Else both ways would be kept, one for each eye.
+TEST_P(EyesThatShare, OneChoiceHoldsForBoth)
+{
+  EyesScene scene(GetParam());
+  scene.Raycaster->SetModeToAutomatic();
+  const auto times = [&]
+  {
+    const std::string text = scene.Raycaster->GetModeChoice();
+    return text.substr(text.find(": "));
+  };
+  std::string left;
+  for (int frame = 0; frame < 24; ++frame)
+  {
+    scene.DrawEye(true);
+    left = times();
+    scene.DrawEye(false);
+    EXPECT_EQ(left, times()) << frame;
+  }
+  scene.DrawEye(false); // with no left one before it, it measures for itself
+  EXPECT_NE(left, times());
+}
+
+INSTANTIATE_TEST_SUITE_P(VtksStereoAndRigs, EyesThatShare, ::testing::Bool(),
+  [](const auto& vtks) { return vtks.param ? "VtksStereo" : "Rig"; });
+
+#if HASP_WITH_EMBREE
+
+TEST_P(EyesThatShare, TheSecondTakesTheFirstOnesLight)
+{
+  EyesScene scene(GetParam()), alone(GetParam());
+  scene.UseLight();
+  alone.UseLight();
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    scene.DrawBoth();
+    alone.DrawEye(false);
+  }
+  EXPECT_EQ(Find(scene.Raycaster, "light of the first eye").reason,
+    "the second one takes it where both see");
+  EXPECT_GT(Find(scene.Raycaster, "light of the first eye").bytes, 10'000);
+  // Both still have grain: an eighth of white, say. Shadows lie where they lay.
+  EXPECT_LT(Different(scene.Shown(), alone.Shown(), 32), 2e-3);
+}
+
+#endif
+
+/// Of all that is kept for a second eye there is nothing in mono, before and after.
+TEST_P(EyesThatShare, OneEyePaysNothing)
+{
+  for (const bool lit : { false, true })
+  {
+    EyesScene scene(GetParam());
+    lit ? scene.UseLight() : scene.UseCache();
+    if (lit && !HASP_WITH_EMBREE)
+      continue;
+    const auto bytes = [&](const char* name) { return Find(scene.Raycaster, name).bytes; };
+    const char* kept = lit ? "light of the first eye" : "depth of the last pictures";
+    scene.DrawMono();
+    scene.DrawMono();
+    const auto names = hasp::testing::Names(scene.Window);
+    const std::size_t mono = bytes(kept);
+    EXPECT_EQ(mono, lit ? 0 : 160U * 120U * sizeof(float));
+    for (int frame = 0; frame < 3; ++frame)
+      scene.DrawBoth();
+    EXPECT_GT(bytes(kept), mono);
+    EXPECT_EQ(hasp::testing::Names(scene.Window), names) << "nor has a second eye buffers";
+    if (lit)
+    {
+      scene.DrawMono();
+      scene.DrawMono();
+    }
+    else // a viewer may only have looked away
+      for (int frame = 0; frame < 260; ++frame)
+        scene.DrawMono();
+    EXPECT_EQ(bytes(kept), mono);
+  }
+}
+
+} // namespace
