@@ -28,6 +28,8 @@ namespace
 constexpr double Hz = 60.0;       // of the tracker and of the picture
 constexpr double DelayFrames = 1; // of the tracker, until a pose arrives
 constexpr double SeenFrames = 2;  // from asking for the head until the picture is seen
+// Asked half-way between two poses: where one is just due, rounding says whether it has come.
+constexpr double PhaseFrames = 0.5;
 constexpr int WarmUpFrames = 60;
 constexpr int Pixels = 256; // but in a soak: each frame is held against all active cells
 
@@ -78,14 +80,14 @@ public:
     this->Tracker = std::make_unique<HeadTracker>(
       std::make_unique<RecordedHeadPose>(this->Truth.Record(0.0, seconds, Hz), playback), tracking);
   }
-  TrackedHead At(int frame) { return this->Tracker->At(frame / Hz); }
-  HeadPose Seen(int frame) const { return this->Truth.At((frame + SeenFrames) / Hz); }
-  glm::dvec3 Velocity(int frame) const
-  {
-    return this->Truth.VelocityMmPerS((frame + SeenFrames) / Hz);
-  }
+  TrackedHead At(int frame) { return this->Tracker->At(AskedS(frame)); }
+  HeadPose Seen(int frame) const { return this->Truth.At(SeenS(frame)); }
+  glm::dvec3 Velocity(int frame) const { return this->Truth.VelocityMmPerS(SeenS(frame)); }
 
 private:
+  static double AskedS(int frame) { return (frame + PhaseFrames) / Hz; }
+  static double SeenS(int frame) { return (frame + PhaseFrames + SeenFrames) / Hz; }
+
   SimulatedHeadPath Truth;
   std::unique_ptr<HeadTracker> Tracker;
 };
@@ -120,7 +122,8 @@ void AddError(ReportContext& context, const RaycachingScene& scene, double secon
   const int counted = frames - WarmUpFrames;
   char text[200];
   std::snprintf(text, sizeof text,
-    "head path of %.0f s at %.0f Hz, %.2f frames from pose to picture, of which %.2f are left",
+    "head path of %.0f s at %.0f Hz, asked half-way between two poses, %.2f frames from pose to "
+    "picture, of which %.2f are left",
     seconds, Hz, latency / counted, Hz * behind / speeds);
   context.report.rows.push_back(
     ErrorFigure(std::string("raycaching.head.error") + Suffix(predict) + scene.cells.tag,
