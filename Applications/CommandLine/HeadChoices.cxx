@@ -11,6 +11,7 @@
 
 #include <charconv>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 namespace hasp
@@ -18,6 +19,7 @@ namespace hasp
 namespace
 {
 
+constexpr const char* Mouse = "mouse";
 constexpr const char* Opentrack = "opentrack";
 
 /// "opentrack", "opentrack:PORT", "opentrack:ADDRESS:PORT". origin: of its coordinates in those
@@ -40,11 +42,63 @@ OpentrackSettings OpentrackOf(const std::string& text, const glm::dvec3& origin)
   return settings;
 }
 
+/// "FILE.so", "FILE.so.1.2" or either with ":SETTINGS" behind it: the first that fits.
+struct PluginName
+{
+  std::string file, settings;
+};
+
+std::optional<PluginName> PluginOf(const std::string& text)
+{
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (auto at = text.find(".so"); at != text.npos; at = text.find(".so", at + 1))
+  {
+    auto end = at + 3;
+    while (end + 1 < text.size() && text[end] == '.' && digit(text[end + 1]))
+      for (++end; end < text.size() && digit(text[end]);)
+        ++end;
+    if (end == text.size())
+      return PluginName{ text, {} };
+    if (text[end] == ':')
+      return PluginName{ text.substr(0, end), text.substr(end + 1) };
+  }
+  return std::nullopt;
+}
+
+HeadPath ReadRecording(const std::string& file)
+{
+  try
+  {
+    return ReadHeadPath(file);
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(ExitCode::BadInput, std::string("--head: ") + error.what());
+  }
+}
+
+TrackerCalibration ReadCalibration(const HeadChoices& choices)
+{
+  if (choices.calibration.empty())
+    return {};
+  if (choices.source == Mouse)
+    throw Failure(ExitCode::WrongUse,
+      "--head-calibration: says where a tracker stands, and the mouse is none; leave it out");
+  try
+  {
+    return ReadTrackerCalibration(choices.calibration);
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(ExitCode::BadInput, std::string("--head-calibration: ") + error.what());
+  }
+}
+
 /// A calibrated source says its own coordinates, as it did when it was measured.
 std::unique_ptr<HeadPoseSource> MakeSource(
   const std::string& name, const HeadPose& rest, bool calibrated)
 {
-  if (name == "mouse")
+  if (name == Mouse)
   {
     MouseHeadSettings settings;
     settings.rest = rest;
@@ -53,17 +107,18 @@ std::unique_ptr<HeadPoseSource> MakeSource(
   if (name == Opentrack || name.starts_with("opentrack:"))
     return std::make_unique<OpentrackHeadPose>(
       OpentrackOf(name, calibrated ? glm::dvec3(0.0) : rest.position));
+  if (const auto plugin = PluginOf(name)) // before .csv: its settings may end so
+    return std::make_unique<PluginHeadPose>(plugin->file, plugin->settings);
   if (name.ends_with(".csv"))
   {
     PlaybackSettings settings;
     settings.startS = SteadySeconds();
     settings.loop = true;
-    return std::make_unique<RecordedHeadPose>(ReadHeadPath(name), settings);
+    return std::make_unique<RecordedHeadPose>(ReadRecording(name), settings);
   }
-  if (name.ends_with(".so"))
-    return std::make_unique<PluginHeadPose>(name);
-  throw Failure(ExitCode::WrongUse, "--head must be mouse, opentrack, opentrack:PORT, "
-                                    "opentrack:ADDRESS:PORT, a .csv file or a plugin, .so");
+  throw Failure(ExitCode::WrongUse,
+    "--head must be mouse, opentrack, opentrack:PORT, opentrack:ADDRESS:PORT, a .csv file or a "
+    "plugin, FILE.so or FILE.so:SETTINGS");
 }
 
 const char* StateName(HeadTrackerState state)
@@ -92,10 +147,9 @@ void AddHeadOptions(CLI::App& verb, HeadChoices& choices)
 {
   CLI::Option* head = verb.add_option("--head", choices.source,
     "The picture follows the viewer's head. mouse: as if the pointer were it; opentrack: UDP on "
-    "this "
-    "machine's port 4242 (opentrack:PORT, opentrack:ADDRESS:PORT); FILE.csv: a recorded path, "
-    "again "
-    "and again; FILE.so: a plugin for a tracker");
+    "this machine's port 4242 (opentrack:PORT, opentrack:ADDRESS:PORT); FILE.csv: a recorded path, "
+    "again and again; FILE.so: a plugin for a tracker (FILE.so:SETTINGS, as its maker documents "
+    "them)");
   verb
     .add_option("--head-calibration", choices.calibration,
       ".json file of where the tracker stands; hasp calibrate makes one")
@@ -116,13 +170,9 @@ std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const H
   settings.rest = rest;
   settings.horizonS = 1e-3 * choices.predictionMs;
   settings.predict = choices.predictionMs > 0.0;
-  std::string part = "--head-calibration";
+  const TrackerCalibration calibration = ReadCalibration(choices);
   try
   {
-    const TrackerCalibration calibration = choices.calibration.empty()
-                                             ? TrackerCalibration{}
-                                             : ReadTrackerCalibration(choices.calibration);
-    part = "--head";
     return std::make_unique<HeadTracker>(
       MakeSource(choices.source, rest, !choices.calibration.empty()), settings, calibration);
   }
@@ -130,9 +180,13 @@ std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const H
   {
     throw;
   }
+  catch (const std::invalid_argument& error) // what files hold was checked as they were read
+  {
+    throw Failure(ExitCode::WrongUse, std::string("--head: ") + error.what());
+  }
   catch (const std::exception& error)
   {
-    throw Failure(ExitCode::BadInput, part + ": " + error.what());
+    throw Failure(ExitCode::BadInput, std::string("--head: ") + error.what());
   }
 }
 

@@ -24,9 +24,10 @@ struct HeadChoices
 void AddHeadOptions(CLI::App& verb, HeadChoices& choices);
 
 /// The source that `choices` name: "mouse"; "opentrack", "opentrack:PORT" or
-/// "opentrack:ADDRESS:PORT"; a recorded path, .csv; a plugin, .so. Null if there is none. rest:
-/// where the head is without a pose. Throws Failure: WrongUse for what is none of these, BadInput
-/// where it cannot be opened.
+/// "opentrack:ADDRESS:PORT"; a recorded path, .csv; a plugin, "FILE.so", "FILE.so.1" or either with
+/// ":SETTINGS" behind it. Null if there is none. rest: where the head is without a pose. Throws
+/// Failure: WrongUse for what is none of these, for a mouse with a calibration and for settings
+/// that a source refuses; BadInput for a file, a socket or a plugin that cannot be opened.
 std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const HeadPose& rest);
 
 /// "head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted".

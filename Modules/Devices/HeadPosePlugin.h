@@ -62,8 +62,8 @@ extern "C"
     uint32_t size; /* sizeof(HaspHeadPosePlugin), as you compiled it; larger than Hasp's is fine */
     uint32_t version; /* HASP_HEAD_POSE_PLUGIN_VERSION */
     const char* name; /* of the tracker, ASCII; the first 63 characters count */
-    /* settings: what the user wrote behind the file's name, "" if nothing. NULL: it cannot be
-     * opened. */
+    /* settings: what the user wrote behind the file's name and a colon (my.so:SETTINGS), "" if
+     * nothing. NULL: it cannot be opened. */
     void* (*open)(const char* settings);
     /* nowS: seconds of a steady clock. Returns HASP_HEAD_POSE_…; sample is zero but for its size.
      */

@@ -47,12 +47,18 @@ TEST_F(HaspViewEyes, AHeadThatCannotBeFollowedIsTold)
   fail(head("telepathy"), 1, "--head must be mouse, opentrack");
   fail(head("opentrack:0"), 1, "port from 1 to 65535");
   fail(head("opentrack:4242x"), 1, "port from 1 to 65535");
-  fail(head("opentrack:no-address:4242"), 2, "--head: ");
+  fail(head("opentrack:no-address:4242"), 1, "--head: opentrack: the address");
   fail(head(this->Path("none.csv")), 2, "--head: ");
   fail(head(this->Path("none.so")), 2, "--head: ");
-  Words calibrated = head("mouse");
-  calibrated.insert(calibrated.end(), { "--head-calibration", this->Path("none.json") });
-  fail(calibrated, 2, "--head-calibration: ");
+  const auto more = [](Words words, const Words& behind)
+  {
+    words.insert(words.end(), behind.begin(), behind.end());
+    return words;
+  };
+  const Words calibration{ "--head-calibration", this->Path("none.json") };
+  fail(more(head("opentrack"), calibration), 2, "--head-calibration: ");
+  fail(more(head("mouse"), calibration), 1, "the mouse is none");
+  fail(more(head("mouse"), { "--head-position", "0,0,100" }), 1, "--head: ");
 }
 
 TEST_F(HaspViewEyes, WhatDrawsTwoPicturesWritesNone)
