@@ -18,22 +18,51 @@ namespace hasp
 namespace
 {
 
+/// A tracker that says metres or inches is far off; a ruler is not.
+constexpr double LeastSpread = 0.9, MostSpread = 1.1;
+
 struct Choices
 {
-  std::string points, output;
+  std::string points, sightings, output;
   std::optional<std::array<double, 3>> eyesMm; ///< between the eyes, in the marker's axes
 };
 
-CalibrationFit Fit(const Choices& choices)
+struct Fits
+{
+  CalibrationFit place;               ///< of the tracker in the room
+  std::optional<CalibrationFit> seat; ///< of the marker on the head, on top
+  const TrackerCalibration& Calibration() const { return (seat ? *seat : place).calibration; }
+};
+
+void RequireMillimetres(const CalibrationFit& fit)
+{
+  if (fit.spreadRatio >= LeastSpread && fit.spreadRatio <= MostSpread)
+    return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+    "the room is %.4g times as wide as the tracker says, must be %g to %g: are the tracker's "
+    "numbers millimetres?",
+    fit.spreadRatio, LeastSpread, MostSpread);
+  throw Failure(ExitCode::BadInput, text);
+}
+
+Fits Fit(const Choices& choices)
 {
   try
   {
-    CalibrationFit fit = FitTrackerToRoom(ReadCalibrationPairs(choices.points));
+    Fits fits{ FitTrackerToRoom(ReadCalibrationPairs(choices.points)), {} };
+    RequireMillimetres(fits.place);
     if (choices.eyesMm)
-      fit.calibration.eyesInMarkerMm = { (*choices.eyesMm)[0], (*choices.eyesMm)[1],
+      fits.place.calibration.eyesInMarkerMm = { (*choices.eyesMm)[0], (*choices.eyesMm)[1],
         (*choices.eyesMm)[2] };
-    ValidateTrackerCalibration(fit.calibration);
-    return fit;
+    ValidateTrackerCalibration(fits.place.calibration);
+    if (!choices.sightings.empty())
+      fits.seat = FitMarkerToHead(fits.place.calibration, ReadMarkerSightings(choices.sightings));
+    return fits;
+  }
+  catch (const Failure&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {
@@ -41,34 +70,55 @@ CalibrationFit Fit(const Choices& choices)
   }
 }
 
-std::string Text(const CalibrationFit& fit)
+std::string Residuals(const CalibrationFit& fit, const char* what)
 {
-  char line[160];
-  std::snprintf(line, sizeof line,
-    "%zu points, residual %.2f mm RMS; the room is %.4f times as wide as the tracker says\n",
-    fit.residualsMm.size(), fit.rmsMm, fit.spreadRatio);
-  std::string text = line;
+  std::string text;
+  char line[80];
   for (std::size_t n = 0; n < fit.residualsMm.size(); ++n)
   {
-    std::snprintf(line, sizeof line, "  point %zu: %.2f mm\n", n + 1, fit.residualsMm[n]);
+    std::snprintf(line, sizeof line, "  %s %zu: %.2f mm\n", what, n + 1, fit.residualsMm[n]);
     text += line;
   }
   return text;
+}
+
+std::string Text(const Fits& fits)
+{
+  char line[200];
+  std::snprintf(line, sizeof line,
+    "%zu points, residual %.2f mm RMS; the room is %.4f times as wide as the tracker says\n",
+    fits.place.residualsMm.size(), fits.place.rmsMm, fits.place.spreadRatio);
+  std::string text = line + Residuals(fits.place, "point");
+  if (!fits.seat)
+    return text;
+  const glm::dvec3& eyes = fits.seat->calibration.eyesInMarkerMm;
+  std::snprintf(line, sizeof line,
+    "%zu sightings, residual %.2f mm RMS; the eyes are at %.1f,%.1f,%.1f mm along the marker's "
+    "axes\n",
+    fits.seat->residualsMm.size(), fits.seat->rmsMm, eyes.x, eyes.y, eyes.z);
+  return text + line + Residuals(*fits.seat, "sighting");
 }
 
 void Run(const Choices& choices, Session& session)
 {
   RequireWritable(choices.output, { ".json" });
   RequireInput(choices.points);
-  const CalibrationFit fit = Fit(choices);
-  WriteFile(choices.output, FormatTrackerCalibration(fit.calibration));
+  if (!choices.sightings.empty())
+    RequireInput(choices.sightings);
+  const Fits fits = Fit(choices);
+  WriteFile(choices.output, FormatTrackerCalibration(fits.Calibration()));
   session.result["output"] = FileLabel(choices.output);
-  session.result["rms_mm"] = fit.rmsMm;
-  session.result["residuals_mm"] = fit.residualsMm;
-  session.result["spread_ratio"] = fit.spreadRatio;
+  session.result["rms_mm"] = fits.place.rmsMm;
+  session.result["residuals_mm"] = fits.place.residualsMm;
+  session.result["spread_ratio"] = fits.place.spreadRatio;
+  if (fits.seat)
+  {
+    session.result["sightings_rms_mm"] = fits.seat->rmsMm;
+    session.result["sightings_residuals_mm"] = fits.seat->residualsMm;
+  }
   session.progress.Wipe();
   if (!session.json)
-    std::cout << Text(fit);
+    std::cout << Text(fits);
 }
 
 } // namespace
@@ -84,11 +134,18 @@ void AddCalibrateVerb(CLI::App& app, Session& session)
     ->required();
   verb->add_option("--output", choices->output, "The .json file; its folder must exist")
     ->required();
+  CLI::Option* eyes =
+    verb
+      ->add_option("--eyes-in-marker", choices->eyesMm,
+        "x,y,z mm from what is tracked to the middle between the eyes, along the tracked axes, "
+        "which are the head's")
+      ->delimiter(',')
+      ->check(Within(-1000.0, 1000.0));
   verb
-    ->add_option("--eyes-in-marker", choices->eyesMm,
-      "x,y,z mm from what is tracked to the middle between the eyes, along the tracked axes")
-    ->delimiter(',')
-    ->check(Within(-1000.0, 1000.0));
+    ->add_option("--sightings", choices->sightings,
+      ".csv file of what the tracker said while you looked straight at the screen: finds the eyes "
+      "and how what is tracked is turned on the head")
+    ->excludes(eyes);
   AddCommonOptions(*verb, session);
   verb->footer(
     "POINTS has the line trackerXMm,trackerYMm,trackerZMm,roomXMm,roomYMm,roomZMm, then a line a "
@@ -96,7 +153,12 @@ void AddCalibrateVerb(CLI::App& app, Session& session)
     "down what the\ntracker says and where it is: mm from the middle of the screen, x right, y up, "
     "z "
     "towards you.\nThree points fit always well; take four or more, not on a line. Residuals of a "
-    "few mm are usual;\na point that stands out was mistaken.\nExample:\n"
+    "few mm are usual;\na point that stands out was mistaken.\n"
+    "--sightings has the line "
+    "trackerXMm,trackerYMm,trackerZMm,qw,qx,qy,qz,roomXMm,roomYMm,roomZMm, then a\nline a "
+    "sighting: the tracker's position and quaternion, and where the middle between your eyes "
+    "was.\nHold your head straight; a few places before the screen are better than one.\n"
+    "Example:\n"
     "  hasp calibrate points.csv --output desk.json\n"
     "  hasp view head.mha --stereo interlaced --screen 520x292 --head tracker.so "
     "--head-calibration desk.json\n"

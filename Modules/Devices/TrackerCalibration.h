@@ -74,6 +74,17 @@ struct MarkerSighting
   HeadPose head;
 };
 
+/// Sightings as text, as the pairs above: what the tracker says of the marker (its orientation
+/// takes the marker's axes to the tracker's) and where the middle between the eyes is in the room.
+/// The head's orientation is the identity: the user looks straight at the screen's plane.
+///
+///   trackerXMm,trackerYMm,trackerZMm,qw,qx,qy,qz,roomXMm,roomYMm,roomZMm
+///   12.5,-80,1020,1,0,0,0,0,40,610
+///
+/// Errors as there; poses that ValidateHeadPose refuses are some, too. Any thread.
+std::vector<MarkerSighting> ParseMarkerSightings(std::string_view text);
+std::vector<MarkerSighting> ReadMarkerSightings(const std::string& file);
+
 /// How the marker sits on the head, for a tracker whose place is known from FitTrackerToRoom: the
 /// mean over all sightings. Residuals are those of the point between the eyes.
 /// Throws std::invalid_argument if there is no sighting, a pose is not valid, or the fitted eyes
