@@ -17,6 +17,7 @@ namespace hasp
 namespace
 {
 constexpr double SameTimeS = 1e-6;
+constexpr double SamePoseS = 0.005;   ///< the same pose, its time or age rounded: given again
 constexpr double GapS = 0.1;          ///< poses further apart break the flow
 constexpr double StillAfterS = 0.12;  ///< the same pose so long: the head keeps still
 constexpr double ClockWithinS = 0.05; ///< a pose may be stamped while the frame begins
@@ -106,9 +107,13 @@ bool HeadTracker::Internals::Take(const TimedHeadPose& given, double now)
     return false;
   }
   bool broke = false;
-  if (const bool any = !this->history.Empty(); any)
+  const bool any = !this->history.Empty();
+  bool same = any && given.pose.position == this->lastGiven.position &&
+              given.pose.orientation == this->lastGiven.orientation;
+  if (any)
   {
-    if (std::abs(given.timeS - this->lastGivenS) < SameTimeS)
+    const double since = given.timeS - this->lastGivenS;
+    if (std::abs(since) < SameTimeS || (same && std::abs(since) < SamePoseS))
       return false;
     if (given.timeS < this->lastGivenS)
     {
@@ -120,6 +125,7 @@ bool HeadTracker::Internals::Take(const TimedHeadPose& given, double now)
       ++this->counts.clockJumps;
       this->history.Clear();
       broke = true;
+      same = false; // there is none to go on from
     }
   }
   if (timeS > now + ClockWithinS)
@@ -128,8 +134,6 @@ bool HeadTracker::Internals::Take(const TimedHeadPose& given, double now)
     timeS = now;
   }
   this->counts.stale += now - timeS > this->settings.staleAfterS;
-  const bool same = !this->history.Empty() && given.pose.position == this->lastGiven.position &&
-                    given.pose.orientation == this->lastGiven.orientation;
   this->lastGiven = given.pose;
   this->lastGivenS = given.timeS;
   this->newsS = now;

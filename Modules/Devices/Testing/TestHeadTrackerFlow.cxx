@@ -176,6 +176,53 @@ TEST(HeadTrackerFlow, RepeatedPosesDoNotSpoilTheVelocity)
   EXPECT_LT(most, 1e-6);
 }
 
+/// A plugin says the pose before once more, its age in whole milliseconds: when the head was there
+/// then jitters by half a one to either side.
+TEST(HeadTrackerFlow, APoseGivenAgainWithItsAgeRoundedIsNoNews)
+{
+  const auto truth = [](double t) { return glm::dvec3(200 * t, 0, 600); };
+  for (const double frames : { 60.0, 75.0, 144.0, 240.0 })
+  {
+    hasp::HeadTracker tracker = hasp::Track(
+      [&](double now)
+      {
+        const double seen = std::floor(now * 30.0 + 1e-9) / 30.0;
+        const double age = 1e-3 * std::round(1e3 * (now - seen));
+        return hasp::TimedHeadPose{ now - age, { truth(seen), { 1, 0, 0, 0 } } };
+      });
+    double most = 0.0;
+    for (int n = 0; n < int(10 * frames); ++n)
+    {
+      const double now = n / frames;
+      const glm::dvec3 drawn = tracker.At(now).pose.position;
+      if (now > 0.5)
+        most = std::max(most, glm::length(drawn - truth(now + 2 * Frame)));
+    }
+    EXPECT_EQ(tracker.Counts().outOfOrder, 0u) << frames;
+    EXPECT_EQ(tracker.Counts().still, 0u) << frames;
+    EXPECT_LE(tracker.Counts().followed, 301u) << frames; // of 30 Hz, but for the last frame's
+    EXPECT_TRUE(tracker.TakeWarnings().empty()) << frames;
+    // A line through three poses 33 ms apart, read 67 ms behind the last: weights -7/6, 1/3, 11/6,
+    // each on half a millisecond at 200 mm/s.
+    EXPECT_LT(most, 0.1 * (7.0 / 6 + 1.0 / 3 + 11.0 / 6)) << frames;
+  }
+}
+
+/// The head keeps still and is told of every millisecond: not news each time, but never old.
+TEST(HeadTrackerFlow, AStillHeadToldOfEachMillisecondIsNotStale)
+{
+  hasp::HeadTracker tracker = hasp::Track(
+    [](double now) {
+      return hasp::TimedHeadPose{ now, Away };
+    });
+  for (int n = 0; n < 3000; ++n)
+  {
+    const hasp::TrackedHead head = tracker.At(0.001 * n);
+    ASSERT_EQ(head.state, State::Tracking) << n;
+    ASSERT_LT(glm::length(head.pose.position - Away.position), 1e-9);
+  }
+}
+
 TEST(HeadTrackerFlow, OrderIsKept)
 {
   std::mt19937_64 random(1);
