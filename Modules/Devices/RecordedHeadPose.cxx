@@ -25,9 +25,11 @@ std::optional<TimedHeadPose> RecordedHeadPose::Latest(double nowS)
   if (!(since >= 0.0)) // NaN, too
     return std::nullopt;
   const double first = this->Path.front().timeS, duration = this->DurationS();
-  const double round =
-    this->Settings.loop && duration > 0.0 ? std::floor(since / duration) * duration : 0.0;
-  const double onPath = first + std::min(since - round, duration);
+  if (this->Settings.loop && duration == 0.0) // one pose, again and again: the head keeps still
+    return TimedHeadPose{ nowS - this->Settings.delayS, this->Path.front().pose };
+  const double round = this->Settings.loop ? std::floor(since / duration) * duration : 0.0;
+  // Rounding may place it an ulp before the round.
+  const double onPath = first + std::clamp(since - round, 0.0, duration);
   TimedHeadPose found{ onPath, {} };
   if (this->Settings.interpolate)
     found.pose = HeadPoseAt(this->Path, onPath);

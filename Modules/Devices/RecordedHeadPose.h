@@ -22,7 +22,8 @@ public:
   /// or delayS < 0.
   explicit RecordedHeadPose(HeadPath path, const PlaybackSettings& settings = {});
 
-  /// Nothing before startS + delayS. After the last pose that one, with its time: it grows old.
+  /// Nothing before startS + delayS. After the last pose that one, with its time: it grows old. A
+  /// loop of one pose is that pose as of nowS - delayS.
   std::optional<TimedHeadPose> Latest(double nowS) override;
   const char* Name() const noexcept override { return "recorded path"; }
 

@@ -1,4 +1,5 @@
 #include "Devices/HeadPath.h"
+#include "Devices/HeadTracker.h"
 #include "Devices/RecordedHeadPose.h"
 
 #include <glm/geometric.hpp>
@@ -6,6 +7,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -225,8 +227,55 @@ TEST(RecordedHeadPose, WhatCannotBePlayedIsRefused)
   EXPECT_THROW(
     hasp::RecordedHeadPose(Good(), { .startS = std::numeric_limits<double>::infinity() }),
     std::invalid_argument);
-  hasp::RecordedHeadPose single({ { 5.0, {} } }, { .loop = true });
-  EXPECT_EQ(single.Latest(7.0)->timeS, 0.0) << "one pose has no length to go round";
+}
+
+TEST(RecordedHeadPose, ALoopOfOnePoseIsAHeadThatKeepsStill)
+{
+  const hasp::HeadPath one{ { 5.0, { { 1, 2, 700 }, { 1, 0, 0, 0 } } } };
+  EXPECT_EQ(hasp::RecordedHeadPose(one).Latest(7.0)->timeS, 0.0) << "played once it grows old";
+  for (const bool interpolate : { true, false })
+  {
+    const hasp::PlaybackSettings settings{
+      .startS = 2.0, .loop = true, .interpolate = interpolate, .delayS = 0.5
+    };
+    hasp::RecordedHeadPose source(one, settings);
+    EXPECT_FALSE(source.Latest(2.4));
+    for (const double now : { 2.5, 7.0, 1000.0 })
+    {
+      EXPECT_EQ(source.Latest(now)->timeS, now - 0.5);
+      EXPECT_EQ(source.Latest(now)->pose.position, glm::dvec3(1, 2, 700));
+    }
+  }
+  hasp::HeadTracker tracker(
+    std::make_unique<hasp::RecordedHeadPose>(one, hasp::PlaybackSettings{ .loop = true }));
+  for (int n = 0; n < 120; ++n)
+    EXPECT_EQ(tracker.At(n / 60.0).state, hasp::HeadTrackerState::Tracking) << n;
+}
+
+/// Where a round ends, rounding says which one it is: n d less floor(n d / d) d may be below 0.
+TEST(RecordedHeadPose, WhereALoopBeginsAgainItIsAPoseOfThePath)
+{
+  int below = 0;
+  for (const double end : { 0.1, 0.3, 0.7, 1.1, 2.3 })
+    for (const bool interpolate : { true, false })
+    {
+      hasp::RecordedHeadPose source(
+        { { 0.0, { { 1, 0, 600 }, { 1, 0, 0, 0 } } }, { end, { { 2, 0, 600 }, { 1, 0, 0, 0 } } } },
+        { .loop = true, .interpolate = interpolate });
+      for (int n = 1; n < 500; ++n)
+        for (const double now :
+          { std::nextafter(n * end, 0.0), n * end, std::nextafter(n * end, 1e9) })
+        {
+          below += now - std::floor(now / end) * end < 0.0;
+          const auto pose = source.Latest(now);
+          ASSERT_TRUE(pose);
+          const double x = pose->pose.position.x;
+          EXPECT_TRUE(std::abs(x - 1.0) < 1e-9 || std::abs(x - 2.0) < 1e-9) << now << " " << x;
+          // Not mixed it may still be the first, which is there as long as the second is not.
+          EXPECT_NEAR(pose->timeS, now, interpolate || x > 1.5 ? 1e-9 : end + 1e-9);
+        }
+    }
+  EXPECT_GT(below, 10) << "or the test proves nothing";
 }
 
 } // namespace
