@@ -141,13 +141,14 @@ private:
     int taken = 0;
     for (; taken < PacketsAWake; ++taken)
     {
-      const auto bytes = this->Socket.Receive(buffer);
-      if (!bytes)
+      const auto came = this->Socket.Receive(buffer);
+      if (!came)
         break;
       static constexpr std::array<std::byte, OpentrackPacketBytes + 1> TooLong{};
-      const auto packet = *bytes > buffer.size() ? std::span<const std::byte>(TooLong)
-                                                 : std::span<const std::byte>(buffer).first(*bytes);
-      if (const auto pose = this->Inbox.Take(packet, SteadySeconds()))
+      const auto packet = came->bytes > buffer.size()
+                            ? std::span<const std::byte>(TooLong)
+                            : std::span<const std::byte>(buffer).first(came->bytes);
+      if (const auto pose = this->Inbox.Take(packet, came->timeS))
         now.newest = *pose;
     }
     now.counts = this->Inbox.Counts();

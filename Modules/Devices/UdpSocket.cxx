@@ -1,11 +1,17 @@
 #include "Devices/UdpSocket.h"
 
+#include "Devices/HeadPose.h"
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstring>
+#include <ctime>
 #include <stdexcept>
 #include <system_error>
 
@@ -30,6 +36,21 @@ std::string WhyNotBound(int error, std::uint16_t port)
       return which + " cannot be opened: " + std::generic_category().message(error);
   }
 }
+
+/// How long ago the kernel took a datagram in, by the wall clock it stamps with; 0 if it did not.
+double AgeS(msghdr& message)
+{
+  for (cmsghdr* part = CMSG_FIRSTHDR(&message); part; part = CMSG_NXTHDR(&message, part))
+    if (part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_TIMESTAMPNS)
+    {
+      timespec came{}, now{};
+      std::memcpy(&came, CMSG_DATA(part), sizeof came);
+      clock_gettime(CLOCK_REALTIME, &now);
+      return static_cast<double>(now.tv_sec - came.tv_sec) +
+             1e-9 * static_cast<double>(now.tv_nsec - came.tv_nsec);
+    }
+  return 0.0;
+}
 } // namespace
 
 UdpSocket::UdpSocket(const std::string& address, std::uint16_t port)
@@ -53,7 +74,10 @@ UdpSocket::UdpSocket(const std::string& address, std::uint16_t port)
     close(this->Handle);
     throw std::runtime_error(WhyNotBound(error, port));
   }
+  const int on = 1; // where it cannot be, a datagram came when it is read
+  setsockopt(this->Handle, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
   this->Bound = ntohs(where.sin_port);
+  this->LastS = SteadySeconds();
 }
 
 UdpSocket::~UdpSocket()
@@ -61,13 +85,24 @@ UdpSocket::~UdpSocket()
   close(this->Handle);
 }
 
-std::optional<std::size_t> UdpSocket::Receive(std::span<std::byte> buffer)
+std::optional<Datagram> UdpSocket::Receive(std::span<std::byte> buffer)
 {
   for (;;)
   {
-    const ssize_t bytes = recv(this->Handle, buffer.data(), buffer.size(), MSG_TRUNC);
+    iovec where{ buffer.data(), buffer.size() };
+    alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(timespec))> stamp{};
+    msghdr message{};
+    message.msg_iov = &where;
+    message.msg_iovlen = 1;
+    message.msg_control = stamp.data();
+    message.msg_controllen = stamp.size();
+    const ssize_t bytes = recvmsg(this->Handle, &message, MSG_TRUNC);
     if (bytes >= 0)
-      return static_cast<std::size_t>(bytes);
+    {
+      const double age = AgeS(message), now = SteadySeconds();
+      this->LastS = std::clamp(now - age, this->LastS, now);
+      return Datagram{ static_cast<std::size_t>(bytes), this->LastS };
+    }
     if (errno == EAGAIN || errno == EWOULDBLOCK)
       return std::nullopt;
     if (errno != EINTR)
