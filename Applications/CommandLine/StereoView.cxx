@@ -164,6 +164,19 @@ std::optional<std::pair<WorldPoint, WorldPoint>> StereoView::RayOf(int x, int y)
   return std::pair{ WorldPoint{ eye.x, eye.y, eye.z }, WorldPoint{ end.x, end.y, end.z } };
 }
 
+std::optional<StereoView::ViewPosition> StereoView::PositionInView(int x, int y) const
+{
+  const Parts& self = *this->Self;
+  StereoEye eye = StereoEye::Left;
+  double device[2];
+  if (!self.windows->GetPositionInView(self.window, x, y, eye, device))
+    return std::nullopt;
+  const StereoLayout layout = self.settings.output.layout;
+  return ViewPosition{ device[0], device[1],
+    layout == StereoLayout::SideBySide || layout == StereoLayout::TopBottom,
+    eye == StereoEye::Right };
+}
+
 std::string StereoView::Text() const
 {
   const Parts& self = *this->Self;
