@@ -57,8 +57,9 @@ public:
   std::string Text() const;
   /// What its tracker warns of, once each.
   std::vector<std::string> TakeWarnings();
-  /// Draws the plan of --sketch as a PNG file. Throws Failure: CannotDraw.
-  std::string SketchPng() const;
+  /// Draws the plan of --sketch as a PNG file. content: none where nothing is shown. Throws
+  /// Failure: CannotDraw.
+  std::string SketchPng(const std::optional<ContentBox>& content) const;
   void ListResources(ResourceList& list) const;
 
 private:

@@ -62,6 +62,20 @@ TEST(StereoView, LifeSizeIsLifeSize)
   EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
 }
 
+TEST(StereoView, TheSketchShowsTheContentIfThereIsAny)
+{
+  StereoDesk desk("side-by-side");
+  const std::string nothing = desk.eyes->SketchPng(std::nullopt);
+  const std::string ball = desk.eyes->SketchPng(desk.scene->Content());
+  EXPECT_EQ(nothing.substr(1, 3), "PNG");
+  EXPECT_NE(ball, nothing);
+  ContentBox volume{ { -48, 48, -48, 48, -48, 48 }, false };
+  const std::string larger = desk.eyes->SketchPng(volume);
+  EXPECT_NE(larger, ball);
+  volume.ofVolume = true;
+  EXPECT_NE(desk.eyes->SketchPng(volume), larger); // and says so
+}
+
 TEST(StereoView, AHeadMovesThePictureWhenItMovedFarEnough)
 {
   StereoDesk desk("left", std::make_unique<HandHeld>());
