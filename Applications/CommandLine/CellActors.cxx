@@ -1,16 +1,21 @@
 #include "CellActors.h"
 
 #include "Failure.h"
+#include "Isosurface/ActiveCells.h"
 #include "VtkMessages.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspPickedCell.h"
 #include "vtkHaspRayCachingMapper.h"
+#include "vtkHaspVolumeView.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <limits>
 
 namespace hasp
 {
@@ -36,6 +41,31 @@ std::string Way(const std::string& choice)
   return choice.substr(0, choice.find(':'));
 }
 
+std::optional<WorldBounds> BoundsOf(const ClusteredCells& cells)
+{
+  if (cells.Count() == 0)
+    return std::nullopt;
+  const glm::dmat3 steps = cells.geometry.IndexToWorldMatrix();
+  const auto extent = [&](const auto& least) // of one cell from its first corner
+  {
+    return least(steps[0], glm::dvec3(0)) + least(steps[1], glm::dvec3(0)) +
+           least(steps[2], glm::dvec3(0));
+  };
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const CellCluster& cluster : cells.clusters)
+    for (int bit = 0; bit < 512; ++bit)
+      if (const glm::ivec3 inCluster(bit & 7, bit >> 3 & 7, bit >> 6); cluster.Active(inCluster))
+      {
+        const glm::dvec3 corner =
+          cells.geometry.IndexToWorld(glm::dvec3(cluster.Origin() + inCluster));
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+      }
+  low += extent([](const auto& a, const auto& b) { return glm::min(a, b); });
+  high += extent([](const auto& a, const auto& b) { return glm::max(a, b); });
+  return WorldBounds{ low.x, high.x, low.y, high.y, low.z, high.z };
+}
+
 SurfaceActor MakeRayActor(const vtkSmartPointer<vtkHaspRayCachingMapper>& mapper)
 {
   vtkNew<vtkActor> actor;
@@ -51,6 +81,11 @@ SurfaceActor MakeRayActor(const vtkSmartPointer<vtkHaspRayCachingMapper>& mapper
   result.drewBy = [mapper] { return Way(mapper->GetModeChoice()); };
   result.pick = [mapper](const auto& from, const auto& to)
   { return PickIsosurface(mapper.Get(), from, to); };
+  result.bounds = [mapper]
+  {
+    return IsosurfaceBounds(
+      vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)), mapper->GetIsoValue());
+  };
   return result;
 }
 
@@ -104,6 +139,11 @@ SurfaceActor MakeCellActor(vtkDataObject* input, double isoValue, const SurfaceD
   result.drewBy = [mapper] { return "active cells, " + Way(mapper->GetRendererChoice()); };
   result.pick = [mapper](const auto& from, const auto& to)
   { return PickIsosurface(mapper.Get(), from, to); };
+  result.bounds = [mapper]
+  {
+    mapper->UpdateCells();
+    return BoundsOf(mapper->GetCells());
+  };
   return result;
 }
 
@@ -142,6 +182,12 @@ IsosurfaceRays(vtkImageData* image)
     mapper->SetIsoValue(isoValue);
     return PickIsosurface(mapper.Get(), from, to);
   };
+}
+
+std::optional<WorldBounds> IsosurfaceBounds(vtkImageData* image, double isoValue)
+{
+  const AnyGridView grid = ViewImage(image);
+  return BoundsOf(ExtractActiveCells(grid, MinMaxBlocks(grid), isoValue));
 }
 
 } // namespace hasp

@@ -23,4 +23,8 @@ std::function<std::optional<WorldPoint>(
   double isoValue, const WorldPoint& from, const WorldPoint& to)>
 IsosurfaceRays(vtkImageData* image);
 
+/// The box around all active cells of that isovalue, none if there are none. Extracts them: some
+/// 0.1 s for a CT on many cores, memory as mapper cells.
+std::optional<WorldBounds> IsosurfaceBounds(vtkImageData* image, double isoValue);
+
 } // namespace hasp

@@ -89,6 +89,20 @@ void RequireWritable(const std::string& path, const std::vector<std::string>& en
     throw CannotWrite(path, "its folder is not yours to write to; choose another");
 }
 
+void RequireDifferent(const std::string& path, const std::string& other, const std::string& options)
+{
+  const auto plain = [](const std::string& name)
+  {
+    std::error_code unknown; // then the name is compared as it is
+    const fs::path found = fs::weakly_canonical(fs::absolute(name, unknown), unknown);
+    return found.empty() ? fs::path(name) : found;
+  };
+  std::error_code missing; // one that is not there is no other's hard link
+  if (plain(path) == plain(other) || fs::equivalent(path, other, missing))
+    throw Failure(
+      ExitCode::WrongUse, options + " are one file; give two names: nothing was written");
+}
+
 void RequireWritableFolder(const std::string& path)
 {
   const fs::path given(path), place = given.has_filename() ? given : given.parent_path();

@@ -12,8 +12,13 @@ namespace hasp
 /// what is there already, if anything, is a regular file.
 void RequireWritable(const std::string& path, const std::vector<std::string>& endings);
 
-/// The same for a folder that is to be made. Throws Failure: WrongUse unless nothing or an empty
-/// folder is there, and the folder it lies in exists and can be written to.
+/// Call before the work begins. Throws Failure: WrongUse, with `options` ("--sketch and --output"),
+/// if both paths are one file, whatever they are spelled like.
+void RequireDifferent(
+  const std::string& path, const std::string& other, const std::string& options);
+
+/// RequireWritable for a folder that is to be made. Throws Failure: WrongUse unless nothing or an
+/// empty folder is there, and the folder it lies in exists and can be written to.
 void RequireWritableFolder(const std::string& path);
 
 /// Writes all bytes or nothing, as hasp::WriteBytes does. Throws Failure: WrongUse with the

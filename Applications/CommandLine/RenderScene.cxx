@@ -86,7 +86,7 @@ std::string RenderScene::DrawPng()
 
 std::string RenderScene::SketchPng() const
 {
-  return this->Self->view->SketchPng();
+  return this->Self->view->SketchPng(this->Self->scene->Content());
 }
 
 } // namespace hasp

@@ -2,6 +2,7 @@
 
 #include "PictureFile.h"
 #include "ScreenFrame.h"
+#include "VtkMessages.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -138,19 +139,24 @@ void Draw(Plan& plan, const Side& side, const StereoSketch& sketch)
           plan.Line({ flat(frame.Of((*sketch.content)[corner])),
                       flat(frame.Of((*sketch.content)[corner | 1 << axis])) },
             ContentColor, 2.0F);
-  for (const StereoEye eye : { StereoEye::Left, StereoEye::Right })
+  const std::vector<SketchedEye> eyes = EyesOf(sketch);
+  for (const SketchedEye& eye : eyes)
   {
-    const Color& color = eye == StereoEye::Left ? LeftColor : RightColor;
-    const glm::dvec2 at = flat(frame.Of(EyePosition(sketch.rig.head, eye)));
+    const Color& color = eye.which == SketchedEye::Left    ? LeftColor
+                         : eye.which == SketchedEye::Right ? RightColor
+                                                           : Ink;
+    const glm::dvec2 at = flat(frame.Of(eye.position));
     plan.Line({ first, at, last }, color, 1.5F);
     plan.Ring(at, 0.015 * sketch.rig.screen.widthMm, color);
   }
   plan.Line({ first, last }, Ink, 6.0F);
   plan.Label(last, "screen", Ink);
   const glm::dvec3 beside(0.12 * sketch.rig.screen.widthMm, 0.04 * sketch.rig.screen.widthMm, 0.0);
-  plan.Label(flat(frame.Of(sketch.rig.head.position) + beside), "eyes", Ink);
+  plan.Label(
+    flat(frame.Of(sketch.rig.head.position) + beside), eyes.size() == 1 ? "eye" : "eyes", Ink);
   if (sketch.content)
-    plan.Label(flat(frame.Of((*sketch.content)[7])), "content", ContentColor);
+    plan.Label(flat(frame.Of((*sketch.content)[7])), sketch.contentIsVolume ? "volume" : "content",
+      ContentColor);
   plan.Include(first - 0.1 * (last - first)); // labels need room
   plan.Include(last + 0.1 * (last - first));
 }
@@ -201,7 +207,10 @@ vtkSmartPointer<vtkImageData> DrawStereoSketch(const StereoSketch& sketch)
   window->AddRenderer(under);
   under->AddActor2D(TextUnder(text));
   window->Render();
-  return WindowPicture(window);
+  ThrowVtkError(ExitCode::CannotDraw, "cannot draw the sketch");
+  auto picture = WindowPicture(window);
+  ThrowVtkError(ExitCode::CannotDraw, "cannot draw the sketch");
+  return picture;
 }
 
 } // namespace hasp

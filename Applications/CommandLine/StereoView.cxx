@@ -164,6 +164,19 @@ std::optional<std::pair<WorldPoint, WorldPoint>> StereoView::RayOf(int x, int y)
   return std::pair{ WorldPoint{ eye.x, eye.y, eye.z }, WorldPoint{ end.x, end.y, end.z } };
 }
 
+std::optional<StereoView::ViewPosition> StereoView::PositionInView(int x, int y) const
+{
+  const Parts& self = *this->Self;
+  StereoEye eye = StereoEye::Left;
+  double device[2];
+  if (!self.windows->GetPositionInView(self.window, x, y, eye, device))
+    return std::nullopt;
+  const StereoLayout layout = self.settings.output.layout;
+  return ViewPosition{ device[0], device[1],
+    layout == StereoLayout::SideBySide || layout == StereoLayout::TopBottom,
+    eye == StereoEye::Right };
+}
+
 std::string StereoView::Text() const
 {
   const Parts& self = *this->Self;
@@ -192,7 +205,7 @@ std::vector<std::string> StereoView::TakeWarnings()
   return warnings;
 }
 
-std::string StereoView::SketchPng() const
+std::string StereoView::SketchPng(const std::optional<ContentBox>& content) const
 {
   const Parts& self = *this->Self;
   const StereoScreen& screen = *self.settings.screen; // --sketch needs --screen
@@ -201,13 +214,17 @@ std::string StereoView::SketchPng() const
   char title[160];
   std::snprintf(title, sizeof title, "%s, at %.0f %% of life size (a mm on the screen is %.2f mm)",
     StereoLayoutName(self.settings.output.layout), 100.0 / scale, scale);
-  StereoSketch sketch{ title, { screen, self.head }, std::array<glm::dvec3, 8>{} };
-  double bounds[6];
-  self.renderer->ComputeVisiblePropBounds(bounds);
-  for (int n = 0; n < 8; ++n)
-    (*sketch.content)[n] =
-      glm::dvec3(glm::inverse(roomToWorld) *
-                 glm::dvec4(bounds[n & 1], bounds[2 + (n >> 1 & 1)], bounds[4 + (n >> 2)], 1.0));
+  StereoSketch sketch{ title, { screen, self.head }, self.settings.output.layout };
+  if (content)
+  {
+    const WorldBounds& box = content->bounds;
+    sketch.contentIsVolume = content->ofVolume;
+    sketch.content.emplace();
+    for (int n = 0; n < 8; ++n)
+      (*sketch.content)[n] =
+        glm::dvec3(glm::inverse(roomToWorld) *
+                   glm::dvec4(box[n & 1], box[2 + (n >> 1 & 1)], box[4 + (n >> 2)], 1.0));
+  }
   return PngFile(DrawStereoSketch(sketch));
 }
 

@@ -36,10 +36,19 @@ public:
   bool HeadMoved(double nowS);
   bool IsTracked() const;
 
-  /// The tracker where it is the mouse: x and y in [-1, 1] of the window. Else does nothing.
+  /// The tracker where it is the mouse: x and y in [-1, 1] of the view. Else does nothing.
   void PointAt(double x, double y);
   /// The line of sight of a window's pixel through all that is shown; none where nothing is seen.
   std::optional<std::pair<WorldPoint, WorldPoint>> RayOf(int x, int y) const;
+
+  struct ViewPosition
+  {
+    double x, y;    ///< in the eye's view: (-1, -1) lower left, (1, 1) upper right
+    bool eyesApart; ///< has each eye a part of the window of its own?
+    bool rightEye;
+  };
+  /// Where a window's pixel lies in what its eye sees; none where nothing is seen.
+  std::optional<ViewPosition> PositionInView(int x, int y) const;
 
   /// After the camera was placed anew: --life-size, if it was asked for.
   void CameraPlaced();
@@ -48,8 +57,9 @@ public:
   std::string Text() const;
   /// What its tracker warns of, once each.
   std::vector<std::string> TakeWarnings();
-  /// Draws the plan of --sketch as a PNG file. Throws Failure: CannotDraw.
-  std::string SketchPng() const;
+  /// Draws the plan of --sketch as a PNG file. content: none where nothing is shown. Throws
+  /// Failure: CannotDraw.
+  std::string SketchPng(const std::optional<ContentBox>& content) const;
   void ListResources(ResourceList& list) const;
 
 private:

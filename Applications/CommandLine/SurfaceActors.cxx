@@ -77,6 +77,14 @@ SurfaceActor MakeMeshActor(vtkPolyData* mesh, const ResourceUse& use)
   result.pick = [locator = vtkSmartPointer<vtkCellLocator>::New(),
                   kept = vtkSmartPointer<vtkPolyData>(mesh)](const auto& from, const auto& to)
   { return PickMesh(locator, kept, from, to); };
+  result.bounds = [kept = vtkSmartPointer<vtkPolyData>(mesh)]() -> std::optional<WorldBounds>
+  {
+    WorldBounds box;
+    if (kept->GetNumberOfCells() == 0)
+      return std::nullopt;
+    kept->GetCellsBounds(box.data());
+    return box;
+  };
   return result;
 }
 
@@ -131,6 +139,8 @@ SurfaceActor MakeVolumeActor(vtkImageData* image, double isoValue)
   // VTK's mapper can be asked for no point; rays of ours are.
   result.pick = [volume, rays = IsosurfaceRays(image)](const auto& from, const auto& to)
   { return rays(volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0), from, to); };
+  result.bounds = [volume, image = vtkSmartPointer<vtkImageData>(image)]
+  { return IsosurfaceBounds(image, volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0)); };
 #endif
   return result;
 }

@@ -20,6 +20,16 @@ struct Session;
 
 using WorldPoint = std::array<double, 3>; ///< patient LPS, mm
 
+/// A box around something: x from, to, y from, to, z from, to in world mm.
+using WorldBounds = std::array<double, 6>;
+
+/// What a box around a scene is known from.
+struct ContentBox
+{
+  WorldBounds bounds{};
+  bool ofVolume = false; ///< around the whole volume, air and table too: the surface is not known
+};
+
 /// Something drawn, and how to ask it and change it. RENDER thread.
 struct SurfaceActor
 {
@@ -30,6 +40,9 @@ struct SurfaceActor
   std::function<std::string()> drewBy{};            ///< what drew last: "cache", "traced"
   /// Where the line first meets it; empty: it cannot be asked.
   std::function<std::optional<WorldPoint>(const WorldPoint& from, const WorldPoint& to)> pick{};
+  /// Of what is drawn now, none if that is nothing; empty: known by the volume alone. May take as
+  /// long as extracting the active cells.
+  std::function<std::optional<WorldBounds>()> bounds{};
 };
 
 /// The names that --mapper takes in this build, the default of `hasp render` first: "cells" (active

@@ -4,6 +4,7 @@
 #include "vtkHaspClusteredCells.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
@@ -144,6 +145,24 @@ std::optional<std::pair<WorldPoint, WorldPoint>> SurfaceScene::RayOf(int x, int 
     return WorldPoint{ p[0] / p[3], p[1] / p[3], p[2] / p[3] };
   };
   return std::pair{ world(0.0), world(1.0) };
+}
+
+std::optional<ContentBox> SurfaceScene::Content() const
+{
+  ContentBox content;
+  vtkBoundingBox all;
+  for (const SurfaceActor& surface : this->Surfaces)
+    if (!surface.bounds)
+    {
+      content.ofVolume = true;
+      all.AddBounds(surface.prop->GetBounds());
+    }
+    else if (const auto box = surface.bounds())
+      all.AddBounds(box->data());
+  if (!all.IsValid())
+    return std::nullopt;
+  all.GetBounds(content.bounds.data());
+  return content;
 }
 
 void SurfaceScene::ListResources(ResourceList& list) const

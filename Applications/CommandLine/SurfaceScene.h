@@ -48,6 +48,8 @@ public:
   std::optional<WorldPoint> Pick(const WorldPoint& from, const WorldPoint& to) const;
   /// What the camera shows in a pixel of the window, from the lower left: from, to.
   std::optional<std::pair<WorldPoint, WorldPoint>> RayOf(int x, int y) const;
+  /// The box around all that is shown; none around nothing. As slow as SurfaceActor::bounds.
+  std::optional<ContentBox> Content() const;
   /// After drawing: what each surface holds.
   void ListResources(ResourceList& list) const;
 

@@ -35,16 +35,22 @@ void RequireOnePicture(const StereoChoices& stereo)
 void Run(Choices choices, Session& session)
 {
   RequireWritable(choices.output, { ".png" });
-  if (!choices.render.stereo.sketch.empty())
-    RequireWritable(choices.render.stereo.sketch, { ".png" });
+  const std::string& sketch = choices.render.stereo.sketch;
+  if (!sketch.empty())
+  {
+    RequireWritable(sketch, { ".png" });
+    RequireDifferent(sketch, choices.output, "--sketch and --output");
+  }
   RequireOnePicture(choices.render.stereo);
   MakeStereoWindow(choices.render.stereo); // before anything is read
   const LoadedScene loaded = ReadScene(choices.scene, choices.render, session);
   RenderScene scene(loaded.input, choices.render, session);
-  WriteFile(choices.output, scene.DrawPng());
+  const std::string picture = scene.DrawPng();
+  const std::string plan = sketch.empty() ? "" : scene.SketchPng(); // both, or nothing
+  WriteFile(choices.output, picture);
   session.result["output"] = FileLabel(choices.output);
-  if (!choices.render.stereo.sketch.empty())
-    WriteFile(choices.render.stereo.sketch, scene.SketchPng());
+  if (!sketch.empty())
+    WriteFile(sketch, plan);
 }
 
 } // namespace

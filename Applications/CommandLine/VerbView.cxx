@@ -118,6 +118,8 @@ void Run(Choices choices, Session& session)
   for (const std::string& file : { choices.output, choices.stereo.sketch })
     if (!file.empty())
       RequireWritable(file, { ".png" });
+  if (!choices.output.empty() && !choices.stereo.sketch.empty())
+    RequireDifferent(choices.stereo.sketch, choices.output, "--sketch and --output");
   RequireFitting(choices);
   const StereoWindow shown = MakeStereoWindow(choices.stereo);
   HeadPose rest;
@@ -149,7 +151,7 @@ void Run(Choices choices, Session& session)
   settings.sayWarning = [&session](const std::string& text) { SayWarning(session, text); };
   ViewWindow view(scene, window, interactor, settings);
   if (!choices.stereo.sketch.empty())
-    WriteFile(choices.stereo.sketch, eyes->SketchPng());
+    WriteFile(choices.stereo.sketch, eyes->SketchPng(scene.Content()));
   session.progress.Wipe();
   if (choices.output.empty())
     view.Run();

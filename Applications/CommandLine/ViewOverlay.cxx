@@ -111,6 +111,14 @@ void ViewOverlay::SetSliderValue(double value)
     static_cast<vtkSliderRepresentation*>(this->Widget->GetRepresentation())->SetValue(value);
 }
 
+void ViewOverlay::PlaceSlider()
+{
+  if (!this->Changeable)
+    return;
+  this->Widget->GetRepresentation()->Modified();
+  this->Widget->GetRepresentation()->BuildRepresentation();
+}
+
 void ViewOverlay::SetText(const std::string& text)
 {
   this->Line->SetInput(text.c_str());

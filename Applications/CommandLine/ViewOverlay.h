@@ -27,6 +27,8 @@ public:
   vtkSliderWidget* Slider() const; ///< null where the isovalue cannot be changed
   double SliderValue() const;
   void SetSliderValue(double value);
+  /// So that it is hit where the window has it: a frame may have drawn it for a part of the window.
+  void PlaceSlider();
   void SetText(const std::string& text);
   /// "isovalue 226 HU".
   std::string IsoValueText(double value) const;

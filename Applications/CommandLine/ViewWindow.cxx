@@ -8,6 +8,7 @@
 #include "ViewFrames.h"
 #include "ViewKeys.h"
 #include "ViewOverlay.h"
+#include "ViewPointer.h"
 #include "ViewStyle.h"
 
 #include "vtkCommand.h"
@@ -31,6 +32,7 @@ struct ViewWindow::Parts
   vtkRenderWindowInteractor* interactor;
   ViewSettings settings;
   ViewOverlay overlay;
+  ViewPointer pointer;
   vtkNew<ViewStyle> style;
 
   std::string answer; ///< to the last key
@@ -46,6 +48,7 @@ struct ViewWindow::Parts
       interactor(interactor_),
       settings(settings_),
       overlay(scene_.Renderer(), interactor_, settings_),
+      pointer(interactor_, settings_.eyes, [this] { this->overlay.PlaceSlider(); }),
       frames(scene_, window_, interactor_, settings_.eyes,
         { [this] { this->overlay.SetText(this->Text()); }, [this] { this->Close(); },
           settings_.sayWarning })
@@ -146,7 +149,7 @@ struct ViewWindow::Parts
   }
   void Pick()
   {
-    const int* at = this->interactor->GetEventPosition();
+    const auto at = this->pointer.WindowPixel();
     this->answer = PickText(this->scene, at[0], at[1], this->settings.eyes);
   }
   void Save()

@@ -91,6 +91,8 @@ struct StereoDesk
       this->renderer, this->window, this->choices, std::move(tracker), this->right);
     ViewSettings view;
     view.eyes = this->eyes.get();
+    view.range = { 40.0, 100.0 };
+    view.isoValue = 80.0;
     view.sayWarning = [this](const std::string& text) { this->said.push_back(text); };
     this->view = std::make_unique<ViewWindow>(*this->scene, this->window, this->interactor, view);
     this->interactor->Initialize();
@@ -111,6 +113,11 @@ struct StereoDesk
     int id = this->lastTimer;
     this->interactor->InvokeEvent(vtkCommand::TimerEvent, &id);
     return true;
+  }
+  void Mouse(int x, int y, unsigned long event)
+  {
+    this->interactor->SetEventInformation(x, y, 0, 0, 0);
+    this->interactor->InvokeEvent(event);
   }
   /// Millimetres of the world in one of the room: the screen is as high as the view.
   double Scale() const

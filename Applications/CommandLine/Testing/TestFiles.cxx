@@ -37,6 +37,32 @@ protected:
   fs::path folder;
 };
 
+TEST_F(Files, OneFileIsFoundUnderAnyOfItsNames)
+{
+  const std::string one = this->Path("x.png");
+  const auto same = [&](const std::string& other)
+  {
+    try
+    {
+      hasp::RequireDifferent(one, other, "--a and --b");
+      return false;
+    }
+    catch (const hasp::Failure& failed)
+    {
+      return std::string(failed.what()).find("--a and --b are one file") != std::string::npos;
+    }
+  };
+  EXPECT_TRUE(same(one)); // not there yet
+  EXPECT_TRUE(same(this->Path("./x.png")));
+  EXPECT_TRUE(same(fs::relative(one).string()));
+  EXPECT_FALSE(same(this->Path("y.png")));
+  fs::create_directory_symlink(this->folder, this->folder / "again");
+  EXPECT_TRUE(same(this->Path("again/x.png")));
+  std::ofstream(one) << "x";
+  fs::create_hard_link(one, this->folder / "y.png");
+  EXPECT_TRUE(same(this->Path("y.png")));
+}
+
 TEST_F(Files, WhatCannotBeWrittenLeavesNothing)
 {
   EXPECT_THROW(hasp::RequireWritable(this->Path("none/x.png"), {}), hasp::Failure);

@@ -171,18 +171,6 @@ TEST_F(HaspRender, TheLayoutMakesTheSize)
   }
 }
 
-TEST_F(HaspRender, AScreenMakesTheShapeAndASketchIsDrawn)
-{
-  this->Phantom();
-  const HaspRun run = RunHasp({ "render", this->Path("head.mha"), "--isovalue", "226", "--stereo",
-    "side-by-side", "--screen", "400x100", "--eye-separation", "60", "--head-position", "50,0,500",
-    "--life-size", "--mirror", "horizontal", "--eye-resolution", "half", "--sketch",
-    this->Path("sketch.png"), "--output", this->Path("out.png") });
-  ASSERT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_EQ(this->Size("out.png"), std::make_pair(3200, 800)); // two halves of 4 to 1
-  EXPECT_EQ(this->Size("sketch.png"), std::make_pair(1200, 720));
-}
-
 TEST_F(HaspRender, EyesThatCannotBeAreToldAndNothingIsWritten)
 {
   this->Phantom();
@@ -196,6 +184,8 @@ TEST_F(HaspRender, EyesThatCannotBeAreToldAndNothingIsWritten)
   fail({ "--sketch", this->Path("s.png") }, "--screen");
   fail({ "--eye-separation", "63" }, "--screen");
   fail({ "--screen", "520x320", "--sketch", this->Path("s.jpg") }, ".png");
+  fail({ "--screen", "520x320", "--sketch", this->Path("./out.png") },
+    "--sketch and --output are one file");
   EXPECT_EQ(this->Names(), (Words{ "head.mha" }));
 }
 

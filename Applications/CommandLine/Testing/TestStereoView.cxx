@@ -62,6 +62,20 @@ TEST(StereoView, LifeSizeIsLifeSize)
   EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
 }
 
+TEST(StereoView, TheSketchShowsTheContentIfThereIsAny)
+{
+  StereoDesk desk("side-by-side");
+  const std::string nothing = desk.eyes->SketchPng(std::nullopt);
+  const std::string ball = desk.eyes->SketchPng(desk.scene->Content());
+  EXPECT_EQ(nothing.substr(1, 3), "PNG");
+  EXPECT_NE(ball, nothing);
+  ContentBox volume{ { -48, 48, -48, 48, -48, 48 }, false };
+  const std::string larger = desk.eyes->SketchPng(volume);
+  EXPECT_NE(larger, ball);
+  volume.ofVolume = true;
+  EXPECT_NE(desk.eyes->SketchPng(volume), larger); // and says so
+}
+
 TEST(StereoView, AHeadMovesThePictureWhenItMovedFarEnough)
 {
   StereoDesk desk("left", std::make_unique<HandHeld>());
@@ -180,11 +194,6 @@ TEST(StereoView, WithATrackerItIsAskedAndOnlyAHeadThatMovedIsDrawn)
 TEST(StereoView, TheMouseIsTheHeadUnlessItDrags)
 {
   StereoDesk desk("mono", std::make_unique<MouseHeadPose>());
-  const auto mouse = [&](int x, int y, unsigned long event)
-  {
-    desk.interactor->SetEventInformation(x, y, 0, 0, 0);
-    desk.interactor->InvokeEvent(event);
-  };
   /// The head comes there, in the tracker's own time; five seconds are many times that.
   const auto comes = [&](const glm::dvec3& place)
   {
@@ -198,12 +207,12 @@ TEST(StereoView, TheMouseIsTheHeadUnlessItDrags)
     } while (glm::length(at - place) > 0.2 && SteadySeconds() - start < 5.0);
     EXPECT_LT(glm::length(at - place), 0.2) << at.x << " " << at.y << " " << at.z;
   };
-  mouse(100, 75, vtkCommand::MouseMoveEvent);
+  desk.Mouse(100, 75, vtkCommand::MouseMoveEvent);
   comes({ 0.0, 0.0, 600.0 });
-  mouse(150, 75, vtkCommand::MouseMoveEvent); // half of 250 mm
+  desk.Mouse(150, 75, vtkCommand::MouseMoveEvent); // half of 250 mm
   comes({ 125.0, 0.0, 600.0 });
-  mouse(150, 75, vtkCommand::LeftButtonPressEvent);
-  mouse(20, 20, vtkCommand::MouseMoveEvent);
+  desk.Mouse(150, 75, vtkCommand::LeftButtonPressEvent);
+  desk.Mouse(20, 20, vtkCommand::MouseMoveEvent);
   comes({ 125.0, 0.0, 600.0 });
 }
 

@@ -36,6 +36,32 @@ TEST_P(ViewMapper, ShowsTheIsosurfaceAndFollowsItsValue)
     EXPECT_NEAR((*hit)[a], at[a] * 26.0 / far, 0.15) << a;
   EXPECT_FALSE(desk.scene->Pick({ 90, 0, 0 }, { 90, 50, 0 }));
 }
+
+/// A ball of 20 mm in a volume of 64 x 64 x 96 mm, in cells of 2 x 2 x 3 mm half a radian askew.
+TEST_P(ViewMapper, TheContentIsWhatIsShownNotTheVolume)
+{
+  Desk desk(GetParam());
+  const auto content = desk.scene->Content();
+  ASSERT_TRUE(content);
+  if (GetParam() == "vtk" && !HASP_WITH_CELLS)
+  {
+    EXPECT_TRUE(content->ofVolume);
+    EXPECT_GT(content->bounds[5], 45.0);
+    return;
+  }
+  EXPECT_FALSE(content->ofVolume);
+  const double cell = GetParam() == "mesh" ? 0.0 : 3.0; // mm, along an axis of the world
+  for (int side = 0; side < 6; ++side)
+  {
+    const double reach = side % 2 ? content->bounds[side] : -content->bounds[side];
+    EXPECT_GT(reach, 20.0 - 0.15) << side;
+    EXPECT_LT(reach, 20.0 + cell + 0.15) << side;
+  }
+  desk.Press("Next"); // 26 mm
+  EXPECT_NEAR(desk.scene->Content()->bounds[5], 26.0 + 0.5 * cell, 0.5 * cell + 0.15);
+  desk.scene->SetIsoValue(1e4);
+  EXPECT_FALSE(desk.scene->Content());
+}
 INSTANTIATE_TEST_SUITE_P(Each, ViewMapper, ::testing::ValuesIn(SurfaceMappers()));
 
 TEST(ViewWindow, TheSurfaceFollowsTheSliderWhileItIsDragged)

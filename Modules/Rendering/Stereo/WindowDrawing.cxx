@@ -210,8 +210,8 @@ void WindowDrawing::Draw(const ViewedScene& scene)
   view.Draw(views[eye == StereoEye::Right], eye, hasp::GridOfEye(this->Set.output, size, eye));
 }
 
-bool WindowDrawing::FindRay(
-  const ViewedScene& scene, glm::ivec2 pixel, glm::dvec3& eye, glm::dvec3& through)
+std::optional<WindowDrawing::Position> WindowDrawing::FindPosition(
+  const ViewedScene& scene, glm::ivec2 pixel)
 {
   vtkRenderer* renderer = this->RendererFor(scene);
   const glm::ivec2 size = ViewportSize(renderer);
@@ -219,7 +219,7 @@ bool WindowDrawing::FindRay(
   renderer->GetTiledSizeAndOrigin(&unused.x, &unused.y, &origin.x, &origin.y);
   pixel -= origin;
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
-    return false;
+    return std::nullopt;
   const hasp::EyePixel from = hasp::EyePixelAt(this->Set.output, size, pixel);
   const hasp::EyeView view = this->Views(scene, size)[from.eye == StereoEye::Right];
   const hasp::EyeGrid grid = hasp::GridOfEye(this->Set.output, size, from.eye);
@@ -230,9 +230,7 @@ bool WindowDrawing::FindRay(
     const glm::dvec2 half(view.aspect, 1.0);
     device = hasp::SeenThroughLens(*this->Set.lens, from.eye, green, device * half) / half;
     if (std::abs(device.x) > 1.0 || std::abs(device.y) > 1.0)
-      return false;
+      return std::nullopt;
   }
-  eye = view.position;
-  through = hasp::PointOnScreen(view, (device - grid.shift) / grid.scale);
-  return true;
+  return Position{ from.eye, view, (device - grid.shift) / grid.scale };
 }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 class BorrowedView;
@@ -39,8 +40,15 @@ public:
   void ChangeSettings(const hasp::StereoWindow& settings);
 
   void Draw(const ViewedScene& scene);
-  /// As GetRay of the class; false where there is nothing to see.
-  bool FindRay(const ViewedScene& scene, glm::ivec2 pixel, glm::dvec3& eye, glm::dvec3& through);
+  /// A place in an eye's view: (-1,-1) lower left, (1,1) upper right.
+  struct Position
+  {
+    hasp::StereoEye eye;
+    hasp::EyeView view;
+    glm::dvec2 device;
+  };
+  /// What a pixel shows; none where there is nothing to see.
+  std::optional<Position> FindPosition(const ViewedScene& scene, glm::ivec2 pixel);
 
   const StereoOutputPass& Pass() const { return this->Output; }
   double SecondEyeMilliseconds() const { return this->SecondEye; }

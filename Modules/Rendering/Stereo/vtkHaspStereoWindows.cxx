@@ -189,14 +189,38 @@ bool vtkHaspStereoWindows::GetRay(
     return false;
   try
   {
-    glm::dvec3 from, to;
-    if (!drawing->FindRay(this->Self->Scene(this->EyeAngle), { x, y }, from, to))
+    const auto at = drawing->FindPosition(this->Self->Scene(this->EyeAngle), { x, y });
+    if (!at)
       return false;
+    const glm::dvec3 to = hasp::PointOnScreen(at->view, at->device);
     for (int axis = 0; axis < 3; ++axis)
     {
-      eye[axis] = from[axis];
+      eye[axis] = at->view.position[axis];
       through[axis] = to[axis];
     }
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+}
+
+bool vtkHaspStereoWindows::GetPositionInView(
+  vtkRenderWindow* window, int x, int y, hasp::StereoEye& eye, double device[2])
+{
+  WindowDrawing* drawing = this->Self->Find(window);
+  if (!window || !drawing)
+    return false;
+  try
+  {
+    const auto at = drawing->FindPosition(this->Self->Scene(this->EyeAngle), { x, y });
+    if (!at)
+      return false;
+    eye = at->eye;
+    device[0] = at->device.x;
+    device[1] = at->device.y;
     return true;
   }
   catch (const std::exception& error)

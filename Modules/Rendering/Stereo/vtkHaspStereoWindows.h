@@ -17,6 +17,7 @@ namespace hasp
 {
 struct StereoHead;
 struct StereoWindow;
+enum class StereoEye;
 }
 
 /**
@@ -98,6 +99,12 @@ public:
   bool GetRay(vtkRenderWindow* window, int x, int y, double eye[3], double through[3]);
 
 #ifndef __VTK_WRAP__
+  /** Where a window's pixel lies in the view of the eye whose pixel it is, through mirror and lens:
+   * (-1, -1) lower left, (1, 1) upper right. For what is hit-tested in the view (widgets). False
+   * as GetRay. */
+  bool GetPositionInView(
+    vtkRenderWindow* window, int x, int y, hasp::StereoEye& eye, double device[2]);
+
   /** "second eye", "eye pictures", "lens tables": bytes of textures of all windows; milliseconds of
    * the second eyes' last frames. All 0, with a reason, where nothing asks for them. */
   void ListResources(hasp::ResourceList& resources) const;

@@ -289,6 +289,25 @@ TEST(StereoWindows, ARaySeesWhatThePixelShows)
   EXPECT_FALSE(scene.Windows->GetRay(MakeWindow(Size), 10, 10, eye, through));
 }
 
+TEST(StereoWindows, KnowsWhereAPixelLiesInItsEyesView)
+{
+  BallsScene scene;
+  auto window = MakeWindow({ 300, 200 });
+  window->AddRenderer(scene.Renderer);
+  hasp::StereoWindow settings;
+  settings.output = { hasp::StereoLayout::SideBySide, hasp::StereoResolution::Full,
+    hasp::MirrorFlip::Horizontal };
+  ASSERT_TRUE(scene.Windows->AddWindow(window, settings));
+  hasp::StereoEye eye = hasp::StereoEye::Left;
+  double device[2];
+  ASSERT_TRUE(scene.Windows->GetPositionInView(window, 180, 50, eye, device));
+  EXPECT_EQ(eye, hasp::StereoEye::Right);
+  EXPECT_NEAR(device[0], 1.0 - 2.0 * 30.5 / 150.0, 1e-12); // turned over within its half
+  EXPECT_NEAR(device[1], 2.0 * 50.5 / 200.0 - 1.0, 1e-12);
+  EXPECT_FALSE(scene.Windows->GetPositionInView(window, 300, 50, eye, device));
+  EXPECT_FALSE(scene.Windows->GetPositionInView(nullptr, 10, 50, eye, device));
+}
+
 TEST(StereoWindows, MayBeDeletedInAnyOrder)
 {
   for (int order = 0; order < 4; ++order)
