@@ -145,25 +145,54 @@ std::vector<Seen> SortByDepth(const std::vector<Seen>& seen)
   return sorted;
 }
 
+/// What one view sees, of clusters that come in the order of their numbers.
+struct View
+{
+  Classifier classifier;
+  std::vector<Seen> seen;
+
+  void Add(std::uint32_t cluster, const glm::dvec3& origin)
+  {
+    const Primitive primitive = this->classifier.Of(origin);
+    if (primitive != Primitive::None)
+      this->seen.push_back({ cluster, primitive, this->classifier.Depth(origin) });
+  }
+
+  VisibleClusters Visible(std::size_t clusters) const
+  {
+    VisibleClusters visible;
+    visible.culled = clusters - this->seen.size();
+    for (const Seen& s : SortByDepth(this->seen))
+      (s.primitive == Primitive::Point ? visible.points : visible.rectangles).push_back(s.cluster);
+    return visible;
+  }
+};
+
 } // namespace
+
+std::vector<VisibleClusters> CullClusters(const ClusteredCells& cells,
+  std::span<const glm::dmat4> indexToClip, const glm::ivec2& viewport, double pointLimit,
+  double margin)
+{
+  std::vector<View> views;
+  for (const glm::dmat4& matrix : indexToClip)
+    views.push_back({ Classifier(matrix, viewport, pointLimit, margin), {} });
+  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
+  {
+    const glm::dvec3 origin(cells.clusters[c].Origin());
+    for (View& view : views)
+      view.Add(static_cast<std::uint32_t>(c), origin);
+  }
+  std::vector<VisibleClusters> visible;
+  for (const View& view : views)
+    visible.push_back(view.Visible(cells.clusters.size()));
+  return visible;
+}
 
 VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
   const glm::ivec2& viewport, double pointLimit, double margin)
 {
-  const Classifier classifier(indexToClip, viewport, pointLimit, margin);
-  std::vector<Seen> seen;
-  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
-  {
-    const glm::dvec3 origin(cells.clusters[c].Origin());
-    const Primitive primitive = classifier.Of(origin);
-    if (primitive != Primitive::None)
-      seen.push_back({ static_cast<std::uint32_t>(c), primitive, classifier.Depth(origin) });
-  }
-  VisibleClusters visible;
-  visible.culled = cells.clusters.size() - seen.size();
-  for (const Seen& s : SortByDepth(seen))
-    (s.primitive == Primitive::Point ? visible.points : visible.rectangles).push_back(s.cluster);
-  return visible;
+  return CullClusters(cells, std::span(&indexToClip, 1), viewport, pointLimit, margin).front();
 }
 
 std::uint32_t UnseenState(const CellCluster& cluster)

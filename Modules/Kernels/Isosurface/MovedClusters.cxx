@@ -7,6 +7,39 @@
 namespace hasp
 {
 
+namespace
+{
+
+enum State : std::uint8_t
+{
+  Hidden,
+  Point,
+  Rectangle
+};
+
+using States = std::vector<State>; ///< by cluster
+
+void Join(States& states, const VisibleClusters& seen, std::span<const std::uint32_t> numbers)
+{
+  for (const std::uint32_t n : seen.points)
+    states[numbers[n]] = std::max(states[numbers[n]], Point);
+  for (const std::uint32_t n : seen.rectangles)
+    states[numbers[n]] = Rectangle;
+}
+
+VisibleClusters VisibleOf(const States& states)
+{
+  VisibleClusters visible;
+  for (std::uint32_t c = 0; c < states.size(); ++c)
+    if (states[c] == Hidden)
+      ++visible.culled;
+    else
+      (states[c] == Point ? visible.points : visible.rectangles).push_back(c);
+  return visible;
+}
+
+} // namespace
+
 MovedClusters::MovedClusters(
   const ClusteredCells& cells, std::span<const std::uint32_t> moveOfLabel, std::size_t moveCount)
   : Groups(moveCount),
@@ -42,34 +75,32 @@ VisibleClusters MovedClusters::Cull(const glm::dmat4& indexToClip,
   std::span<const glm::dmat4> moves, const glm::ivec2& viewport, double pointLimit,
   double margin) const
 {
+  return this->Cull(std::span(&indexToClip, 1), moves, viewport, pointLimit, margin).front();
+}
+
+std::vector<VisibleClusters> MovedClusters::Cull(std::span<const glm::dmat4> indexToClip,
+  std::span<const glm::dmat4> moves, const glm::ivec2& viewport, double pointLimit,
+  double margin) const
+{
   if (moves.size() != this->Groups.size())
     throw std::invalid_argument("MovedClusters: " + std::to_string(moves.size()) + " moves, not " +
                                 std::to_string(this->Groups.size()));
-  enum : std::uint8_t
-  {
-    Hidden,
-    Point,
-    Rectangle
-  };
-  std::vector<std::uint8_t> states(this->ClusterCount, Hidden);
+  std::vector<States> ofViews(indexToClip.size(), States(this->ClusterCount, Hidden));
   for (std::size_t m = 0; m < moves.size(); ++m)
   {
     const Group& group = this->Groups[m];
     if (group.numbers.empty()) // a label that no cell has
       continue;
-    const VisibleClusters seen =
-      CullClusters(group.cells, indexToClip * moves[m], viewport, pointLimit, margin);
-    for (const std::uint32_t n : seen.points)
-      states[group.numbers[n]] = std::max<std::uint8_t>(states[group.numbers[n]], Point);
-    for (const std::uint32_t n : seen.rectangles)
-      states[group.numbers[n]] = Rectangle;
+    std::vector<glm::dmat4> moved;
+    for (const glm::dmat4& matrix : indexToClip)
+      moved.push_back(matrix * moves[m]);
+    const auto seen = CullClusters(group.cells, moved, viewport, pointLimit, margin);
+    for (std::size_t v = 0; v < seen.size(); ++v)
+      Join(ofViews[v], seen[v], group.numbers);
   }
-  VisibleClusters visible;
-  for (std::uint32_t c = 0; c < this->ClusterCount; ++c)
-    if (states[c] == Hidden)
-      ++visible.culled;
-    else
-      (states[c] == Point ? visible.points : visible.rectangles).push_back(c);
+  std::vector<VisibleClusters> visible;
+  for (const States& states : ofViews)
+    visible.push_back(VisibleOf(states));
   return visible;
 }
 

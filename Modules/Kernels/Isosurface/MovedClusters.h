@@ -26,6 +26,11 @@ public:
   VisibleClusters Cull(const glm::dmat4& indexToClip, std::span<const glm::dmat4> moves,
     const glm::ivec2& viewport, double pointLimit, double margin = 0.0) const;
 
+  /// The same for several views, as CullClusters.
+  std::vector<VisibleClusters> Cull(std::span<const glm::dmat4> indexToClip,
+    std::span<const glm::dmat4> moves, const glm::ivec2& viewport, double pointLimit,
+    double margin = 0.0) const;
+
   std::size_t Bytes() const;
 
 private:

@@ -122,11 +122,10 @@ void AttributeBuffers::Release()
   *this = {};
 }
 
-hasp::VisibleClusters AttributeBuffers::Cull(
-  const CellScene& scene, double pointLimit, double margin) const
+std::vector<hasp::VisibleClusters> AttributeBuffers::Cull(std::span<const glm::dmat4> indexToClip,
+  const glm::ivec2& viewport, double pointLimit, double margin) const
 {
-  return this->Clusters.Cull(
-    scene.indexToClip, this->Frames.moves, scene.viewportSize, pointLimit, margin);
+  return this->Clusters.Cull(indexToClip, this->Frames.moves, viewport, pointLimit, margin);
 }
 
 std::size_t AttributeBuffers::LabelBytes() const

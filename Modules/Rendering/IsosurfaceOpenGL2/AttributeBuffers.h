@@ -41,8 +41,9 @@ public:
   bool Colored() const { return this->Colors.Bytes() > 0; }
   /// Colours are places in a table.
   bool Tabled() const { return this->ColorTable.Bytes() > 0; }
-  /// The clusters in view, if Moved.
-  hasp::VisibleClusters Cull(const CellScene& scene, double pointLimit, double margin) const;
+  /// The clusters in each view, if Moved.
+  std::vector<hasp::VisibleClusters> Cull(std::span<const glm::dmat4> indexToClip,
+    const glm::ivec2& viewport, double pointLimit, double margin) const;
   std::size_t LabelBytes() const;
   std::size_t ColorBytes() const;
 

@@ -48,6 +48,7 @@ void CellContext::BeginFrame()
 {
   this->FrameBefore = this->Frame;
   this->Frame.Modified();
+  this->Eyes.BeginFrame();
 }
 
 void CellContext::Free(vtkOpenGLRenderWindow* window)
@@ -65,6 +66,7 @@ void CellContext::Free(vtkOpenGLRenderWindow* window)
   this->Attributes = {};
   this->Blending = {};
   this->Culling = {};
+  this->Eyes = {};
   this->Traced = {};
 }
 

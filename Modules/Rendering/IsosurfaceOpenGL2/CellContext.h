@@ -4,6 +4,7 @@
 #include "AttributeBuffers.h"
 #include "CellBuffers.h"
 #include "CellProgram.h"
+#include "EyeCulling.h"
 #include "NormalBlending.h"
 #include "OcclusionCulling.h"
 #include "OpenGLVersion.h"
@@ -48,6 +49,7 @@ public:
   NormalBlending Blending;
   CellProgram Program;
   OcclusionCulling Culling;
+  EyeCulling Eyes;
   TracedCells Traced;
   const OpenGLVersion Version;
   const bool SoftwareOpenGL;

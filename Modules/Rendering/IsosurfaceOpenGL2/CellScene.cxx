@@ -3,6 +3,8 @@
 #include "Grid/GridGeometry.h"
 #include "HaspGL.h"
 
+#include "vtkHaspStereoPair.h"
+
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -92,6 +94,9 @@ CellScene::CellScene(vtkMapper* mapper, const hasp::GridGeometry& geometry, doub
   const glm::dmat4 indexToWorld = IndexToWorld(actor, geometry);
   this->indexToView = worldToView * indexToWorld;
   this->indexToClip = glm::dmat4(glm::make_mat4(clip->GetData())) * indexToWorld;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (const auto pair = hasp::StereoPairOf(camera->GetInformation()))
+    this->otherIndexToClip = (camera->GetLeftEye() ? pair->right : pair->left) * indexToWorld;
   this->parallelProjection = renderer->GetActiveCamera()->GetParallelProjection();
   this->isovalue = static_cast<float>(isoValue);
   GLint viewport[4];

@@ -27,6 +27,8 @@ class vtkShaderProgram;
 struct CellScene
 {
   glm::dmat4 indexToClip, indexToView;
+  /// indexToClip of the eye that is not drawn now, where a rig says it (vtkHaspStereoPair.h).
+  std::optional<glm::dmat4> otherIndexToClip;
   bool parallelProjection;
   glm::ivec2 viewportOrigin, viewportSize; ///< pixels of the window
   std::vector<glm::dvec4> planes;          ///< in index coordinates; the near plane first

@@ -185,14 +185,24 @@ struct vtkHaspOpenGLClusteredCellMapper::Pass
   vtkHardwareSelector* selector;
 };
 
+/// The clusters in view; for the other eye of a rig, too, whose frame then finds them.
 CellDraws vtkHaspOpenGLClusteredCellMapper::InView(const Pass& pass, double margin)
 {
-  const AttributeBuffers& attributes = pass.context.Attributes;
+  CellContext& context = pass.context;
   const CellScene& scene = pass.scene;
-  return CellDraws(attributes.Moved() ? attributes.Cull(scene, LargestPoint(), margin)
-                                      : CullClusters(this->GetCells(), scene.indexToClip,
-                                          scene.viewportSize, LargestPoint(), margin),
-    pass.context.Buffers.Parts());
+  const double pointLimit = LargestPoint();
+  const auto cull = [&](std::span<const glm::dmat4> views)
+  {
+    return context.Attributes.Moved()
+             ? context.Attributes.Cull(views, scene.viewportSize, pointLimit, margin)
+             : CullClusters(this->GetCells(), views, scene.viewportSize, pointLimit, margin);
+  };
+  if (!scene.otherIndexToClip)
+    return CellDraws(cull(std::span(&scene.indexToClip, 1)).front(), context.Buffers.Parts());
+  const EyeCulling::View view{ scene.indexToClip, scene.viewportSize, pointLimit, margin,
+    std::max(this->GetCellsTime(), this->GetAttributesTime()), this->GetLabelsTime() };
+  return CellDraws(
+    context.Eyes.Visible(view, *scene.otherIndexToClip, cull), context.Buffers.Parts());
 }
 
 vtkShaderProgram* vtkHaspOpenGLClusteredCellMapper::ReadyProgram(const Pass& pass, CellPass what)

@@ -367,7 +367,10 @@ void vtkHaspOpenGLRayCachingMapper::CastRays(const Pass& pass, const CellScene& 
   std::vector<hasp::SampledEye> seen{ { { scene.indexToClip, scene.viewportSize, scene.planes },
     eye.Depth(scene.viewportSize), eye.Number } };
   ViewerEye* second = gl.Eyes.SecondOf(eye);
-  const auto beside = second ? second->Beside(eye, scene.indexToClip) : std::nullopt;
+  // VTK's own stereo does not say where the second eye will be.
+  const auto beside = !second                  ? std::nullopt
+                      : scene.otherIndexToClip ? scene.otherIndexToClip
+                                               : second->Beside(eye, scene.indexToClip);
   if (beside)
   {
     const bool drawn = second->GetDepthSize() != glm::ivec2(0);

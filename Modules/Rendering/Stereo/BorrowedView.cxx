@@ -2,12 +2,18 @@
 #include "DrawnEye.h"
 
 #include "vtkHaspStereoCamera.h"
+#include "vtkHaspStereoPair.h"
 
 #include "vtkCamera.h"
 #include "vtkHomogeneousTransform.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include <stdexcept>
 
@@ -20,6 +26,9 @@ BorrowedView::BorrowedView(vtkRenderer* r, vtkCamera* of)
     swapBuffers(window->GetSwapBuffers())
 {
   this->eyeCamera->DeepCopy(of);
+  vtkNew<vtkInformation> information; // the pair is not the scene's camera's
+  information->Copy(of->GetInformation());
+  this->eyeCamera->SetInformation(information);
   r->GetTiledSizeAndOrigin(&this->size.x, &this->size.y, &this->origin.x, &this->origin.y);
   glm::dvec4 own;
   r->GetViewport(&own.x);
@@ -70,14 +79,40 @@ void BorrowedView::SetViewports(glm::ivec2 pixels)
   }
 }
 
-void BorrowedView::Draw(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
+void BorrowedView::Aim(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
 {
   this->eyeCamera->SetUserTransform(this->settings->GetUserTransform()); // not the last eye's
   hasp::SetCameraToView(this->eyeCamera, view, eye, grid);
   if (grid.size != this->size)
     this->SetViewports(grid.size);
-  const DrawnEye drawn(this->renderer, eye == hasp::StereoEye::Left);
   this->renderer->ResetCameraClippingRange();
+}
+
+/// Multiplied as vtkOpenGLCamera does, so that it is the frame's matrix to the last bit. That class
+/// is not asked: it would keep a matrix from before the frame.
+glm::dmat4 BorrowedView::WorldToClip() const
+{
+  vtkNew<vtkMatrix4x4> clip;
+  vtkMatrix4x4::Multiply4x4(
+    this->eyeCamera->GetProjectionTransformMatrix(this->renderer->GetTiledAspectRatio(), -1, 1),
+    this->eyeCamera->GetModelViewTransformMatrix(), clip);
+  return glm::transpose(glm::make_mat4(clip->GetData()));
+}
+
+void BorrowedView::Announce(const Eye& left, const Eye& right)
+{
+  hasp::StereoPair pair;
+  this->Aim(right.view, hasp::StereoEye::Right, right.grid);
+  pair.right = this->WorldToClip();
+  this->Aim(left.view, hasp::StereoEye::Left, left.grid);
+  pair.left = this->WorldToClip();
+  hasp::SetStereoPair(this->eyeCamera->GetInformation(), pair);
+}
+
+void BorrowedView::Draw(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
+{
+  this->Aim(view, eye, grid);
+  const DrawnEye drawn(this->renderer, eye == hasp::StereoEye::Left);
   this->window->Render();
 }
 

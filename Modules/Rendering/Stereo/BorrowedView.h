@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -27,8 +28,17 @@ public:
   BorrowedView(const BorrowedView&) = delete;
   BorrowedView& operator=(const BorrowedView&) = delete;
 
-  /// Draws one eye, `grid.size` pixels from the lower left one of the viewport on. What lies in
-  /// the renderer's viewport (texts, other layers) is squeezed along.
+  /// What an eye sees, and where: `grid.size` pixels from the lower left one of the viewport on.
+  struct Eye
+  {
+    hasp::EyeView view;
+    hasp::EyeGrid grid;
+  };
+  /// Before both eyes are drawn: tells mappers what each will see (vtkHaspStereoPair.h), so that
+  /// they do for both at once what they can. Without it each frame is one of its own.
+  void Announce(const Eye& left, const Eye& right);
+
+  /// Draws one eye. What lies in the renderer's viewport (texts, other layers) is squeezed along.
   void Draw(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid);
 
   /// From now on a frame swaps again, if the window did before, and viewports are whole.
@@ -38,6 +48,8 @@ public:
   glm::ivec2 Size() const { return this->size; }     ///< of the viewport; >= 0
 
 private:
+  void Aim(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid);
+  glm::dmat4 WorldToClip() const;
   void SetViewports(glm::ivec2 pixels);
 
   struct Kept

@@ -151,9 +151,10 @@ void WindowDrawing::DrawEyes(
 {
   const hasp::StereoOutput& output = this->Set.output;
   const PixelRectangle target{ view.Origin(), view.Size() };
+  const auto gridOf = [&](StereoEye eye) { return hasp::GridOfEye(output, target.size, eye); };
   const auto draw = [&](StereoEye eye)
   {
-    const hasp::EyeGrid grid = hasp::GridOfEye(output, target.size, eye);
+    const hasp::EyeGrid grid = gridOf(eye);
     view.Draw(views[eye == StereoEye::Right], eye, grid);
     window->MakeCurrent();
     this->Output.Keep(window, eye, { target.origin, grid.size });
@@ -161,6 +162,8 @@ void WindowDrawing::DrawEyes(
   };
   const bool both = hasp::NeedsSecondEye(output.layout);
   const bool rightAlone = output.layout == StereoLayout::Right;
+  if (both)
+    view.Announce({ views[0], gridOf(StereoEye::Left) }, { views[1], gridOf(StereoEye::Right) });
   const glm::ivec2 eyeSize = draw(rightAlone ? StereoEye::Right : StereoEye::Left);
   if (both)
   {

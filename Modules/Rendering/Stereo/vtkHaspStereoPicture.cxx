@@ -168,6 +168,11 @@ vtkSmartPointer<vtkImageData> vtkHaspStereoPicture::Render()
     BorrowedView view(self.renderer, self.renderer->GetActiveCamera());
     const auto draw = [&](hasp::StereoEye eye)
     { return Draw(view, self.renderer, rig, eye, hasp::GridOfEye(output, size, eye)); };
+    const auto eyeOf = [&](hasp::StereoEye eye) {
+      return BorrowedView::Eye{ hasp::ViewOfEye(rig, eye), hasp::GridOfEye(output, size, eye) };
+    };
+    if (two)
+      view.Announce(eyeOf(hasp::StereoEye::Left), eyeOf(hasp::StereoEye::Right));
     const bool rightAlone = output.layout == hasp::StereoLayout::Right;
     const auto left = rightAlone ? nullptr : draw(hasp::StereoEye::Left);
     if (rightAlone)
