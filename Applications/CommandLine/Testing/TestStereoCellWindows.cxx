@@ -6,8 +6,10 @@
 #include "vtkHaspStereoWindows.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -18,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <vector>
 
 namespace
@@ -102,6 +105,50 @@ TEST(StereoCellWindows, ClusteredCellsAreInEach)
 TEST(StereoCellWindows, CachedRaysAreInEach)
 {
   ExpectTheSameInEach<vtkHaspRayCachingMapper>(25); // until the cache holds what eyes see
+}
+
+/// How often clusters were culled where a pair of eyes is drawn.
+int Passes(vtkHaspClusteredCellMapper* mapper)
+{
+  hasp::ResourceList list;
+  mapper->ListResources(list);
+  for (const hasp::ResourceUse& use : list)
+    if (use.resource == "clusters both eyes see")
+      return std::atoi(use.reason.c_str()); // "one eye": 0
+  ADD_FAILURE() << "no such resource";
+  return -1;
+}
+
+/// Each eye's frame has, to the last bit, the matrix that was said before.
+TEST(StereoCellWindows, CellsAreCulledOnceForBothEyes)
+{
+  for (const auto layout : { hasp::StereoLayout::SideBySide, hasp::StereoLayout::Anaglyph,
+         hasp::StereoLayout::Interlaced, hasp::StereoLayout::Left })
+  {
+    vtkNew<vtkHaspClusteredCellMapper> mapper;
+    mapper->SetInputData(Ball());
+    mapper->SetIsoValue(0.0);
+    mapper->SetRendererToRasterize();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->RotateWXYZ(20, 1, 2, 3);
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddActor(actor);
+    renderer->ResetCamera(0, 23, 0, 23, 0, 23);
+    const auto window = MakeWindow(120);
+    vtkNew<vtkHaspStereoWindows> windows;
+    windows->SetRenderer(renderer);
+    windows->AddWindow(window, { { layout, hasp::StereoResolution::Half } });
+    const bool two = hasp::NeedsSecondEye(layout);
+    for (int pair = 0; pair < 6; ++pair)
+    {
+      renderer->GetActiveCamera()->Azimuth(7);
+      renderer->GetActiveCamera()->Roll(3);
+      EXPECT_TRUE(windows->Render());
+      EXPECT_EQ(Passes(mapper), two ? pair + 1 : 0) << hasp::StereoLayoutName(layout);
+    }
+    EXPECT_EQ(renderer->GetActiveCamera()->GetInformation()->GetNumberOfKeys(), 0);
+  }
 }
 
 /// Share of the mesh's pixels that differ, where both eyes share a window's pixels.

@@ -17,6 +17,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -110,7 +111,7 @@ int OcclusionCulling::ViewerOf(const Frame& frame)
       return static_cast<int>(v);
   const std::size_t viewer = this->NextViewer++ % hasp::glsl::HaspViewers;
   this->Viewers.resize(std::max(this->Viewers.size(), viewer + 1));
-  this->Viewers[viewer] = { frame.renderer, frame.actor };
+  this->Viewers[viewer] = { frame.renderer, frame.actor, false };
   return static_cast<int>(viewer); // what its forerunner saw is a guess like any other
 }
 
@@ -126,8 +127,10 @@ void OcclusionCulling::Draw(const Frame& frame)
   frame.buffers.BindVertexArray();
 
   const int viewer = this->ViewerOf(frame);
+  const bool followsLeft = std::exchange(this->Viewers[viewer].leftEye, frame.leftEye);
+  const bool second = followsLeft && !frame.leftEye;
   for (const DrawRange& range : draws.ranges)
-    this->WriteCommands(frame, range, viewer, false);
+    this->WriteCommands(frame, range, viewer, false, second);
   for (const DrawRange& range : draws.ranges)
     this->DrawCells(frame, range);
   for (std::size_t piece = 0; piece < Pieces; ++piece)
@@ -160,7 +163,7 @@ void OcclusionCulling::Bind(const Frame& frame, const DrawRange& range) const
 }
 
 void OcclusionCulling::WriteCommands(
-  const Frame& frame, const DrawRange& range, int viewer, bool late) const
+  const Frame& frame, const DrawRange& range, int viewer, bool late, bool keep) const
 {
   if (range.count == 0)
     return;
@@ -176,6 +179,7 @@ void OcclusionCulling::WriteCommands(
   set("verticesPerCell", range.VerticesPerCell());
   set("viewer", viewer);
   set("late", late);
+  set("keep", keep);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // what the boxes' fragments wrote
   // A range is of one part: below 2^31 / 3072 clusters, so 5462 groups; OpenGL promises 65535.
   glDispatchCompute(static_cast<GLuint>((range.count + GroupSize - 1) / GroupSize), 1, 1);

@@ -21,6 +21,8 @@ class vtkOpenGLRenderWindow;
 /// Steps 2 and 3 go over the clusters in pieces from front to back, so that a first frame, or one
 /// after a jump of the camera, gains too. What is drawn is decided on the GPU: a compute shader
 /// writes the draw commands, and nothing is read back.
+/// The second eye of a frame in stereo starts from what the first one saw, and tests the boxes of
+/// the other clusters alone.
 ///
 /// A box is grown by more than a pixel and the rounding of depth, so a cluster whose box is hidden
 /// is hidden. Boxes that cross the near plane count as seen. Whatever is in the depth buffer
@@ -36,6 +38,7 @@ public:
   {
     vtkOpenGLRenderWindow* window;
     vtkObject *renderer, *actor;
+    bool leftEye; ///< the one that is drawn first
     const CellScene& scene;
     const CellBuffers& buffers;
     const CellDraws& draws;
@@ -57,13 +60,15 @@ private:
   struct Viewer
   {
     vtkWeakPointer<vtkObject> renderer, actor;
+    bool leftEye = false; ///< of its last frame
   };
   int ViewerOf(const Frame& frame);
   /// Binds what a range needs, and no more, so that no number of clusters is too large for a
   /// storage block: a part's clusters fit one (DivideClusters), at 96 bytes each; here 16 is the
   /// most. Attributes of cells take the same slots while cells are drawn.
   void Bind(const Frame& frame, const DrawRange& range) const;
-  void WriteCommands(const Frame& frame, const DrawRange& range, int viewer, bool late) const;
+  void WriteCommands(
+    const Frame& frame, const DrawRange& range, int viewer, bool late, bool keep = false) const;
   void TestBoxes(const Frame& frame, const DrawRange& range, int viewer) const;
   void DrawCells(const Frame& frame, const DrawRange& range) const;
 

@@ -17,6 +17,8 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   hasp::ResourceUse picture{ "traced picture", tracing.PictureBytes(),
     tracing.PictureMilliseconds(),
     tracing.Ready() ? "in main memory and in each window" : this->GetRendererChoice() };
+  hasp::ResourceUse eyes{ "clusters both eyes see", 0, 0.0, "one eye" };
+  int passes = 0;
   std::size_t lightTextures = 0;
   double shade = 0.0, select = 0.0, traced = 0.0;
   for (const auto& context : this->GL->Contexts)
@@ -32,6 +34,8 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
       culling.milliseconds += context->CullingMilliseconds;
       culling.reason = "state and draw command of each cluster";
     }
+    eyes.bytes += context->Eyes.Bytes();
+    passes += context->Eyes.Passes();
     labels.bytes += context->Attributes.LabelBytes();
     colors.bytes += context->Attributes.ColorBytes();
     blending.bytes += context->Blending.Bytes();
@@ -46,6 +50,9 @@ void vtkHaspOpenGLClusteredCellMapper::ListResources(hasp::ResourceList& list) c
   }
   list.push_back(cells);
   list.push_back(culling);
+  if (eyes.bytes > 0)
+    eyes.reason = std::to_string(passes) + " passes over the clusters so far";
+  list.push_back(eyes);
   if (labels.bytes > 0)
     labels.reason = "labels of cells, their colours and poses";
   if (colors.bytes > 0)

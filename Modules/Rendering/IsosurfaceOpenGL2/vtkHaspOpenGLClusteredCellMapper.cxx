@@ -6,6 +6,7 @@
 #include "SelectionScope.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -229,9 +230,10 @@ void vtkHaspOpenGLClusteredCellMapper::DrawCells(
     program->SetUniformi("firstWord", static_cast<int>(range.part.firstWord));
   };
   if (occlusion)
-    context.UseCulling(cells).Draw(
-      { pass.window, pass.renderer, pass.actor, pass.scene, context.Buffers, draws,
-        [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); }, prepare });
+    context.UseCulling(cells).Draw({ pass.window, pass.renderer, pass.actor,
+      static_cast<bool>(pass.renderer->GetActiveCamera()->GetLeftEye()), pass.scene,
+      context.Buffers, draws, [&] { pass.window->GetShaderCache()->ReadyShaderProgram(program); },
+      prepare });
   else
     context.Buffers.Draw(draws, prepare, context.SoftwareOpenGL);
   context.Attributes.Unbind();

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace
@@ -69,6 +70,51 @@ TEST(ClusterCulling, LosesNoCellThatCanBeSeenAndMakesNoPointThatWouldBeDropped)
   EXPECT_GT(points, 1000U);
   EXPECT_GT(rectangles, 1000U);
   EXPECT_GT(culled, 100U);
+}
+
+/// A pair of eyes: heads tilted and turned, eyes at one place, near and far apart, in the volume.
+std::array<glm::dmat4, 2> RandomEyes(std::mt19937& random, int n)
+{
+  std::uniform_real_distribution<double> any(-30, 100), tilt(-1, 1);
+  const double apart[] = { 0.0, 0.5, 6.0, 150.0 };
+  const glm::dvec3 head(any(random), any(random), any(random));
+  const glm::dvec3 up(tilt(random), tilt(random), tilt(random) + 0.01);
+  const glm::dvec3 right(tilt(random), tilt(random), tilt(random));
+  const auto eye = [&](double side)
+  {
+    return glm::perspective(0.6, 4.0 / 3, 0.5, 150.0) *
+           glm::lookAt(head + side * apart[n % 4] * right, glm::dvec3(35, 30, 25), up);
+  };
+  return { eye(-0.5), eye(0.5) };
+}
+
+TEST(ClusterCulling, TwoEyesGetWhatEachGetsByItself)
+{
+  const auto cells = Gyroid();
+  std::mt19937 random(43);
+  std::size_t points = 0, rectangles = 0, culled = 0, different = 0;
+  for (int n = 0; n < 40; ++n)
+  {
+    const auto eyes = RandomEyes(random, n);
+    const double limit = n % 3 == 0 ? 8.0 : 64.0, margin = n % 5 == 0 ? 0.5 : 0.0;
+    const auto both = CullClusters(cells, eyes, { 640, 480 }, limit, margin);
+    ASSERT_EQ(both.size(), 2U);
+    for (int eye = 0; eye < 2; ++eye)
+    {
+      const auto alone = CullClusters(cells, eyes[eye], { 640, 480 }, limit, margin);
+      EXPECT_EQ(both[eye].points, alone.points) << n;
+      EXPECT_EQ(both[eye].rectangles, alone.rectangles) << n;
+      EXPECT_EQ(both[eye].culled, alone.culled) << n;
+      points += alone.points.size();
+      rectangles += alone.rectangles.size();
+      culled += alone.culled;
+    }
+    different += both[0].points != both[1].points;
+  }
+  EXPECT_GT(points, 1000U);
+  EXPECT_GT(rectangles, 1000U);
+  EXPECT_GT(culled, 1000U);
+  EXPECT_GT(different, 15U);
 }
 
 TEST(ClusterCulling, WithoutPointsAllVisibleCellsAreRectangles)

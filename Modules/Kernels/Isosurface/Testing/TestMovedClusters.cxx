@@ -70,6 +70,31 @@ TEST(MovedClusters, AreCulledWithNoneOfTheirCellsInView)
   EXPECT_GT(inView, 100U);
 }
 
+TEST(MovedClusters, TwoEyesGetWhatEachGetsByItself)
+{
+  const Scene s;
+  const hasp::MovedClusters moved(s.cells, s.moveOfLabel, s.moves.size());
+  for (const double apart : { 0.0, 3.0, 60.0 })
+  {
+    const auto eye = [&](double x)
+    {
+      return glm::perspective(0.5, 1.0, 5.0, 90.0) *
+             glm::lookAt(glm::dvec3(60 + x, 20, 80), glm::dvec3(70, 25, 0), { 0.3, 1, 0 });
+    };
+    const glm::dmat4 eyes[] = { eye(0.0), eye(apart) };
+    const auto both = moved.Cull(eyes, s.moves, { 200, 200 }, 8);
+    ASSERT_EQ(both.size(), 2U);
+    for (int n = 0; n < 2; ++n)
+    {
+      const auto alone = moved.Cull(eyes[n], s.moves, { 200, 200 }, 8);
+      EXPECT_EQ(both[n].points, alone.points) << apart;
+      EXPECT_EQ(both[n].rectangles, alone.rectangles) << apart;
+      EXPECT_EQ(both[n].culled, alone.culled) << apart;
+      EXPECT_GT(alone.points.size() + alone.rectangles.size(), 10U);
+    }
+  }
+}
+
 TEST(MovedClusters, WithoutMovesAreThoseOfCullClusters)
 {
   const Scene s;

@@ -29,6 +29,7 @@ uniform vec3 voxelsPerPixel; // at clip w 1, a parallel projection's only w
 uniform float roundingVoxels;
 uniform vec2 viewport;       // pixels
 uniform int firstCluster; // of the part, in states
+uniform int viewer;
 
 flat out uint cluster;
 
@@ -38,6 +39,11 @@ void main()
   uint header = inPart * HaspClusterWords;
   cluster = uint(firstCluster) + inPart;
   uint state = states[cluster];
+  if ((HaspViewerBits(state, uint(viewer)) & HaspSeen) != 0u) // it is known
+  {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside
+    return;
+  }
   vec3 origin = vec3(HaspClusterOrigin(uvec2(clusters[header + 22u], clusters[header + 23u])));
   vec3 first = origin + vec3(HaspFirstActive(state));
   vec3 last = origin + vec3(HaspLastActive(state)) + 1.0;

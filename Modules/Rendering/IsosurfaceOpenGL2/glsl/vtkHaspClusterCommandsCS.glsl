@@ -33,6 +33,7 @@ uniform int firstCluster; // of the part, in states
 uniform int verticesPerCell;
 uniform int viewer;
 uniform bool late;
+uniform bool keep; // early: what was seen stays so, and its boxes are not tested again
 
 void main()
 {
@@ -43,7 +44,7 @@ void main()
   uint state = states[cluster], bits = HaspViewerBits(state, uint(viewer));
   bool drawn = late ? bits == HaspSeen : (bits & HaspSeen) != 0u;
   if (!late)
-    states[cluster] = HaspWithViewerBits(state, uint(viewer), drawn ? HaspDrawn : 0u);
+    states[cluster] = HaspWithViewerBits(state, uint(viewer), drawn ? HaspDrawn | (keep ? HaspSeen : 0u) : 0u);
   uint cells = 0u;
   if (drawn)
     for (uint word = 0u; word < 16u; word += 2u)

@@ -1,7 +1,9 @@
 // What two eyes share of a mapper, drawn by VTK's stereo and by rigs, and that one eye pays
 // nothing.
 #include "RaycastTestScene.h"
+#include "vtkHaspStereoPair.h"
 
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkProperty.h"
 
@@ -167,6 +169,47 @@ TEST_P(EyesThatShare, OneChoiceHoldsForBoth)
 
 INSTANTIATE_TEST_SUITE_P(VtksStereoAndRigs, EyesThatShare, ::testing::Bool(),
   [](const auto& vtks) { return vtks.param ? "VtksStereo" : "Rig"; });
+
+/// A guess from where both were last would cast the first eye's rays once more, and none of these.
+TEST(EyesOfARig, TheFirstCastsRaysForWhereTheSecondIsSaidToBe)
+{
+  hasp::UseHeadlessWindows();
+  const auto cachedWith = [](bool said)
+  {
+    EyesScene scene(false);
+    scene.UseCache();
+    scene.Raycaster->PredictionOff();
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    const auto clip = [&]
+    {
+      return glm::transpose(glm::make_mat4(
+        camera->GetCompositeProjectionTransformMatrix(scene.Renderer->GetTiledAspectRatio(), -1, 1)
+          ->GetData()));
+    };
+    const auto draw = [&](bool left)
+    {
+      scene.Left = left;
+      scene.Draw();
+    };
+    draw(true);
+    draw(false);
+    hasp::StereoPair pair{ clip(), clip() };
+    camera->Azimuth(150.0); // there the second will be
+    pair.right = clip();
+    camera->Azimuth(-150.0);
+    if (said)
+      hasp::SetStereoPair(camera->GetInformation(), pair);
+    for (int frame = 0; frame < 8; ++frame)
+    {
+      draw(true);
+      draw(false);
+    }
+    return std::atoi(Find(scene.Raycaster, "ray cache").reason.c_str());
+  };
+  const int guessed = cachedWith(false), said = cachedWith(true);
+  EXPECT_GT(guessed, 20);
+  EXPECT_GT(said, guessed + guessed / 4) << "of the other side, too";
+}
 
 #if HASP_WITH_EMBREE
 
