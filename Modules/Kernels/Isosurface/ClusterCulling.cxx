@@ -192,7 +192,10 @@ std::vector<VisibleClusters> CullClusters(const ClusteredCells& cells,
 VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
   const glm::ivec2& viewport, double pointLimit, double margin)
 {
-  return CullClusters(cells, std::span(&indexToClip, 1), viewport, pointLimit, margin).front();
+  View view{ Classifier(indexToClip, viewport, pointLimit, margin), {} };
+  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
+    view.Add(static_cast<std::uint32_t>(c), glm::dvec3(cells.clusters[c].Origin()));
+  return view.Visible(cells.clusters.size());
 }
 
 std::uint32_t UnseenState(const CellCluster& cluster)
