@@ -191,8 +191,9 @@ void ReportRaycachingStereo(ReportContext& context, const RaycachingScene& scene
       return std::unique_ptr<WindowMethod>(dynamic_cast<WindowMethod*>(method.release()));
     };
     AddEyes(context, scene,
-      { "cells.stereo.second" + id, "cells.stereo.pair" + id, "", 0.8, 0.0, 6, make,
-        [](WindowMethod& method) { method.Draw(); } });
+      { "cells.stereo.second" + id, "cells.stereo.pair" + id,
+        drawing == CellDrawing::Rasterize ? "boxes the first eye saw are not tested again, " : "",
+        0.8, 0.0, 6, make, [](WindowMethod& method) { method.Draw(); } });
   };
   cells("@rasterize", CellDrawing::Rasterize);
 #if HASP_WITH_RAYS
