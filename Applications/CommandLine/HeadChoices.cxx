@@ -5,6 +5,7 @@
 #include "Devices/PluginHeadPose.h"
 #include "Devices/RecordedHeadPose.h"
 #include "Failure.h"
+#include "Files.h"
 #include "Session.h"
 
 #include <CLI/CLI.hpp>
@@ -160,6 +161,31 @@ void AddHeadOptions(CLI::App& verb, HeadChoices& choices)
     ->check(Within(0.0, 200.0))
     ->capture_default_str()
     ->needs(head);
+  verb
+    .add_option("--record-head", choices.record,
+      ".csv file of the poses as they came, written when the window closes; --head plays it again")
+    ->needs(head);
+}
+
+void RequireRecordable(const HeadChoices& choices)
+{
+  if (choices.record.empty())
+    return;
+  RequireWritable(choices.record, { ".csv" });
+  if (choices.source.ends_with(".csv"))
+    RequireDifferent(choices.record, choices.source, "--record-head and --head");
+}
+
+void WriteRecording(const HeadChoices& choices, const HeadRecorder& recorder, Session& session)
+{
+  if (choices.record.empty())
+    return;
+  for (const std::string& loss : recorder.Losses())
+    SayWarning(session, "--record-head: " + loss);
+  if (recorder.Path().empty())
+    return SayWarning(session, "--record-head: no pose came; nothing was written");
+  WriteFile(choices.record, FormatHeadPath(recorder.Path()));
+  session.result["recordedPoses"] = recorder.Path().size();
 }
 
 std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const HeadPose& rest)

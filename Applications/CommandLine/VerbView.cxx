@@ -111,6 +111,29 @@ void RunOpenXR(Choices& choices, Session& session)
   scene.ListResources(session.resources);
 }
 
+/// Until the window closes. What was recorded is written even where the drawing failed.
+void RunRecorded(
+  ViewWindow& view, const HeadChoices& head, const HeadRecorder& recorder, Session& session)
+{
+  try
+  {
+    view.Run();
+  }
+  catch (const Failure&)
+  {
+    try
+    {
+      WriteRecording(head, recorder, session);
+    }
+    catch (const Failure& second)
+    {
+      SayWarning(session, second.what());
+    }
+    throw;
+  }
+  WriteRecording(head, recorder, session);
+}
+
 void Run(Choices choices, Session& session)
 {
   if (choices.stereo.layout == StereoChoices::OpenXR)
@@ -120,11 +143,15 @@ void Run(Choices choices, Session& session)
       RequireWritable(file, { ".png" });
   if (!choices.output.empty() && !choices.stereo.sketch.empty())
     RequireDifferent(choices.stereo.sketch, choices.output, "--sketch and --output");
+  RequireRecordable(choices.head);
   RequireFitting(choices);
   const StereoWindow shown = MakeStereoWindow(choices.stereo);
   HeadPose rest;
   rest.position = RoomHead(choices.stereo).position;
   auto tracker = MakeHeadTracker(choices.head, rest);
+  HeadRecorder recorder;
+  if (!choices.head.record.empty())
+    tracker->RecordTo(&recorder);
   RequireDisplay();
   const LoadedScene loaded = ReadScene(choices.scene, choices.options, session);
   vtkNew<vtkRenderer> renderer;
@@ -154,7 +181,7 @@ void Run(Choices choices, Session& session)
     WriteFile(choices.stereo.sketch, eyes->SketchPng(scene.Content()));
   session.progress.Wipe();
   if (choices.output.empty())
-    view.Run();
+    RunRecorded(view, choices.head, recorder, session);
   else
   {
     session.progress.Step("drawing");

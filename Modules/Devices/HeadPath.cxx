@@ -17,7 +17,7 @@ void ValidateHeadPath(std::span<const TimedHeadPose> path)
   {
     const auto refuse = [&](const std::string& why)
     { throw std::invalid_argument("head path: pose " + std::to_string(n + 1) + ": " + why); };
-    if (!(std::abs(path[n].timeS) <= 1e9)) // a nanosecond still shows there
+    if (!(std::abs(path[n].timeS) <= MostHeadPathTimeS))
       refuse("its time must be finite and within 1e9 s of 0");
     if (n > 0 && !(path[n].timeS > path[n - 1].timeS))
       refuse("its time is " + std::to_string(path[n - 1].timeS - path[n].timeS) +

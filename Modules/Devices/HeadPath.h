@@ -12,8 +12,11 @@ namespace hasp
 /// A head's poses in the order of their times, which increase strictly.
 using HeadPath = std::vector<TimedHeadPose>;
 
+constexpr std::size_t MostHeadPathPoses = 1'000'000; ///< in a file
+constexpr double MostHeadPathTimeS = 1e9;            ///< from 0: a nanosecond still shows there
+
 /// Throws std::invalid_argument unless there is a pose, each passes ValidateHeadPose, and times are
-/// finite, within +-1e9 s and strictly increasing; says which pose (from 1).
+/// finite, within +-MostHeadPathTimeS and strictly increasing; says which pose (from 1).
 void ValidateHeadPath(std::span<const TimedHeadPose> path);
 
 /// Between `a` (share 0) and `b` (share 1): straight for the position, the shortest turn at an even
@@ -33,8 +36,8 @@ HeadPose HeadPoseAt(std::span<const TimedHeadPose> path, double timeS);
 ///
 /// Strict: other columns, blanks, missing or more numbers, and whatever ValidateHeadPath refuses
 /// are errors: std::runtime_error (file) or std::invalid_argument (content). They say the line,
-/// never the file's name or text. At most a million poses and 256 MiB, held against the file's size
-/// before memory is taken. What is written is read back to the last bit. Any thread; O(n).
+/// never the file's name or text. At most MostHeadPathPoses and 256 MiB, held against the file's
+/// size before memory is taken. What is written is read back to the last bit. Any thread; O(n).
 HeadPath ParseHeadPath(std::string_view text);
 std::string FormatHeadPath(std::span<const TimedHeadPose> path);
 

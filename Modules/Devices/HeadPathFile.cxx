@@ -13,7 +13,6 @@ namespace
 {
 constexpr const char* What = "head path";
 constexpr std::string_view Columns = "timeS,xMm,yMm,zMm,qw,qx,qy,qz";
-constexpr std::size_t MostPoses = 1'000'000;
 constexpr std::size_t MostBytes = std::size_t(256) << 20; // no double needs more than 24 characters
 constexpr std::size_t LeastLine = 16; // eight digits, seven commas and the end of the line
 } // namespace
@@ -22,12 +21,12 @@ HeadPath ParseHeadPath(std::string_view text)
 {
   NumberTable<8> table(What, Columns, text);
   HeadPath path;
-  path.reserve(std::min(MostPoses, table.BytesLeft() / LeastLine + 1));
+  path.reserve(std::min(MostHeadPathPoses, table.BytesLeft() / LeastLine + 1));
   while (!table.AtEnd())
   {
     const auto v = table.Next();
-    if (path.size() == MostPoses)
-      table.Refuse("there are more than " + std::to_string(MostPoses) + " poses");
+    if (path.size() == MostHeadPathPoses)
+      table.Refuse("there are more than " + std::to_string(MostHeadPathPoses) + " poses");
     path.push_back({ v[0], { { v[1], v[2], v[3] }, { v[4], v[5], v[6], v[7] } } });
     try
     {
@@ -47,9 +46,9 @@ HeadPath ParseHeadPath(std::string_view text)
 std::string FormatHeadPath(std::span<const TimedHeadPose> path)
 {
   ValidateHeadPath(path);
-  if (path.size() > MostPoses)
+  if (path.size() > MostHeadPathPoses)
     throw std::invalid_argument("head path: there are " + std::to_string(path.size()) +
-                                " poses, at most " + std::to_string(MostPoses));
+                                " poses, at most " + std::to_string(MostHeadPathPoses));
   std::string text(Columns);
   for (const TimedHeadPose& timed : path)
   {

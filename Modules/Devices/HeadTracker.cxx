@@ -2,6 +2,7 @@
 
 #include "Devices/HeadPoseFade.h"
 #include "Devices/HeadPoseHistory.h"
+#include "Devices/HeadRecorder.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -95,6 +96,7 @@ struct HeadTracker::Internals
   double nowS = 0.0;
   TrackedHead wanted, drawn;
   HeadPoseFade fade;
+  HeadRecorder* recorder = nullptr;
 };
 
 /// Takes what the source gave. True if the flow of poses broke.
@@ -219,7 +221,11 @@ TrackedHead HeadTracker::At(double nowS)
     broke = true;
   }
   if (const auto given = in.source->Latest(nowS))
+  {
+    if (in.recorder)
+      in.recorder->Take(*given);
     broke = in.Take(*given, nowS) || broke;
+  }
 
   const TrackedHead before = in.wanted;
   in.wanted = in.Want(nowS);
@@ -240,6 +246,11 @@ TrackedHead HeadTracker::At(double nowS)
   in.began = true;
   in.nowS = nowS;
   return in.drawn;
+}
+
+void HeadTracker::RecordTo(HeadRecorder* recorder) noexcept
+{
+  this->Inside->recorder = recorder;
 }
 
 HeadPoseSource& HeadTracker::Source() noexcept

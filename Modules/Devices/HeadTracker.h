@@ -8,6 +8,8 @@
 namespace hasp
 {
 
+class HeadRecorder;
+
 struct HeadTrackerSettings
 {
   HeadPose rest{};            ///< what is drawn without a tracker
@@ -67,7 +69,7 @@ struct HeadTrackerCounts
 /// as 0.1 s, so that a pause ends without a jump, too.
 /// Threads: RENDER, or whoever owns it; one at a time. No thread of its own.
 /// Cost: the source's, 1 us a call at 60 Hz, 14 us where a 1 kHz tracker is asked at 1 kHz
-/// (bin/BenchHeadTracker), 4 KiB; no memory is taken after construction.
+/// (bin/BenchHeadTracker), 4 KiB; takes no memory after construction.
 class HeadTracker
 {
 public:
@@ -80,6 +82,10 @@ public:
   /// between two calls are not seen. The same nowS again gives the same pose again; so does
   /// nowS that is not finite.
   TrackedHead At(double nowS);
+
+  /// Hands what the source gives to `recorder` from now on, before anything is made of it; it must
+  /// outlive this. Null: no more.
+  void RecordTo(HeadRecorder* recorder) noexcept;
 
   HeadPoseSource& Source() noexcept; ///< its mouse, its counts
   const HeadTrackerCounts& Counts() const noexcept;

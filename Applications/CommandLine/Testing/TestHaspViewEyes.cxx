@@ -1,8 +1,11 @@
 // bin/hasp view for eyes before a screen.
+#include "Devices/HeadPath.h"
 #include "ViewFixture.h"
 
 namespace
 {
+
+using namespace hasp;
 
 using HaspViewEyes = HaspView;
 
@@ -58,6 +61,33 @@ TEST_F(HaspViewEyes, AHeadThatCannotBeFollowedIsTold)
   fail(more(head("opentrack"), calibration), 2, "--head-calibration: ");
   fail(more(head("mouse"), calibration), 1, "the mouse is none");
   fail(more(head("mouse"), { "--head-position", "0,0,100" }), 1, "--head: ");
+  fail({ "--record-head", this->Path("r.csv") }, 1, "--head");
+  fail(more(head("mouse"), { "--record-head", this->Path("none/r.csv") }), 1, "folder");
+  fail(more(head("mouse"), { "--record-head", this->Path("r.txt") }), 1, ".csv");
+  const std::string path = this->Path("path.csv");
+  WriteHeadPath(path, HeadPath{ {} });
+  fail(more(head(path), { "--record-head", path }), 1, "--record-head and --head");
+}
+
+TEST_F(HaspViewEyes, WhatTheHeadDidIsWrittenWhenTheWindowCloses)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const HeadPose there{ { 40.0, -20.0, 550.0 }, { 1.0, 0.0, 0.0, 0.0 } };
+  WriteHeadPath(this->Path("path.csv"), HeadPath{ { 3.0, there } });
+  ScreenUser user(screen.Display());
+  OpenView view(
+    this->View({ "--quiet", "--mapper", "mesh", "--screen", "520x320", "--stereo", "anaglyph",
+      "--head", this->Path("path.csv"), "--record-head", this->Path("recorded.csv") }),
+    screen.Display());
+  user.SeeWindow();
+  user.CloseWindow();
+  ASSERT_EQ(view.ExitCode(), 0);
+  const HeadPath recorded = ReadHeadPath(this->Path("recorded.csv"));
+  EXPECT_EQ(recorded.front().timeS, 0.0);
+  for (const TimedHeadPose& timed : recorded)
+    EXPECT_EQ(timed.pose.position, there.position);
 }
 
 TEST_F(HaspViewEyes, WhatDrawsTwoPicturesWritesNone)
