@@ -1,0 +1,89 @@
+#pragma once
+#include "Grid/RigidPose.h"
+#include "Haptics/ContactPoints.h"
+#include "Haptics/DistanceMap.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hasp
+{
+
+/// What is summed over points. Each is a kernel of its own: what is not asked for is not computed.
+enum class ContactTerms
+{
+  Force,  ///< along the points' normals: force and torque (McNeely, Puterbaugh and Troy 1999)
+  Matrix, ///< along the map's gradient, with the 6x6 stiffness that the coupling solves with
+  Snap    ///< the same, and Snap-to-fit's attraction
+};
+
+/// Penalty contact with stiffness per area, and Snap-to-fit (thesis 2.3.3; Paper I, whose law is
+/// not published: this is ours). For a point of area A at signed distance d with gradient g, |g|
+/// about 1:
+///
+///   contact     d < 0:      force -k A d g               energy k A d^2 / 2
+///   attraction  0 < d < R:  force -s a A (d / R) (1 - (d/R)^2)^2 f g
+///
+/// with f = max(0, -n . g)^2, n the point's outward normal: only faces that look at each other
+/// attract. 0 at contact and at R, largest, 0.286 s a A f, at d = R / sqrt 5.
+struct ContactSettings
+{
+  float stiffness = 0.05F;  ///< k, N/mm per mm^2; >= 0
+  float attraction = 0.0F;  ///< a, N per mm^2; >= 0
+  float captureMm = 3.0F;   ///< R, in (0, the map's range]
+  float fade = 1.0F;        ///< s, in [0, 1]: faded in and out by the step
+};
+
+/// A shell before a map. Torques are about the shell body's origin; all in the MAP body's axes.
+struct ContactPlacement
+{
+  RigidPose shellInMap; ///< of the shell's body, in the map's body axes (mm)
+};
+
+/// Sums over points. Forces act on the SHELL's body. Doubles, summed from a float a lane and group.
+struct ContactSums
+{
+  Wrench contact;
+  Wrench attraction;
+  /// Sum of k A j j^T, j = [g; r x g], upper triangle row by row: 21 numbers. Positive semidefinite.
+  /// Attraction is not in it: its stiffness is negative near the rim.
+  std::array<double, 21> matrix{};
+  double contactArea = 0.0;   ///< mm^2
+  double attractedArea = 0.0; ///< mm^2 with f > 0 within R
+  double deepestMm = 0.0;     ///< <= 0
+  double energy = 0.0;        ///< N mm: contact's
+  std::uint32_t contacts = 0; ///< points
+
+  ContactSums& operator+=(const ContactSums& other) noexcept;
+};
+
+/// Adds what `points` feel of `map` to `sums`. HAPTIC: takes no memory, no lock, and does not throw.
+using ContactFunction = void (*)(const ContactPoints& points, const ContactPlacement& placement,
+  const DistanceMapView<std::int16_t>& map, const ContactSettings& settings,
+  ContactSums& sums) noexcept;
+
+/// One instruction set's kernels.
+struct ContactKernels
+{
+  const char* name = ""; ///< "scalar", "SSE4", "AVX2", "AVX3", ...
+  std::array<ContactFunction, 3> byTerms{};
+  ContactFunction operator[](ContactTerms terms) const noexcept
+  {
+    return this->byTerms[static_cast<std::size_t>(terms)];
+  }
+};
+
+/// One point after the other: what the others are held against. A second one of float distances.
+ContactKernels ScalarContactKernels() noexcept;
+void ContactForceReference(ContactTerms terms, const ContactPoints& points,
+  const ContactPlacement& placement, const DistanceMapView<float>& map,
+  const ContactSettings& settings, ContactSums& sums) noexcept;
+
+/// All that this processor runs, the scalar one first. Without HASP_ENABLE_HIGHWAY that one alone.
+std::vector<ContactKernels> AllContactKernels();
+/// The fastest here, by a timing of 5 ms on the first call: gathers can be slow (facts of the
+/// processor's microcode, not of its name). WORKER.
+const ContactKernels& FastestContactKernels();
+
+} // namespace hasp
