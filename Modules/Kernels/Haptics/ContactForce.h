@@ -29,10 +29,10 @@ enum class ContactTerms
 /// attract. 0 at contact and at R, largest, 0.286 s a A f, at d = R / sqrt 5.
 struct ContactSettings
 {
-  float stiffness = 0.05F;  ///< k, N/mm per mm^2; >= 0
-  float attraction = 0.0F;  ///< a, N per mm^2; >= 0
-  float captureMm = 3.0F;   ///< R, in (0, the map's range]
-  float fade = 1.0F;        ///< s, in [0, 1]: faded in and out by the step
+  float stiffness = 0.05F; ///< k, N/mm per mm^2; >= 0
+  float attraction = 0.0F; ///< a, N per mm^2; >= 0
+  float captureMm = 3.0F;  ///< R, in (0, the map's range]
+  float fade = 1.0F;       ///< s, in [0, 1]: faded in and out by the step
 };
 
 /// A shell before a map. Torques are about the shell body's origin; all in the MAP body's axes.
@@ -46,8 +46,8 @@ struct ContactSums
 {
   Wrench contact;
   Wrench attraction;
-  /// Sum of k A j j^T, j = [g; r x g], upper triangle row by row: 21 numbers. Positive semidefinite.
-  /// Attraction is not in it: its stiffness is negative near the rim.
+  /// Sum of k A j j^T, j = [g; r x g], upper triangle row by row: 21 numbers. Positive
+  /// semidefinite. Attraction is not in it: its stiffness is negative near the rim.
   std::array<double, 21> matrix{};
   double contactArea = 0.0;   ///< mm^2
   double attractedArea = 0.0; ///< mm^2 with f > 0 within R
@@ -58,7 +58,8 @@ struct ContactSums
   ContactSums& operator+=(const ContactSums& other) noexcept;
 };
 
-/// Adds what `points` feel of `map` to `sums`. HAPTIC: takes no memory, no lock, and does not throw.
+/// Adds what `points` feel of `map` to `sums`. HAPTIC: takes no memory, no lock, and does not
+/// throw.
 using ContactFunction = void (*)(const ContactPoints& points, const ContactPlacement& placement,
   const DistanceMapView<std::int16_t>& map, const ContactSettings& settings,
   ContactSums& sums) noexcept;

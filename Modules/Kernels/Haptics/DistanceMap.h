@@ -39,8 +39,9 @@ struct DistanceMapView
   glm::mat3 toIndex{ 1.0F };
   glm::vec3 indexOfOrigin{ 0.0F };
   glm::mat3 gradientToBody{ 1.0F };
-  /// No two points of the grid differ by more than this times how far apart they are, mm per mm:
-  /// measured, about 1 for a good transform. What the coarse phase may conclude from a distance.
+  /// On any way outside of the body the distance falls by no more than this times its length, mm
+  /// per mm: measured, about 1 for a good transform. What the coarse phase may conclude from a
+  /// distance.
   float steepest = 1.0F;
 };
 

@@ -26,9 +26,9 @@ struct PointShellSettings
 };
 
 /// A body's surface as points, in levels: level n is the first LevelEnd(n) points of one order in
-/// which every prefix is spread evenly over the surface (Barbic and James 2008), so a step that runs
-/// out of time has done whole levels. Within what a level adds, points are in Morton order and in
-/// clusters of 64 (neighbours in memory are neighbours in space). Static; immutable.
+/// which every prefix is spread evenly over the surface (Barbic and James 2008), so a step that
+/// runs out of time has done whole levels. Within what a level adds, points are in Morton order and
+/// in clusters of 64 (neighbours in memory are neighbours in space). Static; immutable.
 ///
 /// A point of level n stands for SurfaceArea / LevelEnd(n): contact stiffness per area does not
 /// depend on how many points were evaluated.
@@ -49,7 +49,7 @@ public:
   static std::shared_ptr<const PointShell> OfPoints(std::span<const SurfacePoint> points,
     double surfaceArea, const glm::dvec3& origin, const PointShellSettings& settings = {});
 
-  int Levels() const noexcept;                     ///< 0 without points
+  int Levels() const noexcept;                      ///< 0 without points
   std::uint32_t LevelEnd(int level) const noexcept; ///< points in levels 0 to `level`, no padding
   /// What `level` adds, padded; the area of a point is that of this level being the last.
   ContactPoints Level(int level) const noexcept;
