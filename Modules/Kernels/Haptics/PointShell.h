@@ -30,6 +30,8 @@ struct PointShellSettings
 /// runs out of time has done whole levels. Within what a level adds, points are in Morton order and
 /// in clusters of 64 (neighbours in memory are neighbours in space). Static; immutable.
 ///
+/// Another number of points is another order: prefixes of one length are alike, not the same.
+///
 /// A point of level n stands for SurfaceArea / LevelEnd(n): contact stiffness per area does not
 /// depend on how many points were evaluated.
 /// Threads: any, once made. Memory: 24 B a point.
