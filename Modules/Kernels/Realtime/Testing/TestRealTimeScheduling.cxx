@@ -20,6 +20,13 @@ namespace
 
 using namespace hasp;
 
+// Sanitizers answer mlock themselves and lock nothing: what the kernel says is then no truth.
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr bool LocksMemory = false;
+#else
+constexpr bool LocksMemory = true;
+#endif
+
 int Policy()
 {
   return sched_getscheduler(0) & ~SCHED_RESET_ON_FORK;
@@ -121,6 +128,8 @@ TEST(RealTimeScheduling, DenormalsAreFlushedOnThisThreadUntilTheEnd)
 
 TEST(RealTimeScheduling, NamedMemoryIsLockedAndUnlocked)
 {
+  if (!LocksMemory)
+    GTEST_SKIP() << "a sanitizer stands before mlock";
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t bytes = 64 * page;
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -156,9 +165,10 @@ TEST(RealTimeScheduling, WhatIsNoMemoryAndNoCoreIsSaid)
       request.core = 100'000;
       const RealTimeScheduling scheduling(request);
       const auto texts = scheduling.Report().Shortfalls();
-      ASSERT_EQ(texts.size(), 2u);
+      ASSERT_EQ(texts.size(), LocksMemory ? 2u : 1u);
       EXPECT_NE(texts[0].find("core 100000"), std::string::npos) << texts[0];
-      EXPECT_NE(texts[1].find("4096 bytes are not locked"), std::string::npos) << texts[1];
+      for (std::size_t text = 1; text < texts.size(); ++text)
+        EXPECT_NE(texts[text].find("4096 bytes are not locked"), std::string::npos) << texts[text];
     });
 }
 
