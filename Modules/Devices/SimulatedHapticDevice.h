@@ -1,0 +1,73 @@
+#pragma once
+#include "Devices/HandModel.h"
+#include "Devices/HapticDevice.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hasp
+{
+
+/// The moving part of such a device, with its mass and damping.
+HandBody BodyOf(const DeviceProfile& profile) noexcept;
+
+struct SimulatedButtons
+{
+  double fromS = 0.0; ///< these are held until the next entry
+  std::uint32_t held = 0;
+};
+struct SimulatedOutage
+{
+  double fromS = 0.0, toS = 0.0; ///< unplugged
+};
+
+struct SimulatedDeviceSettings
+{
+  DeviceProfile profile = TouchProfile();
+  HandBody body = BodyOf(TouchProfile());
+  HandGrip grip = LooseGrip();
+  std::vector<SimulatedButtons> buttons{}; ///< times increase
+  std::vector<SimulatedOutage> outages{};
+};
+
+/// A haptic device with a hand on it, in virtual time: HandModel, seen through encoders and a
+/// cable. What is read is rounded to the encoders' counts and delayTicks Reads old; what is written
+/// is clamped and acts at once, until the next Write. (All of the delay is on the way in: where it
+/// lies in the loop makes no difference to its stability.) While unplugged the hand goes on and
+/// feels nothing; a wrench written before that is gone.
+///
+/// Deterministic: the same Reads and Writes at the same times give the same bits.
+/// Limit: the workspace's end is no wall.
+/// Threads: as HapticDevice. Cost: that of HandModel, about 10 us a tick of 1 ms.
+class SimulatedHapticDevice : public HapticDevice
+{
+public:
+  /// Throws std::invalid_argument as HandModel and ValidateDeviceProfile do, and if times of
+  /// buttons or outages are not finite or not in order.
+  SimulatedHapticDevice(const SimulatedDeviceSettings& settings, HandIntention intention);
+
+  const DeviceProfile& Profile() const noexcept override { return this->Settings.profile; }
+  DeviceStatus Read(std::int64_t nowNs, DeviceSample& sample) noexcept override;
+  DeviceStatus Write(const Wrench& wrench) noexcept override;
+
+  /// The truth behind the encoders.
+  const HandModel& Hand() const noexcept { return this->Model; }
+  HandModel& Hand() noexcept { return this->Model; }
+  /// What acts on the hand now.
+  const Wrench& Applied() const noexcept { return this->Acting; }
+
+private:
+  bool PluggedAt(double timeS) const noexcept;
+  std::uint32_t ButtonsAt(double timeS) const noexcept;
+  DeviceSample Measure() const noexcept;
+
+  SimulatedDeviceSettings Settings;
+  HandModel Model;
+  Wrench Acting;
+  bool Plugged = true;
+  std::array<DeviceSample, 17> Cable; ///< the last delayTicks + 1 samples, a ring
+  std::size_t Sent = 0;               ///< samples that went in
+};
+
+} // namespace hasp

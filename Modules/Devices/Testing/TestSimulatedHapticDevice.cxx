@@ -1,0 +1,228 @@
+#include "Devices/SimulatedHapticDevice.h"
+
+#include "CountedAllocations.h"
+
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+
+using namespace hasp;
+
+constexpr std::int64_t Ms = 1'000'000;
+
+SimulatedDeviceSettings Exact(int delayTicks = 0)
+{
+  SimulatedDeviceSettings settings{ .profile = PremiumProfile() };
+  settings.profile.positionQuantumMm = settings.profile.angleQuantumRad = 0.0;
+  settings.profile.delayTicks = delayTicks;
+  settings.body = BodyOf(settings.profile);
+  return settings;
+}
+
+TEST(DeviceProfile, TheProfilesAreValidAndDiffer)
+{
+  for (const DeviceProfile& profile :
+    { GenericProfile(), FalconProfile(), TouchProfile(), PremiumProfile() })
+    EXPECT_NO_THROW(ValidateDeviceProfile(profile)) << profile.name;
+  EXPECT_EQ(FalconProfile().peakForceN, 8.9);
+  EXPECT_EQ(TouchProfile().peakForceN, 3.3);
+  EXPECT_EQ(PremiumProfile().peakForceN, 22.0);
+  EXPECT_EQ(FalconProfile().poseAxes, 3);
+  EXPECT_EQ(TouchProfile().forceAxes, 3);
+}
+
+TEST(DeviceProfile, WhatIsNoDeviceIsRefused)
+{
+  const auto refused = [](auto change)
+  {
+    DeviceProfile profile;
+    change(profile);
+    EXPECT_THROW(ValidateDeviceProfile(profile), std::invalid_argument);
+  };
+  refused([](DeviceProfile& p) { p.poseAxes = 4; });
+  refused([](DeviceProfile& p) { p.forceAxes = 1; });
+  refused([](DeviceProfile& p) { p.buttons = 33; });
+  refused([](DeviceProfile& p) { p.workspaceMm.y = 0.0; });
+  refused([](DeviceProfile& p) { p.peakForceN = std::nan(""); });
+  refused([](DeviceProfile& p) { p.continuousForceN = 2.0 * p.peakForceN; });
+  refused([](DeviceProfile& p) { p.delayTicks = 17; });
+  refused([](DeviceProfile& p) { p.positionQuantumMm = -1.0; });
+}
+
+TEST(DeviceProfile, ForcesAreShortenedAndKeepTheirDirection)
+{
+  const DeviceProfile premium = PremiumProfile();
+  const Wrench far{ { 300, -400, 0 }, { 0, 0, 1000 } };
+  const Wrench clamped = ClampToProfile(premium, far);
+  EXPECT_LT(glm::length(clamped.force - glm::dvec3(0.6, -0.8, 0) * 22.0), 1e-12);
+  EXPECT_LT(glm::length(clamped.torque - glm::dvec3(0, 0, 188)), 1e-12);
+  const Wrench small{ { 1, 2, 3 }, { 4, 5, 6 } };
+  EXPECT_EQ(ClampToProfile(premium, small).force, small.force);
+  EXPECT_EQ(ClampToProfile(premium, small).torque, small.torque);
+  EXPECT_EQ(ClampToProfile(TouchProfile(), small).torque, glm::dvec3(0.0));
+  DeviceProfile input;
+  input.forceAxes = 0;
+  EXPECT_EQ(ClampToProfile(input, small).force, glm::dvec3(0.0));
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e300 })
+  {
+    const Wrench out = ClampToProfile(premium, { { bad, 1, 1 }, { 1, bad, 1 } });
+    EXPECT_TRUE(glm::length(out.force) <= 22.0 && glm::length(out.torque) <= 188.0) << bad;
+  }
+}
+
+TEST(SimulatedHapticDevice, TimesThatAreNoneAreRefused)
+{
+  SimulatedDeviceSettings settings;
+  settings.buttons = { { 1.0, 1 }, { 0.5, 0 } };
+  EXPECT_THROW(SimulatedHapticDevice(settings, HandIntention()), std::invalid_argument);
+  settings.buttons = {};
+  settings.outages = { { 1.0, 0.5 } };
+  EXPECT_THROW(SimulatedHapticDevice(settings, HandIntention()), std::invalid_argument);
+  settings.outages = { { std::nan(""), 0.5 } };
+  EXPECT_THROW(SimulatedHapticDevice(settings, HandIntention()), std::invalid_argument);
+}
+
+TEST(SimulatedHapticDevice, SaysWhereTheHandIsToTheEncodersCount)
+{
+  SimulatedDeviceSettings settings = Exact();
+  settings.profile.positionQuantumMm = 0.05;
+  settings.profile.angleQuantumRad = 0.002;
+  SimulatedHapticDevice device(settings,
+    HandIntention({}, { MinimumJerkMotion{ { { 17, -9, 4 }, TurnBy({ 0.3, 0.1, -0.4 }) }, 0.3 } },
+      { .reachMm = 0.1 }));
+  DeviceSample sample;
+  double most = 0.0;
+  for (int ms = 1; ms <= 400; ++ms)
+  {
+    ASSERT_EQ(device.Read(ms * Ms, sample), DeviceStatus::Ok);
+    EXPECT_EQ(sample.timeNs, ms * Ms);
+    const RigidPose& truth = device.Hand().Pose();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double counts = sample.pose.position[axis] / 0.05;
+      EXPECT_NEAR(counts, std::round(counts), 1e-9);
+      const double off = std::abs(sample.pose.position[axis] - truth.position[axis]);
+      EXPECT_LE(off, 0.025 + 1e-12);
+      most = std::max(most, off);
+      const double turns = RotationVector(sample.pose.orientation)[axis] / 0.002;
+      EXPECT_NEAR(turns, std::round(turns), 1e-9);
+    }
+    EXPECT_LE(
+      glm::length(RotationVector(sample.pose.orientation * glm::conjugate(truth.orientation))),
+      0.001 * std::sqrt(3.0) * 1.01); // half a count on each axis; turns do not quite add up
+  }
+  EXPECT_GT(most, 0.024) << "counts were seen";
+}
+
+TEST(SimulatedHapticDevice, ThePoseIsAsOldAsTheDelaySays)
+{
+  for (const int delay : { 0, 1, 3, 16 })
+  {
+    SimulatedHapticDevice device(
+      Exact(delay), HandIntention({}, { ImpactMotion{ { 50, 0, 0 }, 1.0 } }));
+    std::vector<RigidPose> truth;
+    DeviceSample sample;
+    for (int tick = 0; tick < 60; ++tick)
+    {
+      device.Read((tick + 1) * Ms, sample);
+      truth.push_back(device.Hand().Pose());
+      const int old = std::max(0, tick - delay);
+      EXPECT_EQ(sample.pose.position, truth[old].position) << delay << " " << tick;
+      EXPECT_EQ(sample.timeNs, (old + 1) * Ms);
+    }
+  }
+}
+
+TEST(SimulatedHapticDevice, TheSameTimeAgainIsNothingNew)
+{
+  SimulatedHapticDevice device(Exact(1), HandIntention({}, { ImpactMotion{ { 50, 0, 0 }, 1.0 } }));
+  DeviceSample sample, again;
+  EXPECT_EQ(device.Read(0, sample), DeviceStatus::Ok);
+  device.Read(1 * Ms, sample);
+  device.Read(2 * Ms, sample);
+  EXPECT_EQ(device.Read(2 * Ms, again), DeviceStatus::Stale);
+  EXPECT_EQ(again.timeNs, sample.timeNs) << "the cable does not move on";
+}
+
+TEST(SimulatedHapticDevice, AForceActsUntilTheNextAndWithinTheProfile)
+{
+  SimulatedDeviceSettings settings = Exact();
+  settings.grip = { .springNPerMm = 0.5, .damperNsPerMm = 0.02 };
+  SimulatedHapticDevice device(settings, HandIntention());
+  DeviceSample sample;
+  device.Read(0, sample);
+  device.Write({ { 1e6, 0, 0 } });
+  EXPECT_EQ(device.Applied().force, glm::dvec3(22, 0, 0));
+  device.Write({ { 5, 0, 0 } });
+  for (int ms = 1; ms <= 1000; ++ms)
+    device.Read(ms * Ms, sample); // written once
+  EXPECT_NEAR(sample.pose.position.x, 10.0, 1e-6);
+  device.Write({ { std::nan(""), 0, 0 } });
+  EXPECT_EQ(device.Applied().force, glm::dvec3(0.0));
+}
+
+TEST(SimulatedHapticDevice, ThreeAxesKnowNoTurnAndFeelNone)
+{
+  SimulatedDeviceSettings settings{ .profile = FalconProfile(), .body = BodyOf(FalconProfile()) };
+  SimulatedHapticDevice device(
+    settings, HandIntention({}, { MinimumJerkMotion{ { {}, TurnBy({ 0.3, 0.0, 0.0 }) }, 0.1 } }));
+  DeviceSample sample;
+  for (int ms = 1; ms <= 100; ++ms)
+  {
+    device.Read(ms * Ms, sample);
+    EXPECT_EQ(sample.pose.orientation, glm::dquat(1, 0, 0, 0));
+    device.Write({ {}, { 100, 100, 100 } });
+    EXPECT_EQ(device.Applied().torque, glm::dvec3(0.0));
+  }
+  EXPECT_GT(glm::length(RotationVector(device.Hand().Pose().orientation)), 0.1);
+}
+
+TEST(SimulatedHapticDevice, ButtonsAndOutagesComeWhenTheyAreSaid)
+{
+  SimulatedDeviceSettings settings = Exact();
+  settings.buttons = { { 0.010, 1 }, { 0.020, 3 }, { 0.030, 0 } };
+  settings.outages = { { 0.025, 0.035 } };
+  SimulatedHapticDevice device(settings, HandIntention());
+  for (int ms = 1; ms <= 50; ++ms)
+  {
+    DeviceSample sample{ .buttons = 77 };
+    const DeviceStatus status = device.Read(ms * Ms, sample);
+    const bool out = ms >= 25 && ms < 35;
+    EXPECT_EQ(status, out ? DeviceStatus::Unplugged : DeviceStatus::Ok) << ms;
+    const unsigned held = ms < 10 ? 0 : ms < 20 ? 1 : ms < 30 ? 3 : 0;
+    EXPECT_EQ(sample.buttons, out ? 77u : held) << ms;
+    if (ms == 35)
+    {
+      EXPECT_EQ(device.Applied().force, glm::dvec3(0.0)) << "plugged in again: no kick";
+    }
+    EXPECT_EQ(device.Write({ { 1, 0, 0 } }), status);
+    EXPECT_EQ(device.Applied().force.x, out ? 0.0 : 1.0);
+  }
+}
+
+TEST(SimulatedHapticDevice, ATickTakesNoMemory)
+{
+  SimulatedHapticDevice device(
+    {}, HandIntention({}, { ChirpMotion{ { 5, 0, 0 } } }, { .reachMm = 0.1 }));
+  DeviceSample sample;
+  const std::size_t before = CountedAllocations();
+  for (int ms = 1; ms <= 50; ++ms)
+  {
+    device.Read(ms * Ms, sample);
+    device.Write({ -0.1 * sample.pose.position });
+  }
+  EXPECT_EQ(CountedAllocations(), before);
+  ::operator delete(::operator new(1));
+  EXPECT_EQ(CountedAllocations(), before + 1) << "the counter counts";
+}
+
+} // namespace
