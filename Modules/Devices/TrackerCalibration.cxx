@@ -1,5 +1,6 @@
 #include "Devices/TrackerCalibration.h"
 
+#include "Devices/RigidFit.h"
 #include "Devices/TextFile.h"
 
 #include <glm/geometric.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace hasp
 {
@@ -49,6 +51,16 @@ HeadPose ToRoom(const TrackerCalibration& c, const HeadPose& marker) noexcept
   const glm::dvec3 eyesInTracker = marker.position + markerToTracker * c.eyesInMarkerMm;
   return { c.trackerInRoomMm + trackerToRoom * eyesInTracker,
     glm::normalize(trackerToRoom * markerToTracker * c.headToMarker) };
+}
+
+CalibrationFit FitTrackerToRoom(std::span<const CalibrationPair> pairs)
+{
+  std::vector<PointPair> points;
+  for (const CalibrationPair& pair : pairs)
+    points.push_back({ pair.trackerMm, pair.roomMm });
+  RigidFit fit = FitRigid(points, { What, "for the tracker", "in the room", "the tracker" });
+  return { { .trackerToRoom = fit.turn, .trackerInRoomMm = fit.shift }, std::move(fit.residualsMm),
+    fit.rmsMm, fit.spreadRatio };
 }
 
 CalibrationFit FitMarkerToHead(

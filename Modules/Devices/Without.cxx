@@ -1,17 +1,19 @@
+#include "Devices/RigidFit.h"
 #include "Devices/TrackerCalibration.h"
 
 #include <stdexcept>
+#include <string>
 
 // What this build was made without: it is named, so that the error says what to do.
 namespace hasp
 {
 
 #if !HASP_WITH_EIGEN
-CalibrationFit FitTrackerToRoom(std::span<const CalibrationPair>)
+RigidFit FitRigid(std::span<const PointPair>, const RigidFitWords& words)
 {
-  throw std::runtime_error(
-    "tracker calibration: this build of Hasp was made without fits; configure"
-    " it with HASP_ENABLE_EIGEN=ON (Debian: libeigen3-dev)");
+  throw std::runtime_error(std::string(words.what) +
+                           ": this build of Hasp was made without fits; configure"
+                           " it with HASP_ENABLE_EIGEN=ON (Debian: libeigen3-dev)");
 }
 #endif
 

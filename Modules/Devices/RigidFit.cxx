@@ -1,4 +1,4 @@
-#include "Devices/TrackerCalibration.h"
+#include "Devices/RigidFit.h"
 
 #include <glm/geometric.hpp>
 
@@ -22,10 +22,10 @@ constexpr double LeastWidth =
 constexpr double MirrorGain = 5.0;
 
 template <class Text>
-[[noreturn]] void Refuse(const Text& write)
+[[noreturn]] void Refuse(const RigidFitWords& words, const Text& write)
 {
   std::ostringstream text;
-  text << "tracker calibration: ";
+  text << words.what << ": ";
   write(text);
   throw std::invalid_argument(text.str());
 }
@@ -43,7 +43,7 @@ Eigen::Vector3d ToEigen(const glm::dvec3& v)
   return { v.x, v.y, v.z };
 }
 
-Cloud MakeCloud(std::span<const CalibrationPair> pairs, glm::dvec3 CalibrationPair::*side)
+Cloud MakeCloud(std::span<const PointPair> pairs, glm::dvec3 PointPair::*side)
 {
   Cloud cloud;
   cloud.centred.resize(3, static_cast<Eigen::Index>(pairs.size()));
@@ -55,14 +55,14 @@ Cloud MakeCloud(std::span<const CalibrationPair> pairs, glm::dvec3 CalibrationPa
   return cloud;
 }
 
-void CheckSpread(const Cloud& cloud, const char* where)
+void CheckSpread(const Cloud& cloud, const RigidFitWords& words, const char* where)
 {
   const double root = std::sqrt(static_cast<double>(cloud.centred.cols()));
   const double length = cloud.spread[0] / root, width = cloud.spread[1] / root;
   if (length <= 1e-12 * cloud.mean.norm()) // what rounding leaves
-    Refuse([&](auto& text) { text << where << " all points are the same"; });
+    Refuse(words, [&](auto& text) { text << where << " all points are the same"; });
   if (!(width >= LeastWidth * length))
-    Refuse(
+    Refuse(words,
       [&](auto& text)
       {
         text << where << " the points lie almost on a line: spread " << width
@@ -71,65 +71,64 @@ void CheckSpread(const Cloud& cloud, const char* where)
       });
 }
 
-void CheckPairs(std::span<const CalibrationPair> pairs)
+void CheckPairs(std::span<const PointPair> pairs, const RigidFitWords& words)
 {
   if (pairs.size() < LeastPairs || pairs.size() > MostPairs)
-    Refuse(
+    Refuse(words,
       [&](auto& text)
       {
         text << "there are " << pairs.size() << " pairs of points, must be in [" << LeastPairs
              << ", " << MostPairs << "]";
       });
   for (std::size_t n = 0; n < pairs.size(); ++n)
-    for (const double value : { pairs[n].trackerMm.x, pairs[n].trackerMm.y, pairs[n].trackerMm.z,
-           pairs[n].roomMm.x, pairs[n].roomMm.y, pairs[n].roomMm.z })
+    for (const double value : { pairs[n].from.x, pairs[n].from.y, pairs[n].from.z, pairs[n].to.x,
+           pairs[n].to.y, pairs[n].to.z })
       if (!(std::abs(value) <= MostMm))
-        Refuse([&](auto& text)
+        Refuse(words, [&](auto& text)
           { text << "pair " << n + 1 << " holds " << value << ", must be within " << MostMm; });
 }
 
-double Rms(const Cloud& tracker, const Cloud& room, const Eigen::Matrix3d& rotation)
+double Rms(const Cloud& from, const Cloud& to, const Eigen::Matrix3d& rotation)
 {
-  return std::sqrt((room.centred - rotation * tracker.centred).squaredNorm() /
-                   static_cast<double>(room.centred.cols()));
+  return std::sqrt(
+    (to.centred - rotation * from.centred).squaredNorm() / static_cast<double>(to.centred.cols()));
 }
 } // namespace
 
-CalibrationFit FitTrackerToRoom(std::span<const CalibrationPair> pairs)
+RigidFit FitRigid(std::span<const PointPair> pairs, const RigidFitWords& words)
 {
-  CheckPairs(pairs);
-  const Cloud tracker = MakeCloud(pairs, &CalibrationPair::trackerMm),
-              room = MakeCloud(pairs, &CalibrationPair::roomMm);
-  CheckSpread(tracker, "for the tracker");
-  CheckSpread(room, "in the room");
+  CheckPairs(pairs, words);
+  const Cloud from = MakeCloud(pairs, &PointPair::from), to = MakeCloud(pairs, &PointPair::to);
+  CheckSpread(from, words, words.from);
+  CheckSpread(to, words, words.to);
 
   // The orthogonal matrix nearest to the correlation, and with det +1 by turning its least axis.
-  const Eigen::Matrix3d correlation = room.centred * tracker.centred.transpose();
+  const Eigen::Matrix3d correlation = to.centred * from.centred.transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
     correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Matrix3d &u = svd.matrixU(), &v = svd.matrixV();
   Eigen::Vector3d signs(1, 1, (u * v.transpose()).determinant() < 0.0 ? -1 : 1);
   const Eigen::Matrix3d rotation = u * signs.asDiagonal() * v.transpose();
-  const double rms = Rms(tracker, room, rotation), mirrored = Rms(tracker, room, u * v.transpose());
-  if (signs[2] < 0.0 && rms > MirrorGain * mirrored && rms > 1e-6 * room.spread.norm())
-    Refuse(
+  const double rms = Rms(from, to, rotation), mirrored = Rms(from, to, u * v.transpose());
+  if (signs[2] < 0.0 && rms > MirrorGain * mirrored && rms > 1e-6 * to.spread.norm())
+    Refuse(words,
       [&](auto& text)
       {
         text << "one side is the mirror image of the other: residual " << rms << " mm as they are, "
-             << mirrored << " mm with an axis turned round. Is the tracker's"
-             << " frame left-handed, or were points mixed up?";
+             << mirrored << " mm with an axis turned round. Is " << words.whose
+             << "'s frame left-handed, or were points mixed up?";
       });
 
-  CalibrationFit fit;
+  RigidFit fit;
   const Eigen::Quaterniond q(rotation);
-  const Eigen::Vector3d at = room.mean - rotation * tracker.mean;
-  fit.calibration.trackerToRoom = glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()));
-  fit.calibration.trackerInRoomMm = { at.x(), at.y(), at.z() };
-  const Eigen::Matrix3Xd apart = room.centred - rotation * tracker.centred;
+  const Eigen::Vector3d at = to.mean - rotation * from.mean;
+  fit.turn = glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()));
+  fit.shift = { at.x(), at.y(), at.z() };
+  const Eigen::Matrix3Xd apart = to.centred - rotation * from.centred;
   for (Eigen::Index n = 0; n < apart.cols(); ++n)
     fit.residualsMm.push_back(apart.col(n).norm());
   fit.rmsMm = rms;
-  fit.spreadRatio = room.spread.norm() / tracker.spread.norm();
+  fit.spreadRatio = to.spread.norm() / from.spread.norm();
   return fit;
 }
 
