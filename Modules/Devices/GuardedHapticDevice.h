@@ -22,7 +22,7 @@ struct GuardCounts
 /// on: the last good one is, with Fault.
 /// Limit: a loop that does not read either cannot be helped here; a driver with a thread of its own
 /// asks a Watchdog there.
-/// Threads: as HapticDevice. Costs about 20 ns a tick.
+/// Threads: as HapticDevice. Costs about 50 ns a tick.
 class GuardedHapticDevice : public HapticDevice
 {
 public:

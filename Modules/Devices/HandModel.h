@@ -42,7 +42,8 @@ struct HandBody
 /// angle, and Euler's equations for the inertia.
 /// Integrated by the midpoint rule in steps of 20 us: of second order; an undamped grip of 500 N/m
 /// gains less than 1e-6 of its energy a second. Deterministic.
-/// Threads: one at a time. Advance takes no memory and does not throw. Cost: about 10 us a ms.
+/// Threads: one at a time. Advance takes no memory and does not throw. Cost: 4 us a ms where
+/// the hand holds still, 20 moving, 50 with a tremor.
 class HandModel
 {
 public:

@@ -25,7 +25,7 @@ struct HapticRecorderCounts
 /// ms. If the program ends in the middle, the file holds all but the last 20 ms. What finds the
 /// ring full is lost and counted, and the numbers of the records show where. Threads: Push on
 /// HAPTIC; all else on RENDER, Finish after the last Push. A thread (WORKER) of its own from
-/// construction to Finish. Cost: 100 ns a Push; the ring, 160 bytes a tick.
+/// construction to Finish. Cost: 20 ns a Push; the ring, 160 bytes a tick.
 class HapticRecorder
 {
 public:

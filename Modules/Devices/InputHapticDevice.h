@@ -22,7 +22,7 @@ struct InputDeviceSettings
 /// SpaceMouse says are rates: they are integrated in ticks, for as long as they are fresh. Poses
 /// stay in the workspace's box; steps beyond it are lost, as a mouse's at the screen's edge.
 /// Threads: the feeding functions on RENDER, or whoever owns the window; Read and Write on HAPTIC;
-/// they meet in a TripleBuffer, and neither waits. Costs about 50 ns a tick.
+/// they meet in a TripleBuffer, and neither waits. Costs about 60 ns a tick.
 class InputHapticDevice : public HapticDevice
 {
 public:

@@ -39,7 +39,7 @@ struct SimulatedDeviceSettings
 ///
 /// Deterministic: the same Reads and Writes at the same times give the same bits.
 /// Limit: the workspace's end is no wall.
-/// Threads: as HapticDevice. Cost: that of HandModel, about 10 us a tick of 1 ms.
+/// Threads: as HapticDevice. Cost: that of HandModel.
 class SimulatedHapticDevice : public HapticDevice
 {
 public:

@@ -30,7 +30,7 @@ struct RateCounts
 /// How regular a loop is: nothing that went wrong is lost in a mean.
 ///
 /// Threads: Add on the loop's (HAPTIC), Read on any other at any time; neither waits. Fixed memory,
-/// 24 KiB. Cost: about 20 ns an Add.
+/// 24 KiB. Cost: about 15 ns an Add, 12 us a Read.
 class RateMonitor
 {
 public:
