@@ -209,6 +209,75 @@ TEST(SimulatedHapticDevice, ButtonsAndOutagesComeWhenTheyAreSaid)
   }
 }
 
+TEST(SimulatedHapticDevice, AForceFromBeforeAnOutageIsGone)
+{
+  SimulatedDeviceSettings settings = Exact();
+  settings.outages = { { 0.010, 0.020 } };
+  SimulatedHapticDevice device(settings, HandIntention());
+  DeviceSample sample;
+  device.Read(0, sample);
+  device.Write({ { 1, 0, 0 } });
+  for (int ms = 1; ms <= 30; ++ms) // nobody writes again
+  {
+    device.Read(ms * Ms, sample);
+    EXPECT_EQ(device.Applied().force.x, ms < 10 ? 1.0 : 0.0) << ms;
+  }
+}
+
+/// The largest stiffness of a spring to 0, in N/mm, with which the hand still comes to rest: the
+/// loop of device, computer and hand, closed.
+double StablestSpring(double massKg, double damping, const HandGrip& grip, int delayTicks)
+{
+  SimulatedDeviceSettings settings = Exact(delayTicks);
+  settings.profile.peakForceN = 1000.0; // stays linear
+  settings.body.massKg = massKg;
+  settings.body.viscousNsPerMm = damping;
+  settings.grip = grip;
+  const auto grows = [&](double stiffness)
+  {
+    SimulatedHapticDevice device(settings, HandIntention());
+    device.Hand().SetState({ { 0.1, 0, 0 } }, {}, {});
+    DeviceSample sample;
+    double early = 0.0, late = 0.0;
+    for (int ms = 1; ms <= 600; ++ms)
+    {
+      device.Read(ms * Ms, sample);
+      device.Write({ -stiffness * sample.pose.position });
+      double& most = ms <= 300 ? early : late;
+      most = ms > 100 ? std::max(most, std::abs(device.Hand().Pose().position.x)) : most;
+    }
+    return late > early || late > 10.0; // what has reached the motors' limit grows no more
+  };
+  double stable = 0.0, unstable = 100.0;
+  while (unstable - stable > 0.005 * unstable)
+  {
+    const double middle = 0.5 * (stable + unstable);
+    (grows(middle) ? unstable : stable) = middle;
+  }
+  return stable;
+}
+
+/// K < (b + b_hand) / (T / 2 + t_d): the linear bound of Colgate and Schenkel, with delay of Gil,
+/// Diolaiti and Hulin. It leaves out the mass and the hand's spring, which both help.
+TEST(SimulatedHapticDevice, GoesUnstableWhereTheorySaysThatLoopsDo)
+{
+  const struct
+  {
+    double massKg, damping;
+    HandGrip grip;
+  } hands[] = { { 0.12, 0.001, LooseGrip() }, { 0.12, 0.001, FirmGrip() },
+    { 0.045, 0.0003, LooseGrip() }, { 0.045, 0.0003, FirmGrip() } };
+  for (const auto& hand : hands)
+    for (const int delay : { 0, 1, 2 })
+    {
+      const double bound = (hand.damping + hand.grip.damperNsPerMm) / (0.0005 + 0.001 * delay);
+      const double found = StablestSpring(hand.massKg, hand.damping, hand.grip, delay);
+      RecordProperty("bound " + std::to_string(bound), std::to_string(found));
+      EXPECT_GT(found / bound, 1.0 - 0.005) << "to where the bisection ends";
+      EXPECT_LT(found / bound, 1.1) << hand.massKg << " " << delay;
+    }
+}
+
 TEST(SimulatedHapticDevice, ATickTakesNoMemory)
 {
   SimulatedHapticDevice device(

@@ -132,6 +132,7 @@ TEST(PeriodicLoop, AnHourOfSuspendIsOneLateTick)
   const Course run = RunTicks(clock, 5, [] { return std::int64_t(0); });
   EXPECT_EQ(run.ticks[2].skipped, 3'600'000u);
   EXPECT_EQ(run.ticks[3].dueNs - run.ticks[2].dueNs, Ms);
+  EXPECT_EQ(run.ticks[3].nowNs, run.ticks[3].dueNs) << "on time again";
 }
 
 TEST(PeriodicLoop, StopEndsItBeforeTheNextTick)
