@@ -135,6 +135,8 @@ void HandIntention::AddTremor(double timeS, IntendedPose& intended) const noexce
   for (std::size_t axis = 0; axis < 6; ++axis)
     for (const Wave& wave : this->Tremor[axis])
     {
+      if (wave.reach == 0.0)
+        break; // moves without turns, or turns without moves
       const double phase = wave.radPerS * timeS + wave.phase;
       way[axis] += wave.reach * std::sin(phase);
       speed[axis] += wave.reach * wave.radPerS * std::cos(phase);

@@ -56,7 +56,7 @@ struct TremorSettings
 ///
 /// Before 0 s it is where it starts, after the last motion where that has ended; the tremor goes
 /// on. The same seed gives the same plan on every machine, but for the last digits of std::sin. Any
-/// thread may read; no memory after construction. Cost: 150 ns, 450 with a tremor.
+/// thread may read; no memory after construction. Cost: 100 ns, 200 with a tremor of moves.
 class HandIntention
 {
 public:

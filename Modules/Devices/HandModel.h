@@ -43,7 +43,7 @@ struct HandBody
 /// Integrated by the midpoint rule in steps of 20 us: of second order; an undamped grip of 500 N/m
 /// gains less than 1e-6 of its energy a second. Deterministic.
 /// Threads: one at a time. Advance takes no memory and does not throw. Cost: 4 us a ms where
-/// the hand holds still, 20 moving, 50 with a tremor.
+/// the hand holds still, 10 moving, 15 with a tremor.
 class HandModel
 {
 public:
@@ -83,7 +83,7 @@ private:
   {
     glm::dvec3 acceleration, turnAcceleration;
   };
-  Rate RateOf(const State& state, double timeS, const Wrench& applied) const noexcept;
+  Rate RateOf(const State& state, const IntendedPose& aim, const Wrench& applied) const noexcept;
   void Step(double stepS, const Wrench& applied) noexcept;
   void CheckStep() const;
 
