@@ -32,8 +32,8 @@ struct DeviceProfile
   int delayTicks = 1; ///< transport, at 1 kHz
 };
 
-// Devices of the kinds that are in use. Forces of the Falcon as in the thesis; its stiffness, the
-// Touch's and the Premium's largest forces as other haptics libraries have them; the rest rounded.
+// Devices of the kinds that are in use. From public sources: the largest forces, and the stiffness
+// of the Falcon and the Touch. All else is nominal, ours, and to be replaced by what a device says.
 DeviceProfile GenericProfile();
 DeviceProfile FalconProfile();  ///< 3 axes of pose and force, 8.9 N
 DeviceProfile TouchProfile();   ///< 6 axes of pose, 3 of force, 3.3 N

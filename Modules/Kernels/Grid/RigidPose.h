@@ -48,12 +48,12 @@ struct Wrench
   }
 };
 
-/// The turn as axis times angle, radians in [0, pi]: the shorter way round. Exact to the last digits
-/// near no turn, where an arc cosine is not. {0} for a quaternion that is 0.
+/// The turn as axis times angle, radians in [0, pi]: the shorter way round. Exact to the last
+/// digits near no turn, where an arc cosine is not. {0} for a quaternion that is 0.
 inline glm::dvec3 RotationVector(const glm::dquat& turn) noexcept
 {
-  const glm::dvec3 v = turn.w < 0.0 ? -glm::dvec3(turn.x, turn.y, turn.z)
-                                    : glm::dvec3(turn.x, turn.y, turn.z);
+  const glm::dvec3 v =
+    turn.w < 0.0 ? -glm::dvec3(turn.x, turn.y, turn.z) : glm::dvec3(turn.x, turn.y, turn.z);
   const double sine = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
   const double cosine = std::abs(turn.w);
   if (sine == 0.0)
