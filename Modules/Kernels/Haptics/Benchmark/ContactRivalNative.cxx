@@ -1,0 +1,6 @@
+#include "Benchmark/ContactRivals.h"
+
+namespace rival::native
+{
+#include "Benchmark/ContactRival.inl"
+}

@@ -1,0 +1,6 @@
+#include "Benchmark/ContactRivals.h"
+
+namespace rival::o2
+{
+#include "Benchmark/ContactRival.inl"
+}

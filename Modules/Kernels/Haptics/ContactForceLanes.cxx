@@ -1,0 +1,267 @@
+#include "Haptics/ContactForceLanes.h"
+
+// Once an instruction set. SSSE3 processors without SSE4 are as old as they are few.
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Haptics/ContactForceLanes.cxx"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "Haptics/ContactLanes-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace hasp::HWY_NAMESPACE
+{
+
+/// Vectors that are summed a lane, in float, before their sums are added in double.
+constexpr std::uint32_t GroupSize = 64;
+
+template <int Count>
+struct LaneSums
+{
+  Floats sum[Count];
+
+  HWY_INLINE LaneSums()
+  {
+    for (Floats& s : this->sum)
+      s = hn::Zero(floats);
+  }
+  HWY_INLINE void AddTo(double* total) const
+  {
+    for (int n = 0; n < Count; ++n)
+      total[n] += static_cast<double>(hn::GetLane(hn::SumOfLanes(floats, this->sum[n])));
+  }
+};
+
+/// sum += a j, j = [g; lever]
+HWY_INLINE void AddLever(Floats a, const Vectors3& g, const Vectors3& lever, LaneSums<6>& to)
+{
+  const Floats j[6] = { g.x, g.y, g.z, lever.x, lever.y, lever.z };
+  for (int n = 0; n < 6; ++n)
+    to.sum[n] = hn::MulAdd(a, j[n], to.sum[n]);
+}
+
+/// sum += [f; p x f]
+HWY_INLINE void AddForce(const Vectors3& f, const Vectors3& p, LaneSums<6>& to)
+{
+  to.sum[0] = hn::Add(to.sum[0], f.x);
+  to.sum[1] = hn::Add(to.sum[1], f.y);
+  to.sum[2] = hn::Add(to.sum[2], f.z);
+  to.sum[3] = hn::MulAdd(p.y, f.z, hn::NegMulAdd(p.z, f.y, to.sum[3]));
+  to.sum[4] = hn::MulAdd(p.z, f.x, hn::NegMulAdd(p.x, f.z, to.sum[4]));
+  to.sum[5] = hn::MulAdd(p.x, f.y, hn::NegMulAdd(p.y, f.x, to.sum[5]));
+}
+
+/// One group's sums. What the terms do not need is never touched, so it takes no register.
+struct GroupSums
+{
+  LaneSums<6> push, pull;
+  LaneSums<21> matrix;
+  LaneSums<1> squares, area, attractedArea;
+  Floats deepest;
+  std::size_t contacts = 0, attracted = 0;
+
+  HWY_INLINE GroupSums() : deepest(hn::Zero(floats)) {}
+};
+
+template <ContactTerms Terms, bool OwnAreas>
+struct Kernel
+{
+  static constexpr bool Gradient = Terms != ContactTerms::Force;
+  static constexpr bool Snap = Terms == ContactTerms::Snap;
+
+  const ContactPoints& points;
+  const MapView& map;
+  const ContactFrame<float>& frame;
+  float capture, perCapture;
+
+  HWY_INLINE void Press(std::size_t first, const Vectors3& p, Floats mm, Mask contact,
+    const Vectors3& gradient, GroupSums& sums) const
+  {
+    mm = hn::IfThenElseZero(contact, mm);
+    sums.contacts += hn::CountTrue(floats, contact);
+    sums.deepest = hn::Min(sums.deepest, mm);
+    Floats weighted = mm;
+    if constexpr (OwnAreas)
+    {
+      const Floats area = hn::IfThenElseZero(contact, hn::Load(floats, this->points.areas + first));
+      sums.area.sum[0] = hn::Add(sums.area.sum[0], area);
+      weighted = hn::Mul(mm, area);
+    }
+    sums.squares.sum[0] = hn::MulAdd(weighted, mm, sums.squares.sum[0]);
+    if constexpr (!Gradient)
+    {
+      const Vectors3 n = Load3(this->points.nx, this->points.ny, this->points.nz, first);
+      const Floats w = hn::Neg(weighted); // where the map's gradient is against the normal
+      AddForce({ hn::Mul(w, n.x), hn::Mul(w, n.y), hn::Mul(w, n.z) }, p, sums.push);
+    }
+    else
+    {
+      const Vectors3 g = Where(contact, gradient);
+      const Vectors3 t = Cross(p, g);
+      AddLever(weighted, g, t, sums.push);
+      const Floats j[6] = { g.x, g.y, g.z, t.x, t.y, t.z };
+      for (int r = 0, n = 0; r < 6; ++r)
+      {
+        Floats scaled = j[r];
+        if constexpr (OwnAreas)
+          scaled = hn::Mul(hn::Load(floats, this->points.areas + first), scaled);
+        for (int c = r; c < 6; ++c, ++n)
+          sums.matrix.sum[n] = hn::MulAdd(scaled, j[c], sums.matrix.sum[n]);
+      }
+    }
+  }
+
+  HWY_INLINE void Attract(std::size_t first, const Vectors3& p, Floats mm, Mask near,
+    const Vectors3& gradient, GroupSums& sums) const
+  {
+    const Vectors3 n = Load3(this->points.nx, this->points.ny, this->points.nz, first);
+    const Floats facing = hn::Neg(Dot(n, gradient));
+    const Mask pulled = hn::And(near, hn::Gt(facing, hn::Zero(floats)));
+    const Floats share = hn::Mul(mm, Splat(this->perCapture));
+    const Floats rim = hn::NegMulAdd(share, share, Splat(1.0F));
+    const Floats bend = hn::Mul(rim, facing);
+    Floats pull = hn::IfThenElseZero(pulled, hn::Mul(share, hn::Mul(bend, bend)));
+    if constexpr (OwnAreas)
+    {
+      const Floats area = hn::IfThenElseZero(pulled, hn::Load(floats, this->points.areas + first));
+      sums.attractedArea.sum[0] = hn::Add(sums.attractedArea.sum[0], area);
+      pull = hn::Mul(pull, area);
+    }
+    sums.attracted += hn::CountTrue(floats, pulled);
+    const Vectors3 g = Where(pulled, gradient);
+    AddForce({ hn::Mul(pull, g.x), hn::Mul(pull, g.y), hn::Mul(pull, g.z) }, p, sums.pull);
+  }
+
+  /// Lanes points, from the first on.
+  HWY_INLINE void Feel(std::size_t first, GroupSums& sums) const
+  {
+    const Vectors3 p = Load3(this->points.x, this->points.y, this->points.z, first);
+    const Vectors3 index = Matrix3{ this->frame.shellToIndex }(p, this->frame.indexOfShell);
+    const Mask inside = Inside(index, this->map.last);
+    if (hn::AllFalse(floats, inside))
+      return;
+    const Cells cells = FindCells(this->map, index, inside);
+    const Mixed mixed(cells);
+    const Floats mm = hn::Mul(mixed.Value(cells), Splat(this->map.mmPerStep));
+    const Floats zero = hn::Zero(floats);
+    const Mask contact = hn::And(inside, hn::Lt(mm, zero));
+    const bool touches = !hn::AllFalse(floats, contact);
+    if constexpr (!Snap)
+    {
+      if (!touches)
+        return;
+    }
+    Vectors3 gradient{ zero, zero, zero };
+    if constexpr (Snap)
+    {
+      const Mask near =
+        hn::And(inside, hn::And(hn::Gt(mm, zero), hn::Lt(mm, Splat(this->capture))));
+      const bool pulls = !hn::AllFalse(floats, near);
+      if (!touches && !pulls)
+        return;
+      gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
+      if (pulls)
+        this->Attract(first, p, mm, near, gradient, sums);
+      if (!touches)
+        return;
+    }
+    else if constexpr (Gradient)
+      gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
+    this->Press(first, p, mm, contact, gradient, sums);
+  }
+
+  HWY_INLINE void Group(std::size_t first, std::size_t end, ShellSums& total) const
+  {
+    GroupSums sums;
+    for (; first < end; first += Lanes)
+      this->Feel(first, sums);
+    if (sums.contacts > 0)
+    {
+      sums.push.AddTo(total.push.data());
+      sums.squares.AddTo(&total.squares);
+      if constexpr (OwnAreas)
+        sums.area.AddTo(&total.area);
+      if constexpr (Gradient)
+        sums.matrix.AddTo(total.matrix.data());
+      const float deepest = hn::GetLane(hn::MinOfLanes(floats, sums.deepest));
+      total.deepestMm = std::min(total.deepestMm, static_cast<double>(deepest));
+      total.contacts += static_cast<std::uint32_t>(sums.contacts);
+    }
+    if constexpr (Snap)
+      if (sums.attracted > 0)
+      {
+        sums.pull.AddTo(total.pull.data());
+        if constexpr (OwnAreas)
+          sums.attractedArea.AddTo(&total.attractedArea);
+        else
+          total.attractedArea += static_cast<double>(sums.attracted);
+      }
+  }
+};
+
+template <ContactTerms Terms, bool OwnAreas>
+HWY_NOINLINE void Sum(const ContactPoints& points, const ContactFrame<float>& frame,
+  const MapView& map, float capture, ShellSums& total) noexcept
+{
+  const Kernel<Terms, OwnAreas> kernel{ points, map, frame, capture, 1.0F / capture };
+  constexpr std::size_t step = static_cast<std::size_t>(GroupSize) * Lanes;
+  for (std::size_t first = 0; first < points.count; first += step)
+    kernel.Group(first, std::min<std::size_t>(first + step, points.count), total);
+}
+
+template <ContactTerms Terms>
+void SideBySide(const ContactPoints& points, const ContactPlacement& placement, const MapView& map,
+  const ContactSettings& settings, ContactSums& sums) noexcept
+{
+  const ContactFrame<float> frame(placement, map);
+  if (!frame.finite)
+    return;
+  ShellSums total;
+  if (points.areas)
+    Sum<Terms, true>(points, frame, map, settings.captureMm, total);
+  else
+  {
+    Sum<Terms, false>(points, frame, map, settings.captureMm, total);
+    total.Scale(points.area);
+  }
+  total.AddTo(Terms, frame.shellToMap, settings, sums);
+}
+
+ContactKernels Here()
+{
+  return { hwy::TargetName(HWY_TARGET),
+    { SideBySide<ContactTerms::Force>, SideBySide<ContactTerms::Matrix>,
+      SideBySide<ContactTerms::Snap> } };
+}
+
+} // namespace hasp::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hasp
+{
+
+HWY_EXPORT(Here);
+
+std::vector<ContactKernels> LanesContactKernels()
+{
+  std::vector<ContactKernels> kernels;
+  const auto& table = HWY_DISPATCH_TABLE(Here);
+  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
+  {
+    const std::int64_t target = left & -left;
+    hwy::ChosenTarget chosen;
+    chosen.Update(target);
+    if (target == HWY_SCALAR || target == HWY_EMU128)
+      continue; // ours is better than a vector of one lane, or a vector that is played
+    const std::size_t at = std::size(table) == 1 ? 0 : chosen.GetIndex(); // 1: compiled for one
+    kernels.insert(kernels.begin(), table[at]());
+  }
+  return kernels;
+}
+
+} // namespace hasp
+#endif

@@ -1,0 +1,166 @@
+// Kernels against each other: vectors against one point after the other, int16 against float.
+#include "Testing/ContactScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace
+{
+
+using namespace hasp;
+
+constexpr ContactTerms AllTerms[] = { ContactTerms::Force, ContactTerms::Matrix,
+  ContactTerms::Snap };
+constexpr double Radius = 9.0;
+
+double Bumpy(const glm::dvec3& p)
+{
+  return BumpyBall(p, Radius, 0.8);
+}
+
+/// Forces relative to how hard the body is pressed, torques to that at the shell's radius: sums may
+/// cancel to nothing.
+double WrenchError(const ContactSums& a, const ContactSums& b, double lever)
+{
+  double worst = std::abs(a.energy - b.energy) / b.energy;
+  const auto compare = [&](const Wrench& u, const Wrench& v)
+  {
+    const double force = glm::length(v.force);
+    worst = std::max(worst, glm::length(u.force - v.force) / force);
+    worst = std::max(worst, glm::length(u.torque - v.torque) / (force * lever));
+  };
+  compare(a.contact, b.contact);
+  if (b.attractedArea > 0.0)
+    compare(a.attraction, b.attraction);
+  return worst;
+}
+
+/// Relative to the diagonal. What a point adds is there or not, so one that is at the very surface
+/// makes a step: `flips` of them may.
+double MatrixError(const ContactSums& a, const ContactSums& b, double lever, double flips)
+{
+  double worst = 0.0;
+  const double size = b.matrix[0] + b.matrix[6] + b.matrix[11];
+  for (std::size_t n = 0; n < a.matrix.size() && size > 0.0; ++n)
+    worst = std::max(worst, std::abs(a.matrix[n] - b.matrix[n]) / (size * lever * lever));
+  return worst - flips / b.contacts;
+}
+
+class Poses : public testing::Test
+{
+protected:
+  Poses()
+  {
+    AddBall(this->Shell, 5000, 5.0);
+    Dice dice(3);
+    for (int n = 0; n < 5000; ++n)
+      this->Areas.push_back(static_cast<float>(0.02 + 0.1 * dice()));
+    for (int n = 0; n < 20; ++n)
+    {
+      const glm::dvec3 away = glm::normalize(dice.InBox(1.0));
+      const double mm = Radius + 5.0 - 0.5 - 1.5 * dice(); // pressed in by 1 to 2 mm
+      this->All.push_back({ away * mm, TurnBy(dice.InBox(2.0)) });
+    }
+  }
+  ShellOfPoints Shell;
+  std::vector<float> Areas;
+  std::vector<RigidPose> All;
+  const ContactSettings Settings{ .attraction = 0.01F, .captureMm = 3.0F };
+};
+
+TEST_F(Poses, VectorsAgreeWithOneByOne)
+{
+  const BakedMap<std::int16_t> map(OddGrid(56), 6.0, Bumpy);
+  const ContactKernels scalar = ScalarContactKernels();
+  for (const bool own : { false, true })
+  {
+    const ContactPoints points = this->Shell.Get(0.06F, own ? this->Areas : std::vector<float>());
+    for (const RigidPose& pose : this->All)
+      for (const ContactTerms terms : AllTerms)
+      {
+        ContactSums truth;
+        scalar[terms](points, { pose }, map.Get(), this->Settings, truth);
+        ASSERT_GT(truth.contacts, 50U);
+        for (const ContactKernels& kernels : AllContactKernels())
+        {
+          ContactSums sums;
+          kernels[terms](points, { pose }, map.Get(), this->Settings, sums);
+          EXPECT_LE(WrenchError(sums, truth, 5.0), 1e-5) << kernels.name; // the promise
+          // A point at the very surface may be on either side by the last bit.
+          const int flips = std::abs(static_cast<int>(sums.contacts - truth.contacts));
+          EXPECT_LE(flips, 1) << kernels.name;
+          EXPECT_LE(MatrixError(sums, truth, 5.0, flips), 1e-5) << kernels.name;
+          EXPECT_NEAR(sums.deepestMm, truth.deepestMm, 1e-5) << kernels.name;
+          EXPECT_NEAR(sums.contactArea, truth.contactArea, 0.13) << kernels.name;
+          EXPECT_NEAR(sums.attractedArea, truth.attractedArea, 0.13) << kernels.name;
+        }
+      }
+  }
+}
+
+TEST_F(Poses, ShortsAgreeWithFloats)
+{
+  const BakedMap<std::int16_t> shorts(OddGrid(56), 6.0, Bumpy);
+  const BakedMap<float> floats(OddGrid(56), 6.0, Bumpy);
+  const ContactPoints points = this->Shell.Get(0.06F);
+  for (const RigidPose& pose : this->All)
+    for (const ContactTerms terms : AllTerms)
+    {
+      ContactSums truth;
+      ContactForceReference(terms, points, { pose }, floats.Get(), this->Settings, truth);
+      for (const ContactKernels& kernels : AllContactKernels())
+      {
+        ContactSums sums;
+        kernels[terms](points, { pose }, shorts.Get(), this->Settings, sums);
+        EXPECT_LE(WrenchError(sums, truth, 5.0), 1e-4) << kernels.name; // the promise
+        // Half a step of int16, 1e-4 mm, among depths of some tenths.
+        EXPECT_LE(MatrixError(sums, truth, 5.0, 3.0), 1e-3) << kernels.name;
+      }
+    }
+}
+
+TEST_F(Poses, KernelsAreRepeatable)
+{
+  const BakedMap<std::int16_t> map(OddGrid(56), 6.0, Bumpy);
+  const ContactPoints points = this->Shell.Get(0.06F);
+  for (const ContactKernels& kernels : AllContactKernels())
+  {
+    ContactSums one, two;
+    kernels[ContactTerms::Snap](points, { this->All[0] }, map.Get(), this->Settings, one);
+    kernels[ContactTerms::Snap](points, { this->All[0] }, map.Get(), this->Settings, two);
+    EXPECT_EQ(one.contact.torque, two.contact.torque) << kernels.name;
+    EXPECT_EQ(one.matrix, two.matrix) << kernels.name;
+  }
+}
+
+TEST(ContactKernels, TheScalarOneIsFirstAndNamesDiffer)
+{
+  const std::vector<ContactKernels> all = AllContactKernels();
+  ASSERT_FALSE(all.empty());
+  EXPECT_STREQ(all[0].name, "scalar");
+  std::set<std::string> names;
+  for (const ContactKernels& kernels : all)
+  {
+    names.insert(kernels.name);
+    for (const ContactTerms terms : AllTerms)
+      EXPECT_NE(kernels[terms], nullptr) << kernels.name;
+  }
+  EXPECT_EQ(names.size(), all.size());
+#if HASP_WITH_HIGHWAY && defined(__x86_64__)
+  EXPECT_EQ(names.count("AVX2"), __builtin_cpu_supports("avx2") ? 1U : 0U);
+#endif
+}
+
+TEST(ContactKernels, TheFastestIsOneOfThem)
+{
+  const ContactKernels& fastest = FastestContactKernels();
+  const std::vector<ContactKernels> all = AllContactKernels();
+  EXPECT_TRUE(std::any_of(
+    all.begin(), all.end(), [&](const ContactKernels& k) { return k.byTerms == fastest.byTerms; }));
+  EXPECT_EQ(&fastest, &FastestContactKernels()); // timed once
+}
+
+} // namespace
