@@ -57,17 +57,18 @@ ContactSums& ContactSums::operator+=(const ContactSums& other) noexcept
   return *this;
 }
 
-void ShellSums::Scale(double factor) noexcept
+void ShellSums::Scale(double pointArea, double depthMm, double pushMm) noexcept
 {
   for (double& sum : this->push)
-    sum *= factor;
+    sum *= pointArea * pushMm;
   for (double& sum : this->pull)
-    sum *= factor;
+    sum *= pointArea;
   for (double& sum : this->matrix)
-    sum *= factor;
-  this->squares *= factor;
-  this->area = factor * this->contacts;
-  this->attractedArea *= factor;
+    sum *= pointArea;
+  this->squares *= pointArea * depthMm * depthMm;
+  this->area *= pointArea;
+  this->attractedArea *= pointArea;
+  this->deepestMm *= depthMm;
 }
 
 void ShellSums::AddTo(ContactTerms terms, const glm::dmat3& shellToMap,

@@ -54,17 +54,31 @@ HWY_INLINE void AddForce(const Vectors3& f, const Vectors3& p, LaneSums<6>& to)
   to.sum[5] = hn::MulAdd(p.x, f.y, hn::NegMulAdd(p.y, f.x, to.sum[5]));
 }
 
-/// One group's sums. What the terms do not need is never touched, so it takes no register.
+/// One group's sums, depths in the lanes' units. What the terms do not need is never touched, so it
+/// takes no register.
 struct GroupSums
 {
   LaneSums<6> push, pull;
-  LaneSums<21> matrix;
+  LaneSums<6> row0;
+  LaneSums<5> row1;
+  LaneSums<4> row2;
+  LaneSums<3> row3;
+  LaneSums<2> row4;
+  LaneSums<1> row5;
   LaneSums<1> squares, area, attractedArea;
   Floats deepest;
   std::size_t contacts = 0, attracted = 0;
 
   HWY_INLINE GroupSums() : deepest(hn::Zero(floats)) {}
 };
+
+/// The rest of a row of sum A j j^T, from the diagonal on.
+template <int Count>
+HWY_INLINE void AddRow(Floats scaled, const Floats (&j)[6], LaneSums<Count>& to)
+{
+  for (int n = 0; n < Count; ++n)
+    to.sum[n] = hn::MulAdd(scaled, j[6 - Count + n], to.sum[n]);
+}
 
 template <ContactTerms Terms, bool OwnAreas>
 struct Kernel
@@ -77,25 +91,25 @@ struct Kernel
   const ContactFrame<float>& frame;
   float capture, perCapture;
 
-  HWY_INLINE void Press(std::size_t first, const Vectors3& p, Floats mm, Mask contact,
+  HWY_INLINE void Press(std::size_t first, const Vectors3& p, Floats depth, Mask contact,
     const Vectors3& gradient, GroupSums& sums) const
   {
-    mm = hn::IfThenElseZero(contact, mm);
+    depth = hn::IfThenElseZero(contact, depth);
     sums.contacts += hn::CountTrue(floats, contact);
-    sums.deepest = hn::Min(sums.deepest, mm);
-    Floats weighted = mm;
+    sums.deepest = hn::Min(sums.deepest, depth);
+    Floats weighted = depth;
     if constexpr (OwnAreas)
     {
       const Floats area = hn::IfThenElseZero(contact, hn::Load(floats, this->points.areas + first));
       sums.area.sum[0] = hn::Add(sums.area.sum[0], area);
-      weighted = hn::Mul(mm, area);
+      weighted = hn::Mul(depth, area);
     }
-    sums.squares.sum[0] = hn::MulAdd(weighted, mm, sums.squares.sum[0]);
+    sums.squares.sum[0] = hn::MulAdd(weighted, depth, sums.squares.sum[0]);
     if constexpr (!Gradient)
     {
       const Vectors3 n = Load3(this->points.nx, this->points.ny, this->points.nz, first);
-      const Floats w = hn::Neg(weighted); // where the map's gradient is against the normal
-      AddForce({ hn::Mul(w, n.x), hn::Mul(w, n.y), hn::Mul(w, n.z) }, p, sums.push);
+      AddForce(
+        { hn::Mul(weighted, n.x), hn::Mul(weighted, n.y), hn::Mul(weighted, n.z) }, p, sums.push);
     }
     else
     {
@@ -103,24 +117,29 @@ struct Kernel
       const Vectors3 t = Cross(p, g);
       AddLever(weighted, g, t, sums.push);
       const Floats j[6] = { g.x, g.y, g.z, t.x, t.y, t.z };
-      for (int r = 0, n = 0; r < 6; ++r)
+      const auto scaled = [&](int row) HWY_ATTR
       {
-        Floats scaled = j[r];
         if constexpr (OwnAreas)
-          scaled = hn::Mul(hn::Load(floats, this->points.areas + first), scaled);
-        for (int c = r; c < 6; ++c, ++n)
-          sums.matrix.sum[n] = hn::MulAdd(scaled, j[c], sums.matrix.sum[n]);
-      }
+          return hn::Mul(hn::Load(floats, this->points.areas + first), j[row]);
+        else
+          return j[row];
+      };
+      AddRow(scaled(0), j, sums.row0);
+      AddRow(scaled(1), j, sums.row1);
+      AddRow(scaled(2), j, sums.row2);
+      AddRow(scaled(3), j, sums.row3);
+      AddRow(scaled(4), j, sums.row4);
+      AddRow(scaled(5), j, sums.row5);
     }
   }
 
-  HWY_INLINE void Attract(std::size_t first, const Vectors3& p, Floats mm, Mask near,
+  HWY_INLINE void Attract(std::size_t first, const Vectors3& p, Floats depth, Mask near,
     const Vectors3& gradient, GroupSums& sums) const
   {
     const Vectors3 n = Load3(this->points.nx, this->points.ny, this->points.nz, first);
     const Floats facing = hn::Neg(Dot(n, gradient));
     const Mask pulled = hn::And(near, hn::Gt(facing, hn::Zero(floats)));
-    const Floats share = hn::Mul(mm, Splat(this->perCapture));
+    const Floats share = hn::Mul(depth, Splat(this->perCapture));
     const Floats rim = hn::NegMulAdd(share, share, Splat(1.0F));
     const Floats bend = hn::Mul(rim, facing);
     Floats pull = hn::IfThenElseZero(pulled, hn::Mul(share, hn::Mul(bend, bend)));
@@ -145,9 +164,9 @@ struct Kernel
       return;
     const Cells cells = FindCells(this->map, index, inside);
     const Mixed mixed(cells);
-    const Floats mm = hn::Mul(mixed.Value(cells), Splat(this->map.mmPerStep));
+    const Floats depth = mixed.Value(cells); // in the lanes' units
     const Floats zero = hn::Zero(floats);
-    const Mask contact = hn::And(inside, hn::Lt(mm, zero));
+    const Mask contact = hn::And(inside, hn::Lt(depth, zero));
     const bool touches = !hn::AllFalse(floats, contact);
     if constexpr (!Snap)
     {
@@ -158,19 +177,19 @@ struct Kernel
     if constexpr (Snap)
     {
       const Mask near =
-        hn::And(inside, hn::And(hn::Gt(mm, zero), hn::Lt(mm, Splat(this->capture))));
+        hn::And(inside, hn::And(hn::Gt(depth, zero), hn::Lt(depth, Splat(this->capture))));
       const bool pulls = !hn::AllFalse(floats, near);
       if (!touches && !pulls)
         return;
       gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
       if (pulls)
-        this->Attract(first, p, mm, near, gradient, sums);
+        this->Attract(first, p, depth, near, gradient, sums);
       if (!touches)
         return;
     }
     else if constexpr (Gradient)
       gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
-    this->Press(first, p, mm, contact, gradient, sums);
+    this->Press(first, p, depth, contact, gradient, sums);
   }
 
   HWY_INLINE void Group(std::size_t first, std::size_t end, ShellSums& total) const
@@ -184,8 +203,17 @@ struct Kernel
       sums.squares.AddTo(&total.squares);
       if constexpr (OwnAreas)
         sums.area.AddTo(&total.area);
+      else
+        total.area += static_cast<double>(sums.contacts);
       if constexpr (Gradient)
-        sums.matrix.AddTo(total.matrix.data());
+      {
+        sums.row0.AddTo(total.matrix.data());
+        sums.row1.AddTo(total.matrix.data() + 6);
+        sums.row2.AddTo(total.matrix.data() + 11);
+        sums.row3.AddTo(total.matrix.data() + 15);
+        sums.row4.AddTo(total.matrix.data() + 18);
+        sums.row5.AddTo(total.matrix.data() + 20);
+      }
       const float deepest = hn::GetLane(hn::MinOfLanes(floats, sums.deepest));
       total.deepestMm = std::min(total.deepestMm, static_cast<double>(deepest));
       total.contacts += static_cast<std::uint32_t>(sums.contacts);
@@ -216,17 +244,18 @@ template <ContactTerms Terms>
 void SideBySide(const ContactPoints& points, const ContactPlacement& placement, const MapView& map,
   const ContactSettings& settings, ContactSums& sums) noexcept
 {
-  const ContactFrame<float> frame(placement, map);
+  ContactFrame<float> frame(placement, map);
   if (!frame.finite)
     return;
+  frame.gradientToShell *= 1.0F / PerSample;
+  const float mm = map.mmPerStep / PerSample; // a lane's unit of depth
   ShellSums total;
   if (points.areas)
-    Sum<Terms, true>(points, frame, map, settings.captureMm, total);
+    Sum<Terms, true>(points, frame, map, settings.captureMm / mm, total);
   else
-  {
-    Sum<Terms, false>(points, frame, map, settings.captureMm, total);
-    total.Scale(points.area);
-  }
+    Sum<Terms, false>(points, frame, map, settings.captureMm / mm, total);
+  // Without a gradient the push is along the normal, which is against it.
+  total.Scale(points.areas ? 1.0 : points.area, mm, Terms == ContactTerms::Force ? -mm : mm);
   total.AddTo(Terms, frame.shellToMap, settings, sums);
 }
 

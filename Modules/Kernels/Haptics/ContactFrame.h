@@ -54,8 +54,8 @@ struct ShellSums
   double deepestMm = 0.0;
   std::uint32_t contacts = 0;
 
-  /// Of sums that were made with an area of 1 for each point.
-  void Scale(double area) noexcept;
+  /// Of sums that were made of points of area 1, of depths and pushes in other units.
+  void Scale(double pointArea, double depthMm, double pushMm) noexcept;
   /// Adds these to `sums`, turned into the map's axes and with their factors.
   void AddTo(ContactTerms terms, const glm::dmat3& shellToMap, const ContactSettings& settings,
     ContactSums& sums) const noexcept;

@@ -102,32 +102,59 @@ HWY_INLINE Mask Inside(const Vectors3& i, const glm::vec3& last)
   return hn::Gt(hn::Min(hn::Min(x, y), z), hn::Zero(floats));
 }
 
+/// Samples as the lanes hold them: shifted to the upper half of 32 bits, which takes no instruction
+/// to undo.
+constexpr float PerSample = 65536.0F;
+
 /// Two neighbours along x in one gather of 32 bits: half of the gathers.
 HWY_INLINE void Pairs(const std::int16_t* samples, Ints bytes, Floats& low, Floats& high)
 {
   const Ints pair = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(samples), bytes);
-  low = hn::ConvertTo(floats, hn::ShiftRight<16>(hn::ShiftLeft<16>(pair)));
-  high = hn::ConvertTo(floats, hn::ShiftRight<16>(pair));
+  low = hn::ConvertTo(floats, hn::ShiftLeft<16>(pair));
+  high = hn::ConvertTo(floats, hn::And(pair, Splat(-0x10000)));
 }
+
+/// A coordinate's cell, in the lowest bits of a float, and the rest of it, in [0, 1]. Adding a
+/// large number rounds to whole ones, and takes fewer instructions than conversions with their care
+/// for numbers that do not fit. Where it is a tie either cell will do, with a rest of 0 or of 1.
+struct Whole
+{
+  static constexpr float Round = 12582912.0F; ///< 1.5 * 2^23: one unit is the lowest bit
+  static constexpr std::uint32_t Bits = 0x4B400000U;
+
+  Ints bits;
+  Floats rest;
+
+  HWY_INLINE explicit Whole(Floats at)
+  {
+    const Floats rounded = hn::Add(hn::Sub(at, Splat(0.5F)), Splat(Round));
+    this->bits = hn::BitCast(ints, rounded);
+    this->rest = hn::Sub(at, hn::Sub(rounded, Splat(Round)));
+  }
+};
 
 /// Outside of the grid: of its first block; numbers without meaning.
 HWY_INLINE Cells FindCells(const MapView& map, const Vectors3& index, Mask inside)
 {
-  const Ints x = hn::ConvertTo(ints, index.x), y = hn::ConvertTo(ints, index.y),
-             z = hn::ConvertTo(ints, index.z);
-  Cells cells;
-  cells.at = { hn::Sub(index.x, hn::ConvertTo(floats, x)),
-    hn::Sub(index.y, hn::ConvertTo(floats, y)), hn::Sub(index.z, hn::ConvertTo(floats, z)) };
   static_assert(MapView::Side == 8 && MapView::Row == 9 && MapView::Slice == 81);
-  const Ints row =
-    hn::Add(hn::Mul(hn::ShiftRight<3>(z), Splat(map.blocks.y)), hn::ShiftRight<3>(y));
-  const Ints block = hn::Add(hn::Mul(row, Splat(map.blocks.x)), hn::ShiftRight<3>(x));
+  const Whole x(index.x), y(index.y), z(index.z);
+  Cells cells;
+  cells.at = { x.rest, y.rest, z.rest };
+  // Blocks, each with Bits / 8 too many; modulo 2^32 the sum's excess is one number.
+  const std::uint32_t stepY = static_cast<std::uint32_t>(map.blocks.x),
+                      stepZ = stepY * static_cast<std::uint32_t>(map.blocks.y);
+  const std::uint32_t excess = (Whole::Bits >> 3U) * (1U + stepY + stepZ);
+  const Ints across = hn::Add(hn::ShiftRight<3>(x.bits),
+    hn::Mul(hn::ShiftRight<3>(y.bits), Splat(static_cast<std::int32_t>(stepY))));
+  const Ints block = hn::Sub(
+    hn::Add(across, hn::Mul(hn::ShiftRight<3>(z.bits), Splat(static_cast<std::int32_t>(stepZ)))),
+    Splat(static_cast<std::int32_t>(excess)));
   const Ints brick =
     hn::GatherIndex(ints, map.firstSample, hn::IfThenElseZero(hn::RebindMask(ints, inside), block));
   const Ints seven = Splat(MapView::Side - 1);
   const auto nine = [](Ints v) HWY_ATTR { return hn::Add(hn::ShiftLeft<3>(v), v); };
-  const Ints slice = hn::Add(nine(hn::And(z, seven)), hn::And(y, seven));
-  const Ints sample = hn::Add(brick, hn::Add(nine(slice), hn::And(x, seven)));
+  const Ints slice = hn::Add(nine(hn::And(z.bits, seven)), hn::And(y.bits, seven));
+  const Ints sample = hn::Add(brick, hn::Add(nine(slice), hn::And(x.bits, seven)));
   const Ints bytes = hn::ShiftLeft<1>(sample);
   for (int n = 0; n < 4; ++n)
     Pairs(map.samples + (n & 1) * MapView::Row + (n >> 1) * MapView::Slice, bytes, cells.low[n],

@@ -1,5 +1,5 @@
-// Points of a shell that a millisecond of one core's time allows, and how far the results lie apart.
-// Usage: BenchKernelHaptics [rounds, default 15] [points, default 20000]
+// Points of a shell that a millisecond of one core's time allows, and how far the results lie
+// apart. Usage: BenchKernelHaptics [rounds, default 15] [points, default 20000]
 //
 // A bumpy ball against itself, turned and moved by half a voxel: half of the points in contact, in
 // Morton order. All contestants take turns, each gets its best round: this host's neighbours are
@@ -41,8 +41,8 @@ std::uint64_t Morton(const glm::dvec3& p, double half)
 {
   const glm::dvec3 whole = (p / half + 1.0) * static_cast<double>(1 << 20);
   return Spread(static_cast<std::uint64_t>(whole.x)) |
-    Spread(static_cast<std::uint64_t>(whole.y)) << 1U |
-    Spread(static_cast<std::uint64_t>(whole.z)) << 2U;
+         Spread(static_cast<std::uint64_t>(whole.y)) << 1U |
+         Spread(static_cast<std::uint64_t>(whole.z)) << 2U;
 }
 
 /// The bumpy ball in a volume of n^3 samples, 1 mm apart.
@@ -96,10 +96,7 @@ struct Bench
     this->points = this->shell.Get(this->area);
   }
 
-  double Mm(const glm::dvec3& p) const
-  {
-    return BumpyBall(p, this->radius, 0.02 * this->radius);
-  }
+  double Mm(const glm::dvec3& p) const { return BumpyBall(p, this->radius, 0.02 * this->radius); }
 
   int n;
   double radius;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-// What a developer writes without this kernel: points one after the other as an array of structures,
-// a volume of floats, glm. Compiled twice, with flags of their own.
+// What a developer writes without this kernel: points one after the other as an array of
+// structures, a volume of floats, glm. Compiled twice, with flags of their own.
 namespace rival
 {
 
