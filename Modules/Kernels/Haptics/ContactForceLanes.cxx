@@ -86,13 +86,12 @@ struct Kernel
   static constexpr bool Gradient = Terms != ContactTerms::Force;
   static constexpr bool Snap = Terms == ContactTerms::Snap;
 
-  const ContactPoints& points;
   const MapView& map;
   const ContactFrame<float>& frame;
   float capture, perCapture;
 
-  HWY_INLINE void Press(std::size_t first, const Vectors3& p, Floats depth, Mask contact,
-    const Vectors3& gradient, GroupSums& sums) const
+  HWY_INLINE void Press(const ContactPoints& points, std::size_t first, const Vectors3& p,
+    Floats depth, Mask contact, const Vectors3& gradient, GroupSums& sums) const
   {
     depth = hn::IfThenElseZero(contact, depth);
     sums.contacts += hn::CountTrue(floats, contact);
@@ -100,14 +99,14 @@ struct Kernel
     Floats weighted = depth;
     if constexpr (OwnAreas)
     {
-      const Floats area = hn::IfThenElseZero(contact, hn::Load(floats, this->points.areas + first));
+      const Floats area = hn::IfThenElseZero(contact, hn::Load(floats, points.areas + first));
       sums.area.sum[0] = hn::Add(sums.area.sum[0], area);
       weighted = hn::Mul(depth, area);
     }
     sums.squares.sum[0] = hn::MulAdd(weighted, depth, sums.squares.sum[0]);
     if constexpr (!Gradient)
     {
-      const Vectors3 n = Load3(this->points.nx, this->points.ny, this->points.nz, first);
+      const Vectors3 n = Load3(points.nx, points.ny, points.nz, first);
       AddForce(
         { hn::Mul(weighted, n.x), hn::Mul(weighted, n.y), hn::Mul(weighted, n.z) }, p, sums.push);
     }
@@ -120,7 +119,7 @@ struct Kernel
       const auto scaled = [&](int row) HWY_ATTR
       {
         if constexpr (OwnAreas)
-          return hn::Mul(hn::Load(floats, this->points.areas + first), j[row]);
+          return hn::Mul(hn::Load(floats, points.areas + first), j[row]);
         else
           return j[row];
       };
@@ -133,10 +132,10 @@ struct Kernel
     }
   }
 
-  HWY_INLINE void Attract(std::size_t first, const Vectors3& p, Floats depth, Mask near,
-    const Vectors3& gradient, GroupSums& sums) const
+  HWY_INLINE void Attract(const ContactPoints& points, std::size_t first, const Vectors3& p,
+    Floats depth, Mask near, const Vectors3& gradient, GroupSums& sums) const
   {
-    const Vectors3 n = Load3(this->points.nx, this->points.ny, this->points.nz, first);
+    const Vectors3 n = Load3(points.nx, points.ny, points.nz, first);
     const Floats facing = hn::Neg(Dot(n, gradient));
     const Mask pulled = hn::And(near, hn::Gt(facing, hn::Zero(floats)));
     const Floats share = hn::Mul(depth, Splat(this->perCapture));
@@ -145,7 +144,7 @@ struct Kernel
     Floats pull = hn::IfThenElseZero(pulled, hn::Mul(share, hn::Mul(bend, bend)));
     if constexpr (OwnAreas)
     {
-      const Floats area = hn::IfThenElseZero(pulled, hn::Load(floats, this->points.areas + first));
+      const Floats area = hn::IfThenElseZero(pulled, hn::Load(floats, points.areas + first));
       sums.attractedArea.sum[0] = hn::Add(sums.attractedArea.sum[0], area);
       pull = hn::Mul(pull, area);
     }
@@ -155,9 +154,9 @@ struct Kernel
   }
 
   /// Lanes points, from the first on.
-  HWY_INLINE void Feel(std::size_t first, GroupSums& sums) const
+  HWY_INLINE void Feel(const ContactPoints& points, std::size_t first, GroupSums& sums) const
   {
-    const Vectors3 p = Load3(this->points.x, this->points.y, this->points.z, first);
+    const Vectors3 p = Load3(points.x, points.y, points.z, first);
     const Vectors3 index = Matrix3{ this->frame.shellToIndex }(p, this->frame.indexOfShell);
     const Mask inside = Inside(index, this->map.last);
     if (hn::AllFalse(floats, inside))
@@ -183,20 +182,17 @@ struct Kernel
         return;
       gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
       if (pulls)
-        this->Attract(first, p, depth, near, gradient, sums);
+        this->Attract(points, first, p, depth, near, gradient, sums);
       if (!touches)
         return;
     }
     else if constexpr (Gradient)
       gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
-    this->Press(first, p, depth, contact, gradient, sums);
+    this->Press(points, first, p, depth, contact, gradient, sums);
   }
 
-  HWY_INLINE void Group(std::size_t first, std::size_t end, ShellSums& total) const
+  static HWY_INLINE void Flush(const GroupSums& sums, ShellSums& total)
   {
-    GroupSums sums;
-    for (; first < end; first += Lanes)
-      this->Feel(first, sums);
     if (sums.contacts > 0)
     {
       sums.push.AddTo(total.push.data());
@@ -230,18 +226,35 @@ struct Kernel
   }
 };
 
+/// Of runs that are alike in their areas.
 template <ContactTerms Terms, bool OwnAreas>
-HWY_NOINLINE void Sum(const ContactPoints& points, const ContactFrame<float>& frame,
-  const MapView& map, float capture, ShellSums& total) noexcept
+HWY_NOINLINE void Sum(const ContactPoints* run, const ContactPoints* end,
+  const ContactFrame<float>& frame, const MapView& map, float capture, ShellSums& total) noexcept
 {
-  const Kernel<Terms, OwnAreas> kernel{ points, map, frame, capture, 1.0F / capture };
-  constexpr std::size_t step = static_cast<std::size_t>(GroupSize) * Lanes;
-  for (std::size_t first = 0; first < points.count; first += step)
-    kernel.Group(first, std::min<std::size_t>(first + step, points.count), total);
+  const Kernel<Terms, OwnAreas> kernel{ map, frame, capture, 1.0F / capture };
+  constexpr std::uint32_t most = GroupSize * Lanes;
+  std::uint32_t first = 0;
+  while (run != end)
+  {
+    GroupSums sums;
+    for (std::uint32_t room = most; room > 0 && run != end;)
+    {
+      const std::uint32_t last = first + std::min(room, run->count - first);
+      room -= last - first;
+      for (; first < last; first += Lanes)
+        kernel.Feel(*run, first, sums);
+      if (first == run->count)
+      {
+        ++run;
+        first = 0;
+      }
+    }
+    kernel.Flush(sums, total);
+  }
 }
 
 template <ContactTerms Terms>
-void SideBySide(const ContactPoints& points, const ContactPlacement& placement, const MapView& map,
+void SideBySide(ContactRuns runs, const ContactPlacement& placement, const MapView& map,
   const ContactSettings& settings, ContactSums& sums) noexcept
 {
   ContactFrame<float> frame(placement, map);
@@ -249,14 +262,24 @@ void SideBySide(const ContactPoints& points, const ContactPlacement& placement, 
     return;
   frame.gradientToShell *= 1.0F / PerSample;
   const float mm = map.mmPerStep / PerSample; // a lane's unit of depth
-  ShellSums total;
-  if (points.areas)
-    Sum<Terms, true>(points, frame, map, settings.captureMm / mm, total);
-  else
-    Sum<Terms, false>(points, frame, map, settings.captureMm / mm, total);
-  // Without a gradient the push is along the normal, which is against it.
-  total.Scale(points.areas ? 1.0 : points.area, mm, Terms == ContactTerms::Force ? -mm : mm);
-  total.AddTo(Terms, frame.shellToMap, settings, sums);
+  for (const ContactPoints* run = runs.begin(); run != runs.end();)
+  {
+    const ContactPoints& one = *run;
+    const ContactPoints* end = std::find_if(run, runs.end(),
+      [&](const ContactPoints& other) {
+        return one.areas ? other.areas == nullptr
+                         : other.areas != nullptr || other.area != one.area;
+      });
+    ShellSums total;
+    if (one.areas)
+      Sum<Terms, true>(run, end, frame, map, settings.captureMm / mm, total);
+    else
+      Sum<Terms, false>(run, end, frame, map, settings.captureMm / mm, total);
+    // Without a gradient the push is along the normal, which is against it.
+    total.Scale(one.areas ? 1.0 : one.area, mm, Terms == ContactTerms::Force ? -mm : mm);
+    total.AddTo(Terms, frame.shellToMap, settings, sums);
+    run = end;
+  }
 }
 
 ContactKernels Here()

@@ -119,14 +119,9 @@ void Attract(const Point<Real>& point, const Cell<Real>& cell, const ContactFram
 }
 
 template <ContactTerms Terms, typename T, typename Real>
-void OneByOne(const ContactPoints& points, const ContactPlacement& placement,
-  const DistanceMapView<T>& map, const ContactSettings& settings, ContactSums& sums) noexcept
+void Feel(const ContactPoints& points, const ContactFrame<Real>& frame,
+  const DistanceMapView<T>& map, Real capture, ShellSums& sums) noexcept
 {
-  const ContactFrame<Real> frame(placement, map);
-  if (!frame.finite)
-    return;
-  const Real capture = settings.captureMm;
-  ShellSums shell;
   for (std::uint32_t n = 0; n < points.count; ++n)
   {
     const Point<Real> point{ { points.x[n], points.y[n], points.z[n] },
@@ -136,10 +131,22 @@ void OneByOne(const ContactPoints& points, const ContactPlacement& placement,
       continue;
     const Real mm = cell.Value() * static_cast<Real>(map.mmPerStep);
     if (mm < Real(0))
-      Press<Terms>(point, cell, frame, mm, shell);
+      Press<Terms>(point, cell, frame, mm, sums);
     else if (Terms == ContactTerms::Snap && mm > Real(0) && mm < capture)
-      Attract(point, cell, frame, mm / capture, shell);
+      Attract(point, cell, frame, mm / capture, sums);
   }
+}
+
+template <ContactTerms Terms, typename T, typename Real>
+void OneByOne(ContactRuns runs, const ContactPlacement& placement, const DistanceMapView<T>& map,
+  const ContactSettings& settings, ContactSums& sums) noexcept
+{
+  const ContactFrame<Real> frame(placement, map);
+  if (!frame.finite)
+    return;
+  ShellSums shell;
+  for (const ContactPoints& points : runs)
+    Feel<Terms>(points, frame, map, static_cast<Real>(settings.captureMm), shell);
   shell.AddTo(Terms, frame.shellToMap, settings, sums);
 }
 
@@ -153,7 +160,7 @@ ContactKernels ScalarContactKernels() noexcept
       OneByOne<ContactTerms::Snap, T, float> } };
 }
 
-void ContactForceReference(ContactTerms terms, const ContactPoints& points,
+void ContactForceReference(ContactTerms terms, ContactRuns points,
   const ContactPlacement& placement, const DistanceMapView<float>& map,
   const ContactSettings& settings, ContactSums& sums) noexcept
 {

@@ -1,7 +1,9 @@
 #pragma once
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace hasp
 {
@@ -20,6 +22,21 @@ struct ContactPoints
   const float* areas = nullptr;
   float area = 0.0F;
   std::uint32_t count = 0; ///< a multiple of Lanes
+};
+
+/// One run of points, or several, as the coarse phase leaves them: what kernels take at once. Does
+/// not own them.
+class ContactRuns
+{
+public:
+  ContactRuns(const ContactPoints& one) noexcept : Runs(&one, 1) {}
+  ContactRuns(std::span<const ContactPoints> runs) noexcept : Runs(runs) {}
+
+  const ContactPoints* begin() const noexcept { return this->Runs.data(); }
+  const ContactPoints* end() const noexcept { return this->begin() + this->Runs.size(); }
+
+private:
+  std::span<const ContactPoints> Runs;
 };
 
 /// A run of points near each other, held by one ball: what the coarse phase accepts or rejects.

@@ -2,6 +2,7 @@
 #include "Testing/ContactReaders.h"
 
 #include <limits>
+#include <span>
 
 namespace
 {
@@ -182,7 +183,8 @@ TEST(ContactExtremes, SumsAreAddedTo)
   const RigidPose pose{ { 0.3, 0, 4.0 }, {} };
   for (const ContactKernels& kernels : AllContactKernels())
   {
-    ContactSums whole, parts, apart;
+    ContactSums whole, parts, apart, atOnce;
+    std::vector<ContactPoints> runs(1); // the first one empty
     kernels[ContactTerms::Snap](all, { pose }, scene.Shorts.Get(), Pulling, whole);
     for (std::uint32_t first = 0; first < all.count; first += 64)
     {
@@ -192,8 +194,11 @@ TEST(ContactExtremes, SumsAreAddedTo)
       ContactSums one;
       kernels[ContactTerms::Snap](part, { pose }, scene.Shorts.Get(), Pulling, one);
       apart += one;
+      runs.push_back(part);
     }
-    for (const ContactSums& other : { parts, apart })
+    kernels[ContactTerms::Snap](
+      std::span<const ContactPoints>(runs), { pose }, scene.Shorts.Get(), Pulling, atOnce);
+    for (const ContactSums& other : { parts, apart, atOnce })
     {
       EXPECT_EQ(other.contacts, whole.contacts) << kernels.name;
       EXPECT_EQ(other.deepestMm, whole.deepestMm) << kernels.name;
@@ -205,6 +210,31 @@ TEST(ContactExtremes, SumsAreAddedTo)
       EXPECT_NEAR(other.contactArea, whole.contactArea, 1e-6 * whole.contactArea);
       EXPECT_NEAR(other.attractedArea, whole.attractedArea, 1e-6 * whole.attractedArea);
     }
+  }
+}
+
+/// Runs of points for areas that differ, with areas of their own and without, in one call.
+TEST(ContactExtremes, RunsOfDifferentAreas)
+{
+  Scene scene(Cube(40), 4.0, FloorMm);
+  ShellOfPoints one;
+  one.Add(glm::dvec3(0.0), { 0, 0, -1 });
+  ShellOfPoints other = one;
+  ContactPoints a = one.Get(2.0F);
+  const std::vector<float> areas = { 5.0F };
+  const ContactPoints b = other.Get(0.0F, areas);
+  ContactPoints c = a;
+  c.area = 7.0F;
+  const std::vector<ContactPoints> runs = { a, a, c, b, b, a };
+  for (const ContactKernels& kernels : AllContactKernels())
+  {
+    ContactSums sums;
+    kernels[ContactTerms::Matrix](std::span<const ContactPoints>(runs), { { { 0, 0, -0.5 }, {} } },
+      scene.Shorts.Get(), { .stiffness = 1.0F }, sums);
+    EXPECT_NEAR(sums.contactArea, 3 * 2.0 + 7.0 + 2 * 5.0, 1e-5) << kernels.name;
+    EXPECT_NEAR(sums.contact.force.z, 23.0 * 0.5, 23.0 * 1e-4) << kernels.name;
+    EXPECT_NEAR(sums.matrix[11], 23.0, 23.0 * 1e-4) << kernels.name;
+    EXPECT_EQ(sums.contacts, 6U) << kernels.name;
   }
 }
 
