@@ -1,5 +1,8 @@
 #pragma once
-#include "Testing/ContactScenes.h"
+#include "Haptics/ContactForce.h"
+#include "Testing/ContactMap.h"
+#include "Testing/Dice.h"
+#include "Testing/ShellOfPoints.h"
 
 #include <gtest/gtest.h>
 
@@ -24,20 +27,18 @@ struct Reader
     feel;
 };
 
-template <typename Function>
 class Scene
 {
 public:
-  Scene(const GridGeometry& grid, double range, const Function& function)
-    : Floats(grid, range, function),
-      Shorts(grid, range, function)
+  Scene(const GridGeometry& grid, double range, const testing::DistanceFunction& distance)
+    : Map(grid, range, distance)
   {
     this->Readers.push_back({ "reference", 2e-6,
       [this](ContactTerms terms, const ContactPoints& points, const RigidPose& pose,
         const ContactSettings& settings)
       {
         ContactSums sums;
-        ContactForceReference(terms, points, { pose }, this->Floats.Get(), settings, sums);
+        ContactForceReference(terms, points, { pose }, this->Map.Floats(), settings, sums);
         return sums;
       } });
     for (const ContactKernels& kernels : AllContactKernels())
@@ -46,13 +47,12 @@ public:
           const ContactSettings& settings)
         {
           ContactSums sums;
-          kernels[terms](points, { pose }, this->Shorts.Get(), settings, sums);
+          kernels[terms](points, { pose }, this->Map.Shorts(), settings, sums);
           return sums;
         } });
   }
 
-  BakedMap<float> Floats;
-  BakedMap<std::int16_t> Shorts;
+  ContactMap Map;
   std::vector<Reader> Readers;
 };
 

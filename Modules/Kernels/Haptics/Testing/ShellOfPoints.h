@@ -1,50 +1,55 @@
 #pragma once
-#include "Haptics/ContactPoints.h"
+#include "Haptics/PointArrays.h"
 
-#include <cstddef>
-#include <memory>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace hasp
 {
 
-/// Points as the kernels read them, aligned and padded.
+/// Points as the kernels read them, in the order in which they were added.
 class ShellOfPoints
 {
 public:
   void Add(const glm::dvec3& position, const glm::dvec3& normal)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Columns[axis].push_back(static_cast<float>(position[axis]));
-      this->Columns[3 + axis].push_back(static_cast<float>(normal[axis]));
-    }
+    this->Points.emplace_back(position, normal);
   }
-  std::size_t Count() const { return this->Columns[0].size(); }
+  std::size_t Count() const { return this->Points.size(); }
 
-  /// Valid until points are added. areas: of each, or one for all.
+  /// Valid until the next call. areas: of each, or one for all.
   ContactPoints Get(float area, const std::vector<float>& areas = {})
   {
-    const std::size_t padded =
-      (this->Count() + ContactPoints::Lanes - 1) / ContactPoints::Lanes * ContactPoints::Lanes;
-    this->Storage.assign(7 * padded + 16, 0.0F);
-    void* start = this->Storage.data();
-    std::size_t space = this->Storage.size() * sizeof(float);
-    float* at = static_cast<float*>(std::align(64, 7 * padded * sizeof(float), start, space));
-    for (std::size_t column = 0; column < 7; ++column)
-      for (std::size_t n = 0; n < padded; ++n)
-        at[column * padded + n] = column < 6         ? n < this->Count() ? this->Columns[column][n]
-                                                       : column < 3      ? ContactPoints::FarAway
-                                                                         : 0.0F
-                                  : n < areas.size() ? areas[n]
-                                                     : 0.0F;
-    return { at, at + padded, at + 2 * padded, at + 3 * padded, at + 4 * padded, at + 5 * padded,
-      areas.empty() ? nullptr : at + 6 * padded, area, static_cast<std::uint32_t>(padded) };
+    this->Arrays = PointArrays(static_cast<std::uint32_t>(this->Count()), !areas.empty());
+    for (std::uint32_t n = 0; n < this->Count(); ++n)
+    {
+      this->Arrays.Set(n, this->Points[n].first, this->Points[n].second);
+      if (!areas.empty())
+        this->Arrays[PointArrays::Area][n] = areas[n];
+    }
+    return this->Arrays.View(0, this->Arrays.Size(), area);
   }
 
 private:
-  std::vector<float> Columns[6];
-  std::vector<float> Storage;
+  std::vector<std::pair<glm::vec3, glm::vec3>> Points;
+  PointArrays Arrays;
 };
+
+/// n points on a ball, each for the same area: z evenly spaced, turned by the golden angle.
+inline void AddBall(
+  ShellOfPoints& shell, int n, double radius, const glm::dvec3& center = glm::dvec3(0.0))
+{
+  const double golden = glm::pi<double>() * (3.0 - std::sqrt(5.0));
+  for (int i = 0; i < n; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / n, across = std::sqrt(1.0 - z * z);
+    const glm::dvec3 normal(across * std::cos(golden * i), across * std::sin(golden * i), z);
+    shell.Add(center + radius * normal, normal);
+  }
+}
 
 } // namespace hasp

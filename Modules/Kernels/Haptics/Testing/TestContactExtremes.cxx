@@ -16,15 +16,11 @@ double FloorMm(const glm::dvec3& p)
   return p.z;
 }
 
-GridGeometry Cube(int samples, double spacing = 1.0)
-{
-  return { glm::ivec3(samples), glm::dvec3(-0.5 * spacing * (samples - 1)), glm::dvec3(spacing),
-    glm::dmat3(1.0) };
-}
+using hasp::testing::CubeGrid;
 
 TEST(ContactExtremes, NoPoints)
 {
-  Scene scene(Cube(20), 6.0, FloorMm);
+  Scene scene(CubeGrid(20), 6.0, FloorMm);
   for (const Reader& reader : scene.Readers)
     for (const ContactTerms terms : AllTerms)
       ExpectNothing(reader.feel(terms, {}, {}, Pulling), reader.name);
@@ -32,7 +28,7 @@ TEST(ContactExtremes, NoPoints)
 
 TEST(ContactExtremes, PaddingFeelsNothingInsideOfABody)
 {
-  Scene scene(Cube(20), 6.0, [](const glm::dvec3&) { return -1.0; }); // solid everywhere
+  Scene scene(CubeGrid(20), 6.0, [](const glm::dvec3&) { return -1.0; }); // solid everywhere
   ShellOfPoints far;
   far.Add(glm::dvec3(ContactPoints::FarAway), { 0, 0, 1 });
   const ContactPoints points = far.Get(1.0F); // 16 of them
@@ -47,7 +43,7 @@ TEST(ContactExtremes, PaddingFeelsNothingInsideOfABody)
 TEST(ContactExtremes, NothingOutsideOfTheGrid)
 {
   const auto solid = [](const glm::dvec3&) { return -1.0; };
-  Scene scene(Cube(18), 6.0, solid); // not a multiple of 8 cells: 17
+  Scene scene(CubeGrid(18), 6.0, solid); // not a multiple of 8 cells: 17
   ShellOfPoints one;
   one.Add(glm::dvec3(0.0), { 0, 0, 1 });
   const ContactPoints points = one.Get(1.0F);
@@ -69,7 +65,7 @@ TEST(ContactExtremes, NothingOutsideOfTheGrid)
 
 TEST(ContactExtremes, APoseThatIsNoNumberFeelsNothing)
 {
-  Scene scene(Cube(20), 6.0, [](const glm::dvec3&) { return -1.0; });
+  Scene scene(CubeGrid(20), 6.0, [](const glm::dvec3&) { return -1.0; });
   ShellOfPoints one;
   one.Add(glm::dvec3(0.0), { 0, 0, 1 });
   const ContactPoints points = one.Get(1.0F);
@@ -93,7 +89,7 @@ TEST(ContactExtremes, APoseThatIsNoNumberFeelsNothing)
 /// force stays, along the gradient there is none.
 TEST(ContactExtremes, DeeperThanTheRange)
 {
-  Scene scene(Cube(40), 4.0, FloorMm);
+  Scene scene(CubeGrid(40), 4.0, FloorMm);
   ShellOfPoints one;
   one.Add(glm::dvec3(0.0), { 0, 0, -1 });
   const ContactPoints points = one.Get(2.0F);
@@ -113,7 +109,7 @@ TEST(ContactExtremes, DeeperThanTheRange)
 /// A capture of more than the range ends at the range, where the map does: nothing pulls there.
 TEST(ContactExtremes, NothingPullsBeyondTheRange)
 {
-  Scene scene(Cube(40), 2.0, FloorMm);
+  Scene scene(CubeGrid(40), 2.0, FloorMm);
   ShellOfPoints one;
   one.Add(glm::dvec3(0.0), { 0, 0, -1 });
   const ContactPoints points = one.Get(1.0F);
@@ -131,7 +127,7 @@ TEST(ContactExtremes, ScenesOfAMillimetreAndOfTenMetres)
 {
   for (const double size : { 1.0, 100.0, 10'000.0 })
   {
-    Scene scene(Cube(40, size / 40.0), size / 5.0, FloorMm);
+    Scene scene(CubeGrid(40, size / 40.0), size / 5.0, FloorMm);
     ShellOfPoints ball;
     AddBall(ball, 8000, size / 4.0);
     const double area = 4.0 * glm::pi<double>() * size * size / 16.0 / 8000.0;
@@ -148,7 +144,7 @@ TEST(ContactExtremes, ScenesOfAMillimetreAndOfTenMetres)
 
 TEST(ContactExtremes, PointsWithAreasOfTheirOwn)
 {
-  Scene scene(Cube(40), 4.0, FloorMm);
+  Scene scene(CubeGrid(40), 4.0, FloorMm);
   ShellOfPoints two;
   two.Add({ 1, 0, 0 }, { 0, 0, -1 });
   two.Add({ -1, 0, 1.0 }, { 0, 0, -1 });
@@ -176,7 +172,7 @@ TEST(ContactExtremes, PointsWithAreasOfTheirOwn)
 
 TEST(ContactExtremes, SumsAreAddedTo)
 {
-  Scene scene(Cube(40), 4.0, FloorMm);
+  Scene scene(CubeGrid(40), 4.0, FloorMm);
   ShellOfPoints ball;
   AddBall(ball, 640, 5.0);
   const ContactPoints all = ball.Get(0.5F);
@@ -185,19 +181,19 @@ TEST(ContactExtremes, SumsAreAddedTo)
   {
     ContactSums whole, parts, apart, atOnce;
     std::vector<ContactPoints> runs(1); // the first one empty
-    kernels[ContactTerms::Snap](all, { pose }, scene.Shorts.Get(), Pulling, whole);
+    kernels[ContactTerms::Snap](all, { pose }, scene.Map.Shorts(), Pulling, whole);
     for (std::uint32_t first = 0; first < all.count; first += 64)
     {
       const ContactPoints part{ all.x + first, all.y + first, all.z + first, all.nx + first,
         all.ny + first, all.nz + first, nullptr, all.area, 64 };
-      kernels[ContactTerms::Snap](part, { pose }, scene.Shorts.Get(), Pulling, parts);
+      kernels[ContactTerms::Snap](part, { pose }, scene.Map.Shorts(), Pulling, parts);
       ContactSums one;
-      kernels[ContactTerms::Snap](part, { pose }, scene.Shorts.Get(), Pulling, one);
+      kernels[ContactTerms::Snap](part, { pose }, scene.Map.Shorts(), Pulling, one);
       apart += one;
       runs.push_back(part);
     }
     kernels[ContactTerms::Snap](
-      std::span<const ContactPoints>(runs), { pose }, scene.Shorts.Get(), Pulling, atOnce);
+      std::span<const ContactPoints>(runs), { pose }, scene.Map.Shorts(), Pulling, atOnce);
     for (const ContactSums& other : { parts, apart, atOnce })
     {
       EXPECT_EQ(other.contacts, whole.contacts) << kernels.name;
@@ -216,10 +212,10 @@ TEST(ContactExtremes, SumsAreAddedTo)
 /// Runs of points for areas that differ, with areas of their own and without, in one call.
 TEST(ContactExtremes, RunsOfDifferentAreas)
 {
-  Scene scene(Cube(40), 4.0, FloorMm);
-  ShellOfPoints one;
+  Scene scene(CubeGrid(40), 4.0, FloorMm);
+  ShellOfPoints one, other;
   one.Add(glm::dvec3(0.0), { 0, 0, -1 });
-  ShellOfPoints other = one;
+  other.Add(glm::dvec3(0.0), { 0, 0, -1 });
   ContactPoints a = one.Get(2.0F);
   const std::vector<float> areas = { 5.0F };
   const ContactPoints b = other.Get(0.0F, areas);
@@ -230,7 +226,7 @@ TEST(ContactExtremes, RunsOfDifferentAreas)
   {
     ContactSums sums;
     kernels[ContactTerms::Matrix](std::span<const ContactPoints>(runs), { { { 0, 0, -0.5 }, {} } },
-      scene.Shorts.Get(), { .stiffness = 1.0F }, sums);
+      scene.Map.Shorts(), { .stiffness = 1.0F }, sums);
     EXPECT_NEAR(sums.contactArea, 3 * 2.0 + 7.0 + 2 * 5.0, 1e-5) << kernels.name;
     EXPECT_NEAR(sums.contact.force.z, 23.0 * 0.5, 23.0 * 1e-4) << kernels.name;
     EXPECT_NEAR(sums.matrix[11], 23.0, 23.0 * 1e-4) << kernels.name;

@@ -1,5 +1,5 @@
 // Kernels against each other: vectors against one point after the other, int16 against float.
-#include "Testing/ContactScenes.h"
+#include "Testing/ContactReaders.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,10 @@ namespace
 
 using namespace hasp;
 
-constexpr ContactTerms AllTerms[] = { ContactTerms::Force, ContactTerms::Matrix,
-  ContactTerms::Snap };
 constexpr double Radius = 9.0;
 
-double Bumpy(const glm::dvec3& p)
-{
-  return BumpyBall(p, Radius, 0.8);
-}
+const GridGeometry Grid = hasp::testing::SkewGrid({ 56, 36, 25 });
+const hasp::testing::DistanceFunction Bumpy = hasp::testing::BumpyBall(Radius, 0.8);
 
 /// Forces relative to how hard the body is pressed, torques to that at the shell's radius: sums may
 /// cancel to nothing.
@@ -49,7 +45,7 @@ double MatrixError(const ContactSums& a, const ContactSums& b, double lever, dou
   return worst - flips / b.contacts;
 }
 
-class Poses : public testing::Test
+class Poses : public ::testing::Test
 {
 protected:
   Poses()
@@ -73,7 +69,7 @@ protected:
 
 TEST_F(Poses, VectorsAgreeWithOneByOne)
 {
-  const BakedMap<std::int16_t> map(OddGrid(56), 6.0, Bumpy);
+  const ContactMap map(Grid, 6.0, Bumpy);
   const ContactKernels scalar = ScalarContactKernels();
   for (const bool own : { false, true })
   {
@@ -82,12 +78,12 @@ TEST_F(Poses, VectorsAgreeWithOneByOne)
       for (const ContactTerms terms : AllTerms)
       {
         ContactSums truth;
-        scalar[terms](points, { pose }, map.Get(), this->Settings, truth);
+        scalar[terms](points, { pose }, map.Shorts(), this->Settings, truth);
         ASSERT_GT(truth.contacts, 50U);
         for (const ContactKernels& kernels : AllContactKernels())
         {
           ContactSums sums;
-          kernels[terms](points, { pose }, map.Get(), this->Settings, sums);
+          kernels[terms](points, { pose }, map.Shorts(), this->Settings, sums);
           EXPECT_LE(WrenchError(sums, truth, 5.0), 1e-5) << kernels.name; // the promise
           // A point at the very surface may be on either side by the last bit.
           const int flips = std::abs(static_cast<int>(sums.contacts - truth.contacts));
@@ -105,8 +101,7 @@ TEST_F(Poses, VectorsAgreeWithOneByOne)
 TEST(ContactKernels, ShortsAgreeWithFloats)
 {
   const double range = 16.0 * 0.7; // the default: sixteen of the smallest spacings
-  const BakedMap<std::int16_t> shorts(OddGrid(56), range, Bumpy);
-  const BakedMap<float> floats(OddGrid(56), range, Bumpy);
+  const ContactMap map(Grid, range, Bumpy);
   ShellOfPoints shell;
   AddBall(shell, 6000, Radius);
   const ContactPoints points = shell.Get(0.06F);
@@ -118,12 +113,12 @@ TEST(ContactKernels, ShortsAgreeWithFloats)
     for (const ContactTerms terms : AllTerms)
     {
       ContactSums truth;
-      ContactForceReference(terms, points, { pose }, floats.Get(), settings, truth);
+      ContactForceReference(terms, points, { pose }, map.Floats(), settings, truth);
       ASSERT_GT(truth.contacts, 2000U);
       for (const ContactKernels& kernels : AllContactKernels())
       {
         ContactSums sums;
-        kernels[terms](points, { pose }, shorts.Get(), settings, sums);
+        kernels[terms](points, { pose }, map.Shorts(), settings, sums);
         EXPECT_LE(WrenchError(sums, truth, Radius), 1e-4) << kernels.name; // the promise
         EXPECT_LE(MatrixError(sums, truth, Radius, 5.0), 1e-4) << kernels.name;
       }
@@ -135,18 +130,17 @@ TEST(ContactKernels, ShortsAgreeWithFloats)
 /// a step is 9e-5 mm among depths of some tenths.
 TEST_F(Poses, ShortsAreCloseToFloatsInASmallContact)
 {
-  const BakedMap<std::int16_t> shorts(OddGrid(56), 6.0, Bumpy);
-  const BakedMap<float> floats(OddGrid(56), 6.0, Bumpy);
+  const ContactMap map(Grid, 6.0, Bumpy);
   const ContactPoints points = this->Shell.Get(0.06F);
   for (const RigidPose& pose : this->All)
     for (const ContactTerms terms : AllTerms)
     {
       ContactSums truth;
-      ContactForceReference(terms, points, { pose }, floats.Get(), this->Settings, truth);
+      ContactForceReference(terms, points, { pose }, map.Floats(), this->Settings, truth);
       for (const ContactKernels& kernels : AllContactKernels())
       {
         ContactSums sums;
-        kernels[terms](points, { pose }, shorts.Get(), this->Settings, sums);
+        kernels[terms](points, { pose }, map.Shorts(), this->Settings, sums);
         EXPECT_LE(WrenchError(sums, truth, 5.0), 5e-4) << kernels.name;
         EXPECT_LE(MatrixError(sums, truth, 5.0, 3.0), 5e-4) << kernels.name;
       }
@@ -155,13 +149,13 @@ TEST_F(Poses, ShortsAreCloseToFloatsInASmallContact)
 
 TEST_F(Poses, KernelsAreRepeatable)
 {
-  const BakedMap<std::int16_t> map(OddGrid(56), 6.0, Bumpy);
+  const ContactMap map(Grid, 6.0, Bumpy);
   const ContactPoints points = this->Shell.Get(0.06F);
   for (const ContactKernels& kernels : AllContactKernels())
   {
     ContactSums one, two;
-    kernels[ContactTerms::Snap](points, { this->All[0] }, map.Get(), this->Settings, one);
-    kernels[ContactTerms::Snap](points, { this->All[0] }, map.Get(), this->Settings, two);
+    kernels[ContactTerms::Snap](points, { this->All[0] }, map.Shorts(), this->Settings, one);
+    kernels[ContactTerms::Snap](points, { this->All[0] }, map.Shorts(), this->Settings, two);
     EXPECT_EQ(one.contact.torque, two.contact.torque) << kernels.name;
     EXPECT_EQ(one.matrix, two.matrix) << kernels.name;
   }

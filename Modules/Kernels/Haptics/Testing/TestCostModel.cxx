@@ -1,5 +1,5 @@
 #include "Haptics/CostModel.h"
-#include "Testing/ContactScenes.h"
+#include "Testing/Dice.h"
 
 #include <gtest/gtest.h>
 
