@@ -211,7 +211,8 @@ TEST(ContactForce, MatrixIsTheSumOfLeversSquared)
   const ContactPoints points = shell.Get(0.08F);
   const RigidPose pose{ { 9.0, 6.0, 7.0 }, TurnBy({ -0.3, 0.6, 0.2 }) };
   // By brute force, with the ball's own gradient; the map's is off by the curvature in a cell of
-  // 0.56 mm: at most 0.56^2 / (8 * 9), 0.4% of it.
+  // 0.56 mm, at most 0.56^2 / (8 * 9), 0.4% of it and twice that in a square; its surface lies as
+  // much deeper, which leaves out the rim of a contact 1 mm deep: 0.7% of the area.
   Matrix6 truth{};
   int touching = 0;
   for (std::size_t n = 0; n < shell.Count(); ++n)
@@ -232,7 +233,7 @@ TEST(ContactForce, MatrixIsTheSumOfLeversSquared)
     const Matrix6 k = Full(reader.feel(ContactTerms::Matrix, points, pose, {}).matrix);
     for (int a = 0; a < 6; ++a)
       for (int b = 0; b < 6; ++b)
-        EXPECT_NEAR(k[a][b], truth[a][b], 0.01 * std::sqrt(truth[a][a] * truth[b][b]))
+        EXPECT_NEAR(k[a][b], truth[a][b], 0.02 * std::sqrt(truth[a][a] * truth[b][b]))
           << reader.name << " " << a << b;
     Dice dice(7);
     for (int n = 0; n < 200; ++n) // positive semidefinite
