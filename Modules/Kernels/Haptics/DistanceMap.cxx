@@ -134,8 +134,10 @@ void DistanceMap::Internals::ReadBlocks(const Counted& counted, const ProgressFu
 void DistanceMap::Internals::PlaceBricks()
 {
   const auto range = static_cast<float>(this->range);
+  // Kernels address samples by bytes in 32 bits.
   constexpr std::int64_t most =
-    std::numeric_limits<std::int32_t>::max() / WorkingView::BrickSamples;
+    std::numeric_limits<std::int32_t>::max() /
+    (WorkingView::BrickSamples * static_cast<std::int64_t>(sizeof(std::int16_t)));
   std::int64_t bricks = 2;
   for (std::size_t b = 0; b < this->unclamped.size(); ++b)
   {

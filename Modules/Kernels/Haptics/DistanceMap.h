@@ -70,7 +70,7 @@ public:
   /// Reads `distances` on all threads; keeps nothing of it. Distances that are infinite are
   /// clamped; NaN counts as +range. Throws std::invalid_argument on an invalid geometry, fewer than
   /// 2 samples on an axis, a range that is not finite, negative, or under half the largest spacing,
-  /// or an origin that is not finite; std::runtime_error if there are more than 2.9 million bricks;
+  /// or an origin that is not finite; std::runtime_error if there are more than 1.4 million bricks;
   /// Cancelled. O(samples).
   explicit DistanceMap(const GridView<const float>& distances,
     const DistanceMapSettings& settings = {}, const ProgressFunction& progress = {});
