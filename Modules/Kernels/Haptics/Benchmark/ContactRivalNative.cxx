@@ -2,5 +2,5 @@
 
 namespace rival::native
 {
-#include "Benchmark/ContactRival.inl"
+#include "Benchmark/ContactRival-inl.h"
 }

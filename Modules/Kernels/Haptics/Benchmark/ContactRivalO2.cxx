@@ -2,5 +2,5 @@
 
 namespace rival::o2
 {
-#include "Benchmark/ContactRival.inl"
+#include "Benchmark/ContactRival-inl.h"
 }
