@@ -1,5 +1,6 @@
 // Kernels against each other: vectors against one point after the other, int16 against float.
 #include "Testing/ContactReaders.h"
+#include "Testing/CountNew.h"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +160,28 @@ TEST_F(Poses, KernelsAreRepeatable)
     EXPECT_EQ(one.contact.torque, two.contact.torque) << kernels.name;
     EXPECT_EQ(one.matrix, two.matrix) << kernels.name;
   }
+}
+
+TEST_F(Poses, KernelsTakeNoMemory)
+{
+  const ContactMap map(Grid, 6.0, Bumpy);
+  const DistanceMapView<std::int16_t> view = map.Shorts();
+  ContactPoints points = this->Shell.Get(0.06F, this->Areas);
+  const ContactPoints withAreas = points;
+  points.areas = nullptr;
+  for (const ContactKernels& kernels : AllContactKernels())
+    for (const ContactTerms terms : AllTerms)
+    {
+      const std::size_t before = hasp::test::NewCount();
+      ContactSums sums;
+      kernels[terms](points, { this->All[0] }, view, this->Settings, sums);
+      kernels[terms](withAreas, { this->All[0] }, view, this->Settings, sums);
+      EXPECT_EQ(hasp::test::NewCount(), before) << kernels.name;
+      EXPECT_GT(sums.contacts, 0U);
+    }
+  const std::size_t before = hasp::test::NewCount();
+  EXPECT_FALSE(AllContactKernels().empty());
+  EXPECT_GT(hasp::test::NewCount(), before); // it does count, in the library too
 }
 
 TEST(ContactKernels, TheScalarOneIsFirstAndNamesDiffer)
