@@ -257,6 +257,8 @@ template <ContactTerms Terms>
 void SideBySide(ContactRuns runs, const ContactPlacement& placement, const MapView& map,
   const ContactSettings& settings, ContactSums& sums) noexcept
 {
+  if (runs.begin() == runs.end())
+    return;
   ContactFrame<float> frame(placement, map);
   if (!frame.finite)
     return;
