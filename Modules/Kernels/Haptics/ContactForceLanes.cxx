@@ -7,78 +7,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "Haptics/ContactLanes-inl.h"
+#include "Haptics/ContactLaneSums-inl.h"
 
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
 {
-
-/// Vectors that are summed a lane, in float, before their sums are added in double.
-constexpr std::uint32_t GroupSize = 64;
-
-template <int Count>
-struct LaneSums
-{
-  Floats sum[Count];
-
-  HWY_INLINE LaneSums()
-  {
-    for (Floats& s : this->sum)
-      s = hn::Zero(floats);
-  }
-  HWY_INLINE void AddTo(double* total) const
-  {
-    for (int n = 0; n < Count; ++n)
-      total[n] += static_cast<double>(hn::GetLane(hn::SumOfLanes(floats, this->sum[n])));
-  }
-};
-
-/// sum += a j, j = [g; lever]
-HWY_INLINE void AddLever(Floats a, const Vectors3& g, const Vectors3& lever, LaneSums<6>& to)
-{
-  const Floats j[6] = { g.x, g.y, g.z, lever.x, lever.y, lever.z };
-  for (int n = 0; n < 6; ++n)
-    to.sum[n] = hn::MulAdd(a, j[n], to.sum[n]);
-}
-
-/// sum += [f; p x f]
-HWY_INLINE void AddForce(const Vectors3& f, const Vectors3& p, LaneSums<6>& to)
-{
-  to.sum[0] = hn::Add(to.sum[0], f.x);
-  to.sum[1] = hn::Add(to.sum[1], f.y);
-  to.sum[2] = hn::Add(to.sum[2], f.z);
-  to.sum[3] = hn::MulAdd(p.y, f.z, hn::NegMulAdd(p.z, f.y, to.sum[3]));
-  to.sum[4] = hn::MulAdd(p.z, f.x, hn::NegMulAdd(p.x, f.z, to.sum[4]));
-  to.sum[5] = hn::MulAdd(p.x, f.y, hn::NegMulAdd(p.y, f.x, to.sum[5]));
-}
-
-/// One group's sums, depths in the lanes' units. What the terms do not need is never touched, so it
-/// takes no register.
-struct GroupSums
-{
-  LaneSums<6> push, pull;
-  LaneSums<6> row0;
-  LaneSums<5> row1;
-  LaneSums<4> row2;
-  LaneSums<3> row3;
-  LaneSums<2> row4;
-  LaneSums<1> row5;
-  LaneSums<1> squares, area, attractedArea;
-  Floats deepest;
-  std::size_t contacts = 0, attracted = 0;
-
-  HWY_INLINE GroupSums() : deepest(hn::Zero(floats)) {}
-};
-
-/// The rest of a row of sum A j j^T, from the diagonal on.
-template <int Count>
-HWY_INLINE void AddRow(Floats scaled, const Floats (&j)[6], LaneSums<Count>& to)
-{
-  for (int n = 0; n < Count; ++n)
-    to.sum[n] = hn::MulAdd(scaled, j[6 - Count + n], to.sum[n]);
-}
 
 template <ContactTerms Terms, bool OwnAreas>
 struct Kernel
@@ -96,10 +31,10 @@ struct Kernel
     depth = hn::IfThenElseZero(contact, depth);
     sums.contacts += hn::CountTrue(floats, contact);
     sums.deepest = hn::Min(sums.deepest, depth);
-    Floats weighted = depth;
+    Floats weighted = depth, area = hn::Zero(floats);
     if constexpr (OwnAreas)
     {
-      const Floats area = hn::IfThenElseZero(contact, hn::Load(floats, points.areas + first));
+      area = hn::IfThenElseZero(contact, hn::Load(floats, points.areas + first));
       sums.area.sum[0] = hn::Add(sums.area.sum[0], area);
       weighted = hn::Mul(depth, area);
     }
@@ -116,19 +51,11 @@ struct Kernel
       const Vectors3 t = Cross(p, g);
       AddLever(weighted, g, t, sums.push);
       const Floats j[6] = { g.x, g.y, g.z, t.x, t.y, t.z };
-      const auto scaled = [&](int row) HWY_ATTR
-      {
-        if constexpr (OwnAreas)
-          return hn::Mul(hn::Load(floats, points.areas + first), j[row]);
-        else
-          return j[row];
-      };
-      AddRow(scaled(0), j, sums.row0);
-      AddRow(scaled(1), j, sums.row1);
-      AddRow(scaled(2), j, sums.row2);
-      AddRow(scaled(3), j, sums.row3);
-      AddRow(scaled(4), j, sums.row4);
-      AddRow(scaled(5), j, sums.row5);
+      Floats scaled[6] = { g.x, g.y, g.z, t.x, t.y, t.z };
+      if constexpr (OwnAreas)
+        for (Floats& part : scaled)
+          part = hn::Mul(area, part);
+      sums.matrix.Add(j, scaled);
     }
   }
 
@@ -167,62 +94,22 @@ struct Kernel
     const Floats zero = hn::Zero(floats);
     const Mask contact = hn::And(inside, hn::Lt(depth, zero));
     const bool touches = !hn::AllFalse(floats, contact);
-    if constexpr (!Snap)
-    {
-      if (!touches)
-        return;
-    }
     Vectors3 gradient{ zero, zero, zero };
     if constexpr (Snap)
     {
       const Mask near =
         hn::And(inside, hn::And(hn::Gt(depth, zero), hn::Lt(depth, Splat(this->capture))));
       const bool pulls = !hn::AllFalse(floats, near);
-      if (!touches && !pulls)
-        return;
-      gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
+      if (touches || pulls)
+        gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
       if (pulls)
         this->Attract(points, first, p, depth, near, gradient, sums);
-      if (!touches)
-        return;
     }
-    else if constexpr (Gradient)
+    if (!touches)
+      return;
+    if constexpr (Gradient && !Snap)
       gradient = Matrix3{ this->frame.gradientToShell }(mixed.Gradient(cells));
     this->Press(points, first, p, depth, contact, gradient, sums);
-  }
-
-  static HWY_INLINE void Flush(const GroupSums& sums, ShellSums& total)
-  {
-    if (sums.contacts > 0)
-    {
-      sums.push.AddTo(total.push.data());
-      sums.squares.AddTo(&total.squares);
-      if constexpr (OwnAreas)
-        sums.area.AddTo(&total.area);
-      else
-        total.area += static_cast<double>(sums.contacts);
-      if constexpr (Gradient)
-      {
-        sums.row0.AddTo(total.matrix.data());
-        sums.row1.AddTo(total.matrix.data() + 6);
-        sums.row2.AddTo(total.matrix.data() + 11);
-        sums.row3.AddTo(total.matrix.data() + 15);
-        sums.row4.AddTo(total.matrix.data() + 18);
-        sums.row5.AddTo(total.matrix.data() + 20);
-      }
-      const float deepest = hn::GetLane(hn::MinOfLanes(floats, sums.deepest));
-      total.deepestMm = std::min(total.deepestMm, static_cast<double>(deepest));
-      total.contacts += static_cast<std::uint32_t>(sums.contacts);
-    }
-    if constexpr (Snap)
-      if (sums.attracted > 0)
-      {
-        sums.pull.AddTo(total.pull.data());
-        if constexpr (OwnAreas)
-          sums.attractedArea.AddTo(&total.attractedArea);
-        else
-          total.attractedArea += static_cast<double>(sums.attracted);
-      }
   }
 };
 
@@ -249,7 +136,7 @@ HWY_NOINLINE void Sum(const ContactPoints* run, const ContactPoints* end,
         first = 0;
       }
     }
-    kernel.Flush(sums, total);
+    sums.AddTo<Terms, OwnAreas>(total);
   }
 }
 

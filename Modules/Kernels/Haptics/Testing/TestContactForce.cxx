@@ -1,5 +1,6 @@
 // Closed forms, held by the reference and by every kernel that this processor runs.
 #include "Testing/ContactReaders.h"
+#include "Testing/WallAndPatch.h"
 
 #include <gtest/gtest.h>
 
@@ -20,32 +21,6 @@ Matrix6 Full(const std::array<double, 21>& triangle)
     for (int c = r; c < 6; ++c, ++n)
       m[r][c] = m[c][r] = triangle[n];
   return m;
-}
-
-/// A wall through the origin: distances are linear, so interpolating them is exact.
-const glm::dvec3 WallNormal = glm::normalize(glm::dvec3(0.36, 0.48, 0.8));
-double WallMm(const glm::dvec3& p)
-{
-  return glm::dot(WallNormal, p);
-}
-/// A flat patch that faces the wall.
-ShellOfPoints Patch()
-{
-  ShellOfPoints patch;
-  for (int i = -6; i <= 6; ++i)
-    for (int j = -5; j <= 5; ++j)
-      patch.Add({ 1.0 + 0.5 * i, 0.45 * j, 2.0 }, { 0.0, 0.0, -1.0 });
-  return patch;
-}
-/// The patch parallel to the wall, with its points `mm` in front of it.
-RigidPose PatchAt(double mm)
-{
-  const glm::dvec3 axis = glm::cross(glm::dvec3(0, 0, 1), WallNormal);
-  const double angle = std::acos(WallNormal.z);
-  const glm::dquat turn = TurnBy(glm::normalize(axis) * angle);
-  return { WallNormal * (mm - 2.0) + glm::dvec3(0.2, -0.1, 0.0) -
-             WallNormal * glm::dot(WallNormal, glm::dvec3(0.2, -0.1, 0.0)),
-    turn };
 }
 
 TEST(ContactForce, HalfSpaceIsPressureTimesArea)
@@ -248,59 +223,6 @@ TEST(ContactForce, MatrixIsTheSumOfLeversSquared)
           size += std::abs(x[a] * k[a][b] * x[b]);
         }
       EXPECT_GE(form, -1e-6 * size) << reader.name; // summed in float
-    }
-  }
-}
-
-double AttractionOf(double mm, double capture)
-{
-  const double s = mm / capture;
-  return mm <= 0.0 || s >= 1.0 ? 0.0 : s * (1.0 - s * s) * (1.0 - s * s);
-}
-
-TEST(ContactForce, AttractionIsSmoothBoundedAndZeroAtBothEnds)
-{
-  Scene scene(Grid, 8.0, WallMm);
-  ShellOfPoints patch = Patch();
-  const double area = 0.225, total = area * static_cast<double>(patch.Count());
-  const ContactPoints points = patch.Get(area);
-  const ContactSettings settings{ .attraction = 0.02F, .captureMm = 3.0F, .fade = 0.5F };
-  const double most = 0.5 * 0.02 * total, peak = 3.0 / std::sqrt(5.0);
-  EXPECT_NEAR(AttractionOf(peak, 3.0), 0.286, 5e-4); // what the header says
-  for (const Reader& reader : scene.Readers)
-    for (const double mm : { 0.01, 0.2, 1.0, peak, 2.0, 2.9, 2.999, 3.001, 4.0 })
-    {
-      const RigidPose pose = PatchAt(mm);
-      const ContactSums sums = reader.feel(ContactTerms::Snap, points, pose, settings);
-      const glm::dvec3 pull = -most * AttractionOf(mm, 3.0) * WallNormal;
-      // The slope is at most 1 / R.
-      ExpectNear(sums.attraction.force, pull, most * reader.tolerance, reader.name);
-      const glm::dvec3 lever = pose.Turn({ 1.0, 0.0, 2.0 });
-      ExpectNear(sums.attraction.torque, glm::cross(lever, pull), 2.0 * most * reader.tolerance,
-        reader.name);
-      EXPECT_NEAR(sums.attractedArea, mm < 3.0 ? total : 0.0, 1e-5 * total) << reader.name << mm;
-      EXPECT_EQ(sums.contacts, 0U) << reader.name;
-    }
-}
-
-TEST(ContactForce, AttractsOnlyFacesThatLookAtEachOther)
-{
-  Scene scene(Grid, 8.0, WallMm);
-  const ContactSettings settings{ .attraction = 1.0F, .captureMm = 3.0F };
-  for (const double degrees : { 0.0, 30.0, 60.0, 89.0, 91.0, 180.0 })
-  {
-    const double angle = glm::radians(degrees);
-    ShellOfPoints point; // in the map's axes
-    const glm::dvec3 across = glm::normalize(glm::cross(WallNormal, glm::dvec3(1, 0, 0)));
-    point.Add(1.0 * WallNormal, -std::cos(angle) * WallNormal + std::sin(angle) * across);
-    const ContactPoints points = point.Get(1.0F);
-    const double facing = std::max(0.0, std::cos(angle));
-    for (const Reader& reader : scene.Readers)
-    {
-      const ContactSums sums = reader.feel(ContactTerms::Snap, points, {}, settings);
-      ExpectNear(sums.attraction.force, -AttractionOf(1.0, 3.0) * facing * facing * WallNormal,
-        reader.tolerance, reader.name);
-      EXPECT_NEAR(sums.attractedArea, facing > 0.0 ? 1.0 : 0.0, 1e-6) << reader.name << degrees;
     }
   }
 }
