@@ -1,11 +1,15 @@
 // Kernels against each other: vectors against one point after the other, int16 against float.
+#include "Haptics/CoarsePhase.h"
+#include "Haptics/PointShell.h"
 #include "Testing/ContactReaders.h"
 #include "Testing/CountNew.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
+#include <span>
 #include <string>
 
 namespace
@@ -146,6 +150,51 @@ TEST_F(Poses, ShortsAreCloseToFloatsInASmallContact)
         EXPECT_LE(MatrixError(sums, truth, 5.0, 3.0), 5e-4) << kernels.name;
       }
     }
+}
+
+TEST(ContactKernels, FeelAllOfItInWhatTheCoarsePhaseLeaves)
+{
+  const hasp::testing::SampledDistance body(Bumpy, Grid);
+  const auto map = std::make_shared<const DistanceMap>(body.View());
+  const auto shell = PointShell::OfSurface(body.View(), glm::dvec3(0.0), { .points = 4000 });
+  CoarsePhase coarse(shell, map);
+  const ContactSettings settings{ .attraction = 0.01F, .captureMm = 3.0F };
+  const ContactKernels& kernels = FastestContactKernels();
+  std::vector<ContactPoints> all, near;
+  for (int level = 0; level < shell->Levels(); ++level)
+    all.push_back(shell->Level(level));
+  Dice dice(23);
+  std::uint32_t left = 0, contacts = 0;
+  for (int n = 0; n < 200; ++n)
+  {
+    // Steps of a walk around the body: what sleeps must wake.
+    const double angle = 0.05 * n, apart = 2.0 * Radius + 4.0 * std::sin(0.31 * n) - 1.0;
+    const RigidPose pose{ { apart * std::cos(angle), apart * std::sin(angle), 0.0 },
+      TurnBy({ 0.1 * dice(), angle, 0.0 }) };
+    ContactSums whole, part;
+    kernels[ContactTerms::Snap](
+      std::span<const ContactPoints>(all), { pose }, map->View(), settings, whole);
+    coarse.Begin(pose, settings.captureMm);
+    near.clear();
+    for (int level = 0; level < shell->Levels(); ++level)
+    {
+      const std::span<const ContactPoints> runs = coarse.Near(level);
+      near.insert(near.end(), runs.begin(), runs.end());
+    }
+    kernels[ContactTerms::Snap](
+      std::span<const ContactPoints>(near), { pose }, map->View(), settings, part);
+    for (const ContactPoints& run : near)
+      left += run.count;
+    contacts += whole.contacts;
+    ASSERT_EQ(part.contacts, whole.contacts) << n;
+    // The same points, added up in another order.
+    EXPECT_NEAR(part.attractedArea, whole.attractedArea, 1e-5 * whole.attractedArea);
+    EXPECT_NEAR(part.energy, whole.energy, 1e-5 * whole.energy);
+    EXPECT_LE(glm::length(part.attraction.torque - whole.attraction.torque),
+      1e-4 * glm::length(whole.attraction.force) * Radius);
+  }
+  EXPECT_GT(contacts, 1000U);
+  EXPECT_LT(left, 200U * 3000U); // it did leave out points
 }
 
 TEST_F(Poses, KernelsAreRepeatable)
