@@ -60,16 +60,16 @@ CoarsePhase::CoarsePhase(
     this->Levels.push_back({ clusters, 0.0 });
     clusters += static_cast<std::uint32_t>(this->Shell->Clusters(level).size());
   }
-  this->WakeAt.resize(clusters, 0.0);
+  this->States.resize(clusters);
   this->Runs.resize(clusters);
 }
 
 void CoarsePhase::WakeAll() noexcept
 {
   this->Travelled = 0.0;
-  std::fill(this->WakeAt.begin(), this->WakeAt.end(), 0.0);
+  std::fill(this->States.begin(), this->States.end(), State());
   for (Level& level : this->Levels)
-    level.leastWakeAt = 0.0;
+    level.allFarUntil = 0.0;
 }
 
 void CoarsePhase::Begin(const RigidPose& shellInMap, double reachMm) noexcept
@@ -79,8 +79,8 @@ void CoarsePhase::Begin(const RigidPose& shellInMap, double reachMm) noexcept
   const double moved =
     glm::length(shellInMap.position - this->Pose.position) +
     2.0 * this->Shell->Radius() * glm::length(glm::dvec3(turn.x, turn.y, turn.z));
-  // A wider reach is as if all had come nearer.
-  this->Travelled += moved + std::max(reachMm - this->ReachMm, 0.0) * this->PerSlope;
+  // Another reach is as if all had come nearer, or gone farther.
+  this->Travelled += moved + std::abs(reachMm - this->ReachMm) * this->PerSlope;
   if (!(this->Travelled < 1e12)) // not finite; or digits get short
     this->WakeAll();
   this->Pose = shellInMap;
@@ -107,46 +107,46 @@ double CoarsePhase::Slack(const PointCluster& cluster) const noexcept
 
 std::span<const ContactPoints> CoarsePhase::Near(int level) noexcept
 {
-  Level& state = this->Levels[level];
+  Level& its = this->Levels[level];
   const std::span<const PointCluster> clusters = this->Shell->Clusters(level);
-  if (this->Travelled < state.leastWakeAt)
+  if (this->Travelled < its.allFarUntil)
   {
-    this->Seen.asleep += static_cast<std::uint32_t>(clusters.size());
+    this->Seen.far += static_cast<std::uint32_t>(clusters.size());
     return {};
   }
   const ContactPoints all = this->Shell->Level(level);
-  ContactPoints* const runs = &this->Runs[state.first];
-  double* const wakeAt = &this->WakeAt[state.first];
+  ContactPoints* const runs = &this->Runs[its.first];
+  State* const states = &this->States[its.first];
   std::size_t count = 0, lastNear = clusters.size();
-  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t near = 0;
+  double allFarUntil = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < clusters.size(); ++c)
   {
-    if (this->Travelled < wakeAt[c])
-      ++this->Seen.asleep;
-    else if (const double slack = this->Slack(clusters[c]); slack > 0.0)
+    if (!(this->Travelled < states[c].until))
     {
-      wakeAt[c] = this->Travelled + slack;
-      ++this->Seen.far;
+      const double slack = this->Slack(clusters[c]);
+      states[c] = { this->Travelled + std::abs(slack), !(slack > 0.0) };
+      ++this->Seen.looked;
     }
+    allFarUntil = std::min(allFarUntil, states[c].near ? 0.0 : states[c].until);
+    if (!states[c].near)
+      continue;
+    ++near;
+    if (lastNear + 1 == c)
+      runs[count - 1].count += clusters[c].count;
     else
-    {
-      wakeAt[c] = 0.0;
-      ++this->Seen.near;
-      if (lastNear + 1 == c)
-        runs[count - 1].count += clusters[c].count;
-      else
-        runs[count++] = Part(all, clusters[c]);
-      lastNear = c;
-    }
-    least = std::min(least, wakeAt[c]);
+      runs[count++] = Part(all, clusters[c]);
+    lastNear = c;
   }
-  state.leastWakeAt = least;
+  this->Seen.near += near;
+  this->Seen.far += static_cast<std::uint32_t>(clusters.size()) - near;
+  its.allFarUntil = allFarUntil;
   return { runs, count };
 }
 
 std::size_t CoarsePhase::Bytes() const noexcept
 {
-  return this->WakeAt.size() * sizeof(double) + this->Runs.size() * sizeof(ContactPoints) +
+  return this->States.size() * sizeof(State) + this->Runs.size() * sizeof(ContactPoints) +
          this->Levels.size() * sizeof(Level);
 }
 

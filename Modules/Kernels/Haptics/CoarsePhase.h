@@ -15,12 +15,13 @@ namespace hasp
 ///
 /// The distance at the middle of a cluster's ball, read once from the map, less what the distance
 /// can fall by on the way to a point of the ball (the map's steepest slope), says how far the
-/// cluster may be moved before any of its points comes within reach. It sleeps until the shell has
-/// moved that far: every tick adds how far its farthest point moved. So whatever the motion, no
-/// point within reach is ever left out, and a shell far away costs one comparison a level.
+/// cluster may be moved before any of its points comes within reach; the same number below 0, how
+/// far it must be moved before that can end. It is not looked at until the shell has moved that
+/// far: every tick adds how far its farthest point moved. So whatever the motion, no point within
+/// reach is ever left out, and a shell far away costs one comparison a level.
 ///
 /// HAPTIC, one thread at a time; takes memory only when it is made (WORKER). One for each pair of
-/// shell and map. 20 ns for each cluster that is not asleep.
+/// shell and map. 1 ns a cluster, and 40 ns for each that is looked at.
 class CoarsePhase
 {
 public:
@@ -39,23 +40,29 @@ public:
   /// it must.
   void WakeAll() noexcept;
 
-  /// Of the clusters looked at since Begin.
+  /// Of the clusters of the levels asked for since Begin.
   struct Counts
   {
     std::uint32_t near = 0;   ///< may touch
-    std::uint32_t far = 0;    ///< looked at and found far; asleep from now on
-    std::uint32_t asleep = 0; ///< not looked at
+    std::uint32_t far = 0;    ///< cannot
+    std::uint32_t looked = 0; ///< of both together; the others slept
   };
-  const Counts& Looked() const noexcept { return this->Seen; }
+  const Counts& Asked() const noexcept { return this->Seen; }
   std::size_t Bytes() const noexcept;
 
 private:
   struct Level
   {
-    std::uint32_t first = 0; ///< of its clusters in WakeAt and of its room in Runs
-    double leastWakeAt = 0.0;
+    std::uint32_t first = 0;  ///< of its clusters in States and of its room in Runs
+    double allFarUntil = 0.0; ///< in terms of Travelled
   };
-  /// How far the cluster may be moved before one of its points is within reach, mm.
+  struct State
+  {
+    double until = 0.0; ///< in terms of Travelled
+    bool near = true;
+  };
+  /// How far the cluster may be moved before one of its points is within reach, mm; below 0, how
+  /// far it must be before none is.
   double Slack(const PointCluster& cluster) const noexcept;
 
   std::shared_ptr<const PointShell> Shell;
@@ -70,7 +77,7 @@ private:
   glm::dmat3 ShellToIndex{ 1.0 };
   glm::dvec3 IndexOfShell{ 0.0 };
   std::vector<Level> Levels;
-  std::vector<double> WakeAt; ///< by cluster; in terms of Travelled
+  std::vector<State> States; ///< by cluster
   std::vector<ContactPoints> Runs;
   Counts Seen;
 };

@@ -112,7 +112,7 @@ TEST(CoarsePhase, NeverLeavesOutAPointWithinReach)
       const Census census = Count(pair, coarse, pose, reach);
       EXPECT_EQ(census.missed, 0U) << n;
       within += census.within;
-      far += coarse.Looked().far;
+      far += coarse.Asked().far;
     }
     EXPECT_GT(within, 5000U); // poses that touch
     EXPECT_GT(far, 150U);     // clusters that were left out, even of the bad field
@@ -130,7 +130,7 @@ TEST(CoarsePhase, SleepingNeverMissesAContactAtTheGreatestMotion)
   const double most = 0.5 * pair.map->SmallestSpacing();
   Draw draw(6);
   RigidPose pose{ { 40.0, 0.0, 0.0 }, hasp::TurnBy({}) };
-  std::size_t within = 0, asleep = 0, looked = 0;
+  std::size_t within = 0, clusters = 0, looked = 0, near = 0;
   for (int bout = 0; bout < 12; ++bout)
   {
     const glm::dvec3 axis = draw.Direction();
@@ -145,13 +145,16 @@ TEST(CoarsePhase, SleepingNeverMissesAContactAtTheGreatestMotion)
       const Census census = Count(pair, coarse, pose, 0.0);
       ASSERT_EQ(census.missed, 0U) << bout << ' ' << tick;
       within += census.within;
-      asleep += coarse.Looked().asleep;
-      looked += coarse.Looked().near + coarse.Looked().far;
+      clusters += coarse.Asked().near + coarse.Asked().far;
+      looked += coarse.Asked().looked;
+      near += coarse.Asked().near;
     }
   }
   EXPECT_GT(within, 1000U);
-  EXPECT_GT(asleep, looked);
-  RecordProperty("asleep", static_cast<int>(asleep));
+  EXPECT_LT(looked, clusters / 4); // the others slept
+  EXPECT_LT(near, clusters / 2);
+  RecordProperty("clusters", static_cast<int>(clusters));
+  RecordProperty("near", static_cast<int>(near));
   RecordProperty("looked", static_cast<int>(looked));
 }
 
@@ -215,12 +218,13 @@ TEST(CoarsePhase, FarAwayACallLooksAtNothing)
   coarse.Begin({ { 500.0, 0.0, 0.0 }, hasp::TurnBy({}) }, 3.0);
   const int last = pair.shell->Levels() - 1;
   EXPECT_TRUE(coarse.Near(last).empty());
-  EXPECT_EQ(coarse.Looked().far, pair.shell->Clusters(last).size());
+  EXPECT_EQ(coarse.Asked().looked, pair.shell->Clusters(last).size());
   for (int tick = 1; tick < 900; ++tick) // 450 mm in half millimetres
   {
     coarse.Begin({ { 500.0 - 0.5 * tick, 0.0, 0.0 }, hasp::TurnBy({}) }, 3.0);
     EXPECT_TRUE(coarse.Near(last).empty());
-    EXPECT_EQ(coarse.Looked().asleep, pair.shell->Clusters(last).size()) << tick;
+    EXPECT_EQ(coarse.Asked().looked, 0U) << tick;
+    EXPECT_EQ(coarse.Asked().far, pair.shell->Clusters(last).size());
   }
 }
 

@@ -171,7 +171,7 @@ TEST(PointShell, ItsArraysAreAsTheKernelsReadThem)
       {
         EXPECT_EQ(cluster.first, next);
         next += cluster.count;
-        EXPECT_LE(cluster.count, 64U);
+        EXPECT_EQ(cluster.count, 16U);
         for (std::uint32_t n = cluster.first; n < std::min(next, real); ++n)
           EXPECT_LE(
             glm::distance(cluster.center, glm::vec3(p.x[n], p.y[n], p.z[n])), cluster.radius);
@@ -287,8 +287,8 @@ TEST(PointShell, NeighboursInMemoryAreNeighboursInSpace)
   // 16 points in a patch of 4 x 4 spacings, in any order: 2.1 apart. In random order it would
   // be 60.
   EXPECT_LT(step / spacing, 3.0);
-  // 64 points in a square patch: a diagonal of 8 sqrt 2. Halves of a cut are not all square.
-  EXPECT_LT(radius / spacing, 0.5 * 8.0 * std::numbers::sqrt2 * 1.3);
+  // A square patch of 16: half a diagonal of 4 sqrt 2. Halves of a cut are not all square.
+  EXPECT_LT(radius / spacing, 0.5 * 4.0 * std::numbers::sqrt2 * 1.3);
 }
 
 TEST(PointShell, OfASingleVoxel)
