@@ -1,9 +1,9 @@
 #pragma once
-#include "Grid/RigidPose.h"
-#include "Haptics/DistanceMap.h"
+#include "Haptics/MapClearance.h"
 #include "Haptics/PointShell.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -46,6 +46,9 @@ public:
     std::uint32_t near = 0;   ///< may touch
     std::uint32_t far = 0;    ///< cannot
     std::uint32_t looked = 0; ///< of both together; the others slept
+    /// As far as all their points may be moved, any way, before one is within reach; 0 if some are
+    /// near. mm; infinite if there are none.
+    double clearanceMm = std::numeric_limits<double>::infinity();
   };
   const Counts& Asked() const noexcept { return this->Seen; }
   std::size_t Bytes() const noexcept;
@@ -56,28 +59,10 @@ private:
     std::uint32_t first = 0;  ///< of its clusters in States and of its room in Runs
     double allFarUntil = 0.0; ///< in terms of Travelled
   };
-  struct State
-  {
-    double until = 0.0; ///< in terms of Travelled
-    bool near = true;
-  };
-  /// How far the cluster may be moved before one of its points is within reach, mm; below 0, how
-  /// far it must be before none is.
-  double Slack(const PointCluster& cluster) const noexcept;
-
   std::shared_ptr<const PointShell> Shell;
-  std::shared_ptr<const DistanceMap> Map;
-  DistanceMapView<std::int16_t> View;
-  glm::dvec3 Spacing{ 1.0 };
-  double PerSlope = 1.0; ///< mm of way for each mm of distance
-  double MarginMm = 0.0;
-  RigidPose Pose;
-  double ReachMm = 0.0;
-  double Travelled = 0.0; ///< mm that no point of the shell has moved more than, since ever
-  glm::dmat3 ShellToIndex{ 1.0 };
-  glm::dvec3 IndexOfShell{ 0.0 };
+  MapClearance Clearance;
   std::vector<Level> Levels;
-  std::vector<State> States; ///< by cluster
+  std::vector<MapClearance::State> States; ///< by cluster
   std::vector<ContactPoints> Runs;
   Counts Seen;
 };

@@ -158,6 +158,32 @@ TEST(CoarsePhase, SleepingNeverMissesAContactAtTheGreatestMotion)
   RecordProperty("looked", static_cast<int>(looked));
 }
 
+TEST(CoarsePhase, WithinTheClearanceNothingTouches)
+{
+  const SampledDistance tool(BumpyBall(6.0, 0.6), CubeGrid(20));
+  const SampledDistance body(BumpyBall(9.0, 1.0), SkewGrid({ 48, 34, 26 }));
+  const Pair pair(tool, body, 1000);
+  Draw draw(8);
+  int clear = 0;
+  for (int n = 0; n < 100; ++n)
+  {
+    CoarsePhase coarse(pair.shell, pair.map);
+    RigidPose pose{ draw.Direction() * draw.In(17.0, 30.0),
+      hasp::TurnBy(draw.Direction() * draw.In(0.0, 3.0)) };
+    coarse.Begin(pose, 0.0);
+    Count(pair, coarse, pose, 0.0);
+    const double clearance = coarse.Asked().clearanceMm;
+    EXPECT_EQ(clearance == 0.0, coarse.Asked().near > 0);
+    clear += clearance > 1.0 ? 1 : 0;
+    // The straight way to the body is the shortest: just short of it.
+    pose.position -= glm::normalize(pose.position) * (0.999 * clearance);
+    CoarsePhase there(pair.shell, pair.map);
+    there.Begin(pose, 0.0);
+    EXPECT_TRUE(clearance == 0.0 || Count(pair, there, pose, 0.0).within == 0) << clearance;
+  }
+  EXPECT_GT(clear, 50);
+}
+
 TEST(CoarsePhase, JumpsAndNewReachesWakeWhomTheyMust)
 {
   const SampledDistance tool(BumpyBall(6.0, 0.6), CubeGrid(20));
