@@ -168,7 +168,7 @@ TEST(CoarsePhase, WithinTheClearanceNothingTouches)
   for (int n = 0; n < 100; ++n)
   {
     CoarsePhase coarse(pair.shell, pair.map);
-    RigidPose pose{ draw.Direction() * draw.In(17.0, 30.0),
+    RigidPose pose{ draw.Direction() * draw.In(17.0, 45.0),
       hasp::TurnBy(draw.Direction() * draw.In(0.0, 3.0)) };
     coarse.Begin(pose, 0.0);
     Count(pair, coarse, pose, 0.0);
