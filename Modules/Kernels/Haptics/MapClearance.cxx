@@ -72,7 +72,7 @@ bool MapClearance::Begin(const RigidPose& bodyInMap, double reachMm) noexcept
   return holds;
 }
 
-double MapClearance::Slack(const glm::dvec3& center, double radius) const noexcept
+double MapClearance::Slack(const glm::dvec3& center, double radius, double shorter) const noexcept
 {
   const glm::dvec3 index = this->ToIndex * center + this->IndexOfOrigin;
   if (!std::isfinite(index.x + index.y + index.z))
@@ -82,7 +82,8 @@ double MapClearance::Slack(const glm::dvec3& center, double radius) const noexce
   const glm::dvec3 nearest = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(this->View.last));
   const double gap = glm::length((index - nearest) * this->Spacing);
   const Reading read = Read(this->View, nearest);
-  const double above = std::max<double>(read.mm, read.least) - this->ReachMm - this->MarginMm;
+  const double above =
+    std::max<double>(read.mm, read.least) - (this->ReachMm - shorter) - this->MarginMm;
   const double way = std::max(above, 0.0) * this->PerSlope;
   return std::sqrt(way * way + gap * gap) - radius - this->MarginMm;
 }
