@@ -33,7 +33,8 @@ public:
   /// reachMm     distances that matter: 0 for contact, Snap-to-fit's capture distance for
   ///             attraction; within the map's range
   void Begin(const RigidPose& shellInMap, double reachMm) noexcept;
-  /// The points of a level that may be within reach, in whole clusters, neighbours joined. Valid
+  /// The points of a level that may be within reach, in whole clusters, neighbours joined. Their
+  /// area is that of the level being the last: a step that goes on to finer ones sets it. Valid
   /// until the next Begin.
   std::span<const ContactPoints> Near(int level) noexcept;
   /// Asks about all again at the next Near. Begin does it by itself where

@@ -66,7 +66,9 @@ struct DynamicPointShell::Internals
   void MoveToIsovalue() noexcept;
   void FindNear() noexcept;
   void SeeNear(ServedBlock& served) noexcept;
+  MapClearance::State LookFor(const glm::ivec3& block) const noexcept;
   void ServeBlocks() noexcept;
+  std::int32_t FreeSlot(const glm::ivec3& block) noexcept;
   void DrawPoints() noexcept;
   bool Draw(ServedBlock& served) noexcept;
   void Measure(ServedBlock& served) noexcept;
@@ -182,6 +184,13 @@ void DynamicPointShell::Internals::FindNear() noexcept
       this->GiveUp(served);
 }
 
+/// May the block touch within a voxel's way? As far as its ball can tell.
+MapClearance::State DynamicPointShell::Internals::LookFor(const glm::ivec3& block) const noexcept
+{
+  const NearBlocks::Ball ball = this->nearBlocks.BallOf(block, 1);
+  return this->clearance.Look(ball.center, ball.radius + this->voxel, this->aheadMm);
+}
+
 /// Points are kept ready in all near blocks, and many in those that may touch within a voxel's way:
 /// as far as 16 points of the surface in the block can tell.
 void DynamicPointShell::Internals::SeeNear(ServedBlock& served) noexcept
@@ -192,8 +201,7 @@ void DynamicPointShell::Internals::SeeNear(ServedBlock& served) noexcept
   const std::int32_t c = served.newest;
   if (c == PointRing::None)
   {
-    const NearBlocks::Ball ball = this->nearBlocks.BallOf(served.block, 1);
-    served.hot = this->clearance.Look(ball.center, ball.radius + this->voxel, this->aheadMm);
+    served.hot = this->LookFor(served.block);
     return;
   }
   double least = this->rangeMm;
@@ -237,12 +245,10 @@ void DynamicPointShell::Internals::ServeBlocks() noexcept
   std::partial_sort(this->waiting.begin(),
     this->waiting.begin() + static_cast<std::ptrdiff_t>(count), this->waiting.end(),
     [](const Waiting& a, const Waiting& b) { return a.mm < b.mm; });
-  std::size_t slot = 0;
   for (std::size_t n = 0; n < count && this->budget >= BlockCost; ++n)
   {
-    while (slot < this->all.size() && this->all[slot].used)
-      ++slot;
-    if (slot == this->all.size())
+    const std::int32_t slot = this->FreeSlot(this->waiting[n].block);
+    if (slot == PointRing::None)
       return;
     ServedBlock& served = this->all[slot];
     served.used = true;
@@ -250,12 +256,27 @@ void DynamicPointShell::Internals::ServeBlocks() noexcept
     served.number = this->nearBlocks.IndexOf(served.block);
     served.hot = {};
     this->SeeNear(served);
-    this->servedAt[served.number] = static_cast<std::int32_t>(slot);
+    this->servedAt[served.number] = slot;
     served.surface->Read(this->volume.grid, served.block);
     this->points.SetIsovalue(served, this->volume.isovalue, this->volume.insideAbove);
     this->Measure(served);
     this->Draw(served);
   }
+}
+
+/// One that is free, or is made free: by a block that will not touch soon, for one that may.
+std::int32_t DynamicPointShell::Internals::FreeSlot(const glm::ivec3& block) noexcept
+{
+  std::int32_t cold = PointRing::None;
+  for (std::int32_t n = 0; n < static_cast<std::int32_t>(this->all.size()); ++n)
+    if (!this->all[n].used)
+      return n;
+    else if (!this->all[n].hot.near)
+      cold = n;
+  if (cold == PointRing::None || !this->LookFor(block).near)
+    return PointRing::None;
+  this->GiveUp(this->all[cold]);
+  return cold;
 }
 
 int DynamicPointShell::Internals::TargetOf(const ServedBlock& served) const noexcept

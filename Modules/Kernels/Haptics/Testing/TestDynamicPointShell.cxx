@@ -351,6 +351,34 @@ TEST(DynamicPointShell, KeepsItsBudgetAndItsRoom)
   }
 }
 
+TEST(DynamicPointShell, WithLittleRoomTheContactComesFirst)
+{
+  const GreyBody ball(Ball({}, 20.0), CubeGrid(64));
+  hasp::DynamicPointShellSettings settings;
+  settings.points = 512; // 16 blocks
+  settings.pointsPerTick = 128;
+  DynamicPointShell shell(ball.Volume, Floor(), {}, settings);
+  const Touch truth = BallOnFloor(20.0, 1.0);
+  double most = 0.0, sum = 0.0;
+  std::uint32_t mostNear = 0;
+  constexpr int Ticks = 600;
+  for (int tick = 0; tick < Ticks; ++tick) // the ball turns in its place, 0.1 mm a tick
+  {
+    const RigidPose pose{ { 0.0, 19.0, 0.0 }, hasp::TurnBy({ 0.005 * tick, 0.0, 0.0 }) };
+    shell.Update(pose, 0.0);
+    mostNear = std::max(mostNear, shell.LastTick().nearBlocks);
+    if (tick < 20)
+      continue;
+    const double area = TouchOnFloor(shell, pose).area;
+    most = std::max(most, std::abs(area / truth.area - 1.0));
+    sum += area / (Ticks - 20);
+  }
+  EXPECT_GT(mostNear, 16U); // more than there is room for
+  // 20 to 40 points in contact: a few per cent of scatter each, and no bias.
+  EXPECT_NEAR(sum, truth.area, 0.05 * truth.area);
+  EXPECT_LT(most, 0.4);
+}
+
 TEST(DynamicPointShell, ForcesDoNotJumpWhileItIsFilled)
 {
   const GreyBody ball(Ball({}, 9.0), SkewGrid({ 40, 28, 22 }));
