@@ -158,6 +158,31 @@ TEST(CoarsePhase, SleepingNeverMissesAContactAtTheGreatestMotion)
   RecordProperty("looked", static_cast<int>(looked));
 }
 
+TEST(CoarsePhase, EachKindOfMotionCountsInFull)
+{
+  // A small ball 20 mm from its body's origin, and a plane, whose distance is as steep as it may
+  // be: what a cluster may move is used up to the last.
+  const SampledDistance tool(
+    Ball({ 20.0, 0.0, 0.0 }, 2.0), { glm::ivec3(9), { 16, -4, -4 }, glm::dvec3(1), glm::dmat3(1) });
+  const Pair pair(tool, { HalfSpace({}, { 0, 1, 0 }), CubeGrid(65) }, 500);
+  for (const bool turning : { false, true })
+  {
+    CoarsePhase coarse(pair.shell, pair.map);
+    std::size_t within = 0;
+    for (int tick = 0; tick < 45; ++tick) // to the floor from 12 mm above, 0.4 mm a tick
+    {
+      const RigidPose pose =
+        turning ? RigidPose{ { 0.0, 0.0, 0.0 }, hasp::TurnBy({ 0.0, 0.0, 0.6 - 0.02 * tick }) }
+                : RigidPose{ { 0.0, 12.0 - 0.4 * tick, 0.0 }, hasp::TurnBy({}) };
+      coarse.Begin(pose, 0.0);
+      const Census census = Count(pair, coarse, pose, 0.0);
+      ASSERT_EQ(census.missed, 0U) << turning << ' ' << tick;
+      within += census.within;
+    }
+    EXPECT_GT(within, 1000U);
+  }
+}
+
 TEST(CoarsePhase, WithinTheClearanceNothingTouches)
 {
   const SampledDistance tool(BumpyBall(6.0, 0.6), CubeGrid(20));
