@@ -15,21 +15,25 @@ namespace hasp
 
 void BlockSurface::Read(const AnyGridView& grid, const glm::ivec3& block) noexcept
 {
-  const GridGeometry& g = GeometryOf(grid);
-  const glm::ivec3 first = block * Side;
-  this->Spacing = g.spacing;
-  this->Samples = glm::min(first + Row, g.dims) - first;
   this->CellsKnown = false;
   this->CellCount = 0;
-  const auto read = [&](const auto& view)
+  const glm::ivec3 first = block * Side;
+  const auto read = [&]<typename T>(const GridView<const T>* view)
   {
+    if (view == nullptr)
+      return;
+    this->Spacing = view->geometry.spacing;
+    this->Samples = glm::min(first + Row, view->geometry.dims) - first;
     for (int k = 0; k < this->Samples.z; ++k)
       for (int j = 0; j < this->Samples.y; ++j)
         for (int i = 0; i < this->Samples.x; ++i)
-          this->Values[(k * Row + j) * Row + i] =
-            static_cast<float>(view(first.x + i, first.y + j, first.z + k));
+          this->Values[SampleIndex(i, j, k)] =
+            static_cast<float>((*view)(first.x + i, first.y + j, first.z + k));
   };
-  std::visit(read, grid);
+  read(std::get_if<GridView<const std::int16_t>>(&grid)); // std::visit may throw
+  read(std::get_if<GridView<const std::uint16_t>>(&grid));
+  read(std::get_if<GridView<const std::uint8_t>>(&grid));
+  read(std::get_if<GridView<const float>>(&grid));
 }
 
 void BlockSurface::SetIsovalue(double isovalue, double outward) noexcept
@@ -42,9 +46,10 @@ void BlockSurface::SetIsovalue(double isovalue, double outward) noexcept
 
 std::array<double, 8> BlockSurface::CornersOf(const glm::ivec3& cell) const noexcept
 {
-  const float* p = &this->Values[(cell.z * Row + cell.y) * Row + cell.x];
-  std::array<double, 8> corners{ p[0], p[1], p[Row], p[Row + 1], p[Row * Row], p[Row * Row + 1],
-    p[Row * Row + Row], p[Row * Row + Row + 1] };
+  const float* p = &this->Values[SampleIndex(cell.x, cell.y, cell.z)];
+  const float* above = p + SampleIndex(0, 0, 1);
+  std::array<double, 8> corners{ p[0], p[1], p[Row], p[Row + 1], above[0], above[1], above[Row],
+    above[Row + 1] };
   for (double& corner : corners)
     corner = this->Outward * (corner - this->Isovalue);
   return corners;
@@ -53,7 +58,7 @@ std::array<double, 8> BlockSurface::CornersOf(const glm::ivec3& cell) const noex
 /// One bit a sample: is it inside?
 std::uint32_t BlockSurface::InsideInRow(int j, int k) const noexcept
 {
-  const float* row = &this->Values[(k * Row + j) * Row];
+  const float* row = &this->Values[SampleIndex(0, j, k)];
   const auto isovalue = static_cast<float>(this->Isovalue);
   std::uint32_t bits = 0;
   for (int i = 0; i < this->Samples.x; ++i)

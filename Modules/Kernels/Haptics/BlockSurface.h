@@ -44,6 +44,8 @@ public:
 
 private:
   static constexpr int Side = MinMaxBlocks::Side, Row = Side + 1;
+  static constexpr int MostSamples = Row * Row * Row, MostCells = Side * Side * Side;
+  static int SampleIndex(int i, int j, int k) noexcept { return (k * Row + j) * Row + i; }
   std::uint32_t InsideInRow(int j, int k) const noexcept;
   std::array<double, 8> CornersOf(const glm::ivec3& cell) const noexcept;
 
@@ -52,9 +54,9 @@ private:
   double Isovalue = 0.0, Outward = 1.0;
   bool CellsKnown = false;
   int CellCount = 0;
-  std::array<float, Row * Row * Row> Values{};
-  std::array<std::uint16_t, Side * Side * Side> Cells{};
-  std::array<float, Side * Side * Side> Ends{}; ///< area up to and with each cell, mm^2
+  std::array<float, MostSamples> Values{};
+  std::array<std::uint16_t, MostCells> Cells{};
+  std::array<float, MostCells> Ends{}; ///< area up to and with each cell, mm^2
 };
 
 } // namespace hasp

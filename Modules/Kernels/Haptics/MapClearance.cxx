@@ -27,8 +27,8 @@ Reading Read(const DistanceMapView<std::int16_t>& view, const glm::dvec3& index)
   const glm::dvec3 t = index - glm::dvec3(cell);
   const glm::ivec3 block = cell / view.Side, in = cell - block * view.Side;
   const int b = (block.z * view.blocks.y + block.y) * view.blocks.x + block.x;
-  const std::int16_t* p =
-    view.samples + view.firstSample[b] + (in.z * view.Row + in.y) * view.Row + in.x;
+  const int offset = (in.z * view.Row + in.y) * view.Row + in.x;
+  const std::int16_t* p = view.samples + view.firstSample[b] + offset;
   const auto along = [&](int offset) { return p[offset] + t.x * (p[offset + 1] - p[offset]); };
   const auto across = [&](int offset)
   {

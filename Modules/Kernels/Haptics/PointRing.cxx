@@ -28,7 +28,7 @@ std::int32_t PointRing::Take() noexcept
 void PointRing::GiveBack(std::int32_t chunk) noexcept
 {
   for (int column = 0; column < PointArrays::Columns; ++column)
-    std::fill_n(this->Arrays[PointArrays::Column(column)] + chunk * ChunkPoints, ChunkPoints,
+    std::fill_n(this->Arrays[PointArrays::Column(column)] + FirstOf(chunk), ChunkPoints,
       column <= PointArrays::Z ? ContactPoints::FarAway : 0.0F);
   this->All[chunk].used = false;
   --this->UsedCount;
@@ -41,7 +41,7 @@ void PointRing::Kill(std::int32_t chunk, std::uint32_t n) noexcept
 
 void PointRing::SetArea(std::int32_t chunk, float mm2) noexcept
 {
-  std::fill_n(this->Arrays[PointArrays::Area] + chunk * ChunkPoints, ChunkPoints, mm2);
+  std::fill_n(this->Arrays[PointArrays::Area] + FirstOf(chunk), ChunkPoints, mm2);
 }
 
 } // namespace hasp

@@ -63,6 +63,11 @@ public:
   }
 
 private:
+  static std::size_t FirstOf(std::int32_t chunk) noexcept
+  {
+    return static_cast<std::size_t>(chunk) * ChunkPoints;
+  }
+
   PointArrays Arrays;
   std::vector<Chunk> All;
   std::uint32_t Head = 0, UsedCount = 0;
