@@ -128,7 +128,6 @@ bool BlockSurface::Project(Place& place) const noexcept
 {
   const double voxel = std::min({ this->Spacing.x, this->Spacing.y, this->Spacing.z });
   const glm::dvec3 last = this->Samples - 1;
-  double off = 0.0;
   for (int step = 0; step < 5; ++step)
   {
     const glm::ivec3 cell = glm::min(glm::ivec3(place.index), this->Samples - 2);
@@ -139,15 +138,15 @@ bool BlockSurface::Project(Place& place) const noexcept
     if (!(squared > 0.0 && std::isfinite(squared)))
       return false;
     const double length = std::sqrt(squared);
-    place.normal = slope / length;
-    off = TrilinearValue(corners, t) / length;
-    if (std::abs(off) < 1e-4 * voxel)
-      break;
+    const double off = TrilinearValue(corners, t) / length;
     const double move = std::clamp(off, -0.5 * voxel, 0.5 * voxel);
+    place.normal = slope / length;
     place.index =
       glm::clamp(place.index - move * place.normal / this->Spacing, glm::dvec3(0.0), last);
+    if (std::abs(off) < 0.02 * voxel) // the last step squared what it was off by
+      return true;
   }
-  return std::abs(off) < 0.02 * voxel;
+  return false;
 }
 
 } // namespace hasp

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,6 +63,7 @@ struct DynamicPointShell::Internals
   Internals(ShellVolume v, std::shared_ptr<const DistanceMap> map, const glm::dvec3& o,
     const DynamicPointShellSettings& s);
 
+  std::span<ServedBlock> Live() noexcept { return { this->all.data(), this->end }; }
   bool Holds(const MinMaxBlocks::Range& range) const noexcept;
   void MoveToIsovalue() noexcept;
   void FindNear() noexcept;
@@ -86,6 +88,7 @@ struct DynamicPointShell::Internals
   BlockPoints points;
   std::vector<BlockSurface> surfaces;
   std::vector<ServedBlock> all;
+  std::size_t end = 0;                ///< one past the last of them that is used
   std::vector<std::int32_t> servedAt; ///< by block; None if not served
   std::vector<Waiting> waiting;
   double chunksPerMm2 = 0.0;
@@ -137,7 +140,7 @@ void DynamicPointShell::Internals::MoveToIsovalue() noexcept
 {
   this->volume.isovalue = this->wantedIsovalue;
   int left = 2 * this->settings.pointsPerTick;
-  for (ServedBlock& served : this->all)
+  for (ServedBlock& served : this->Live())
   {
     if (!served.used)
       continue;
@@ -147,10 +150,10 @@ void DynamicPointShell::Internals::MoveToIsovalue() noexcept
       this->GiveUp(served);
   }
   for (const bool hot : { true, false })
-    for (ServedBlock& served : this->all)
+    for (ServedBlock& served : this->Live())
       if (served.used && served.hot.near == hot)
         this->facts.projected += this->points.Move(served, 1, left);
-  for (ServedBlock& served : this->all)
+  for (ServedBlock& served : this->Live())
     if (served.used)
       this->facts.projected += this->points.Move(served, this->settings.points, left);
 }
@@ -159,11 +162,13 @@ void DynamicPointShell::Internals::GiveUp(ServedBlock& served) noexcept
 {
   this->servedAt[served.number] = PointRing::None;
   this->points.GiveBack(served);
+  while (this->end > 0 && !this->all[this->end - 1].used)
+    --this->end;
 }
 
 void DynamicPointShell::Internals::FindNear() noexcept
 {
-  for (ServedBlock& served : this->all)
+  for (ServedBlock& served : this->Live())
     served.near = false;
   this->waiting.clear();
   this->facts.nearBlocks = 0;
@@ -179,7 +184,7 @@ void DynamicPointShell::Internals::FindNear() noexcept
         this->waiting.push_back(
           { this->clearance.DistanceAt(this->nearBlocks.BallOf(block, 1).center), block });
     });
-  for (ServedBlock& served : this->all)
+  for (ServedBlock& served : this->Live())
     if (served.used && !served.near)
       this->GiveUp(served);
 }
@@ -232,7 +237,7 @@ bool DynamicPointShell::Internals::Draw(ServedBlock& served) noexcept
 void DynamicPointShell::Internals::ServeBlocks() noexcept
 {
   for (const bool hot : { true, false })
-    for (ServedBlock& served : this->all)
+    for (ServedBlock& served : this->Live())
       if (served.used && served.hot.near == hot && !served.surface->HasCells() &&
           this->budget >= BlockCost)
       {
@@ -252,6 +257,7 @@ void DynamicPointShell::Internals::ServeBlocks() noexcept
       return;
     ServedBlock& served = this->all[slot];
     served.used = true;
+    this->end = std::max(this->end, static_cast<std::size_t>(slot) + 1);
     served.block = this->waiting[n].block;
     served.number = this->nearBlocks.IndexOf(served.block);
     served.hot = {};
@@ -290,7 +296,7 @@ int DynamicPointShell::Internals::TargetOf(const ServedBlock& served) const noex
 void DynamicPointShell::Internals::DrawPoints() noexcept
 {
   double area = 0.0;
-  for (const ServedBlock& served : this->all)
+  for (const ServedBlock& served : this->Live())
     area += served.used && served.hot.near ? served.area : 0.0;
   const double densest =
     1.0 / (PointRing::ChunkPoints * this->settings.spacingMm * this->settings.spacingMm);
@@ -300,8 +306,9 @@ void DynamicPointShell::Internals::DrawPoints() noexcept
   for (int level = 1; more && this->budget > 0; level *= 2)
   {
     more = false;
-    for (std::size_t n = 0; n < this->all.size() && this->budget > 0; ++n)
+    for (std::size_t n = 0; n<this->end&& this->budget> 0; ++n)
     {
+      this->turn = (this->turn + 1) % this->end;
       ServedBlock& served = this->all[this->turn];
       if (served.used)
       {
@@ -311,7 +318,6 @@ void DynamicPointShell::Internals::DrawPoints() noexcept
             break;
         more = more || served.fresh < target;
       }
-      this->turn = (this->turn + 1) % this->all.size();
     }
     if (this->points.Ring().Used() == this->points.Ring().Chunks())
       more = false;
@@ -352,7 +358,7 @@ void DynamicPointShell::Update(const RigidPose& bodyInMap, double reachMm) noexc
   if (!known)
   {
     in.nearBlocks.Forget();
-    for (ServedBlock& served : in.all)
+    for (ServedBlock& served : in.Live())
       served.hot = {};
   }
   const double pose = glm::dot(bodyInMap.position, bodyInMap.position) +
@@ -363,11 +369,11 @@ void DynamicPointShell::Update(const RigidPose& bodyInMap, double reachMm) noexc
     in.FindNear();
     in.ServeBlocks();
     in.DrawPoints();
-    for (ServedBlock& served : in.all)
+    for (ServedBlock& served : in.Live())
       if (served.used)
         in.points.Retire(served, in.TargetOf(served));
   }
-  for (ServedBlock& served : in.all)
+  for (ServedBlock& served : in.Live())
   {
     if (!served.used)
       continue;
