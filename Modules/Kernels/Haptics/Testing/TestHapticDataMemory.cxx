@@ -12,11 +12,12 @@
 namespace
 {
 
-thread_local std::size_t taken = 0;
+thread_local std::size_t taken = 0, takenBytes = 0;
 
 void* Take(std::size_t bytes, std::size_t alignment)
 {
   ++taken;
+  takenBytes += bytes;
   void* memory = nullptr;
   if (posix_memalign(&memory, alignment, bytes == 0 ? 1 : bytes) != 0)
     throw std::bad_alloc();
@@ -97,6 +98,42 @@ TEST(HapticDataMemory, ATickTakesNone)
   EXPECT_EQ(taken, before);
   EXPECT_GT(near, 0U);
   EXPECT_GT(points, 0U);
+}
+
+std::size_t Listed(const auto& data)
+{
+  hasp::ResourceList list;
+  data.ListResources(list);
+  std::size_t bytes = 0;
+  for (const hasp::ResourceUse& use : list)
+    bytes += use.bytes;
+  return bytes;
+}
+
+TEST(HapticDataMemory, WhatIsListedIsWhatIsTaken)
+{
+  auto field = std::make_shared<SampledDistance>(BumpyBall(20.0, 1.5), CubeGrid(64));
+  for (const bool reference : { false, true })
+  {
+    const std::size_t before = takenBytes;
+    const hasp::DistanceMap map(field->View(), { 0.0, {}, reference });
+    // And what it is made of: a geometry, vectors' heads, the tasks of threads.
+    EXPECT_NEAR(static_cast<double>(takenBytes - before), Listed(map), 20'000.0);
+  }
+  const auto map = std::make_shared<hasp::DistanceMap>(field->View());
+  hasp::ShellVolume volume;
+  volume.grid = field->View();
+  volume.blocks = std::make_shared<hasp::MinMaxBlocks>(volume.grid);
+  volume.owner = field;
+  volume.insideAbove = false;
+  for (const int points : { 512, 16'384 })
+  {
+    hasp::DynamicPointShellSettings settings;
+    settings.points = points;
+    const std::size_t before = takenBytes;
+    const hasp::DynamicPointShell shell(volume, map, {}, settings);
+    EXPECT_NEAR(static_cast<double>(takenBytes - before), Listed(shell), 2'000.0);
+  }
 }
 
 } // namespace
