@@ -91,7 +91,11 @@ void BlockSurface::FindCells() noexcept
               corners.begin(), corners.end(), [](double value) { return std::isfinite(value); }))
           continue;
         InCell(corners,
-          [&](const CellTriangle& t) { sum += static_cast<float>(AreaOf(t, this->Spacing)); });
+          [&](const CellTriangle& t)
+          {
+            sum += static_cast<float>(AreaOf(t, this->Spacing));
+            return false;
+          });
         this->Cells[this->CellCount] = static_cast<std::uint16_t>((k * Side + j) * Side + i);
         this->Ends[this->CellCount++] = sum;
       }
@@ -110,15 +114,12 @@ bool BlockSurface::Draw(double share, double u, double v, Place& place) const no
   const glm::ivec3 cell{ c % Side, c / Side % Side, c / (Side * Side) };
   double left = wanted - (n == 0 ? 0.0F : this->Ends[n - 1]);
   CellTriangle chosen{};
-  bool found = false;
   InCell(this->CornersOf(cell),
     [&](const CellTriangle& t)
     {
-      if (found)
-        return;
       chosen = t;
       left -= AreaOf(t, this->Spacing);
-      found = left < 0.0;
+      return left < 0.0;
     });
   place.index = glm::dvec3(cell) + PointIn(chosen, u, v);
   return this->Project(place);

@@ -16,9 +16,10 @@ using CellTriangle = std::array<glm::dvec3, 3>;
 inline constexpr int CellTetrahedra[6][4] = { { 0, 1, 3, 7 }, { 0, 3, 2, 7 }, { 0, 2, 6, 7 },
   { 0, 6, 4, 7 }, { 0, 4, 5, 7 }, { 0, 5, 1, 7 } };
 
-/// Calls visit(triangle) for the pieces of surface in one tetrahedron. Inside is <= 0.
+/// Calls visit(triangle) for the pieces of surface in one tetrahedron until it returns true;
+/// returns that. Inside is <= 0.
 template <typename Visit>
-void InTetrahedron(const std::array<double, 8>& values, const int (&corners)[4], const Visit& visit)
+bool InTetrahedron(const std::array<double, 8>& values, const int (&corners)[4], const Visit& visit)
 {
   std::array<int, 4> sorted{}; // those inside first
   int inside = 0, outside = 4;
@@ -32,23 +33,21 @@ void InTetrahedron(const std::array<double, 8>& values, const int (&corners)[4],
     return from + t * (to - from);
   };
   if (inside == 1)
-    visit(CellTriangle{ crossing(0, 1), crossing(0, 2), crossing(0, 3) });
-  else if (inside == 3)
-    visit(CellTriangle{ crossing(0, 3), crossing(1, 3), crossing(2, 3) });
-  else if (inside == 2)
-  {
-    visit(CellTriangle{ crossing(0, 2), crossing(0, 3), crossing(1, 3) });
-    visit(CellTriangle{ crossing(0, 2), crossing(1, 3), crossing(1, 2) });
-  }
+    return visit(CellTriangle{ crossing(0, 1), crossing(0, 2), crossing(0, 3) });
+  if (inside == 3)
+    return visit(CellTriangle{ crossing(0, 3), crossing(1, 3), crossing(2, 3) });
+  return inside == 2 && (visit(CellTriangle{ crossing(0, 2), crossing(0, 3), crossing(1, 3) }) ||
+                          visit(CellTriangle{ crossing(0, 2), crossing(1, 3), crossing(1, 2) }));
 }
 
-/// Calls visit(triangle) for the pieces of the zero surface in a cell, always in the same order; at
-/// most 12. Corners as of CellCorners, finite. Inside is <= 0.
+/// Calls visit(triangle) for the pieces of the zero surface in a cell, always in the same order,
+/// until it returns true; at most 12. Corners as of CellCorners, finite. Inside is <= 0.
 template <typename Visit>
 void InCell(const std::array<double, 8>& values, const Visit& visit)
 {
   for (const auto& tetrahedron : CellTetrahedra)
-    InTetrahedron(values, tetrahedron, visit);
+    if (InTetrahedron(values, tetrahedron, visit))
+      return;
 }
 
 /// mm^2.

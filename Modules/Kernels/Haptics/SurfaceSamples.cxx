@@ -37,7 +37,12 @@ void InLayer(const GridView<const float>& grid, int k, const Visit& visit)
       const std::array<double, 8> values = CellCorners(grid, { i, j, k });
       if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
         continue;
-      InCell(values, [&](const CellTriangle& t) { visit(glm::ivec3(i, j, k), t); });
+      InCell(values,
+        [&](const CellTriangle& t)
+        {
+          visit(glm::ivec3(i, j, k), t);
+          return false;
+        });
     }
   }
 }
