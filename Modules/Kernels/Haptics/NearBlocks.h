@@ -3,6 +3,8 @@
 #include "Grid/MinMaxBlocks.h"
 #include "Haptics/MapClearance.h"
 
+#include <glm/common.hpp>
+
 #include <limits>
 #include <memory>
 #include <vector>
