@@ -61,7 +61,7 @@ struct DistanceMapSettings
 ///
 /// int16 at range/32767 a step: with the default range a step is 1/2048 of the smallest spacing.
 /// Deviation from the thesis, whose maps are whole volumes of 16 bit: bricks, because whole maps of
-/// 256^3 fall out of the cache (README of this folder).
+/// 256^3 fall out of the cache.
 /// Threads: any, once made. Memory: 1460 B a brick and 12 B a block; 2920 B more a brick with the
 /// reference.
 class DistanceMap

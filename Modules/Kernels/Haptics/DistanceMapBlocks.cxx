@@ -12,7 +12,7 @@ namespace hasp
 namespace
 {
 
-constexpr int Side = MinMaxBlocks::Side, Row = Side + 1;
+constexpr int Side = MinMaxBlocks::Side, Row = Side + 1, MostSamples = Row * Row * Row;
 
 /// One block's samples, as many as there are.
 class BlockSamples
@@ -33,7 +33,11 @@ public:
         for (int i = 0; i < this->Count.x; ++i)
           visit(glm::ivec3(i, j, k), this->At({ i, j, k }));
   }
-  float& At(const glm::ivec3& p) { return this->Values[(p.z * Row + p.y) * Row + p.x]; }
+  float& At(const glm::ivec3& p)
+  {
+    const int n = (p.z * Row + p.y) * Row + p.x;
+    return this->Values[n];
+  }
   /// The samples before and after p along an axis; p itself where there is none.
   std::pair<float, float> Beside(glm::ivec3 p, int axis)
   {
@@ -60,7 +64,7 @@ public:
 
 private:
   glm::ivec3 Count;
-  std::array<float, Row * Row * Row> Values{};
+  std::array<float, MostSamples> Values{};
 };
 
 } // namespace

@@ -19,7 +19,7 @@ namespace hasp
 namespace
 {
 
-constexpr std::uint32_t ClusterPoints = 64;
+constexpr std::uint32_t ClusterPoints = ContactPoints::Lanes;
 constexpr int MostPoints = 1 << 24;
 /// Points to choose from for each one wanted.
 constexpr std::size_t CandidatesPerPoint = 4;
@@ -49,11 +49,10 @@ std::vector<std::uint32_t> LevelEnds(std::size_t points, const PointShellSetting
 }
 
 /// Puts numbers of points into the order of a balanced k-d tree: cut across the longest side, again
-/// and again, down to clusters, and those down to vectors.
+/// and again, down to clusters.
 void SortIntoClusters(std::span<std::uint32_t> part, std::span<const SurfacePoint> points)
 {
-  const std::size_t grain = part.size() > ClusterPoints ? ClusterPoints : ContactPoints::Lanes;
-  if (part.size() <= grain)
+  if (part.size() <= ClusterPoints)
   {
     std::sort(part.begin(), part.end());
     return;
@@ -71,7 +70,7 @@ void SortIntoClusters(std::span<std::uint32_t> part, std::span<const SurfacePoin
     const float at = points[a].position[axis], bt = points[b].position[axis];
     return at != bt ? at < bt : a < b;
   };
-  const std::size_t half = (part.size() + grain - 1) / grain / 2 * grain;
+  const std::size_t half = (part.size() + ClusterPoints - 1) / ClusterPoints / 2 * ClusterPoints;
   std::nth_element(
     part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(), before);
   SortIntoClusters(part.first(half), points);

@@ -27,14 +27,16 @@ struct PointShellSettings
 
 /// A body's surface as points, in levels: level n is the first LevelEnd(n) points of one order in
 /// which every prefix is spread evenly over the surface (Barbic and James 2008), so a step that
-/// runs out of time has done whole levels. Within what a level adds, points are in Morton order and
-/// in clusters of 64 (neighbours in memory are neighbours in space). Static; immutable.
+/// runs out of time has done whole levels. Within what a level adds, points are in clusters of 16,
+/// a whole vector each, in the order of a balanced k-d tree: a Morton order cut at medians, so that
+/// neighbours in memory are neighbours in space and no cluster straddles a jump of the curve (its
+/// balls are half as large as Morton's). Static; immutable.
 ///
 /// Another number of points is another order: prefixes of one length are alike, not the same.
 ///
 /// A point of level n stands for SurfaceArea / LevelEnd(n): contact stiffness per area does not
 /// depend on how many points were evaluated.
-/// Threads: any, once made. Memory: 24 B a point.
+/// Threads: any, once made. Memory: 26 B a point.
 class PointShell
 {
 public:

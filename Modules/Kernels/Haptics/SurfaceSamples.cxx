@@ -1,6 +1,7 @@
 #include "Haptics/SurfaceSamples.h"
 #include "Grid/ParallelFor.h"
 #include "Grid/Trilinear.h"
+#include "Haptics/CellTriangles.h"
 #include "Haptics/Hash.h"
 
 #include <glm/geometric.hpp>
@@ -14,39 +15,6 @@ namespace hasp
 
 namespace
 {
-
-/// Six tetrahedra around the diagonal from corner 0 to corner 7; neighbouring cells agree on the
-/// faces they share.
-constexpr int Tetrahedra[6][4] = { { 0, 1, 3, 7 }, { 0, 3, 2, 7 }, { 0, 2, 6, 7 }, { 0, 6, 4, 7 },
-  { 0, 4, 5, 7 }, { 0, 5, 1, 7 } };
-
-using Triangle = std::array<glm::dvec3, 3>; ///< within a cell, in [0,1]^3
-
-/// Calls visit(triangle) for the pieces of surface in one tetrahedron. Inside is <= 0.
-template <typename Visit>
-void InTetrahedron(const std::array<double, 8>& values, const int (&corners)[4], const Visit& visit)
-{
-  std::array<int, 4> sorted{}; // those inside first
-  int inside = 0, outside = 4;
-  for (const int c : corners)
-    (values[c] <= 0.0 ? sorted[inside++] : sorted[--outside]) = c;
-  const auto crossing = [&](int in, int out)
-  {
-    const int a = sorted[in], b = sorted[out];
-    const double t = values[a] / (values[a] - values[b]);
-    const glm::dvec3 from{ a & 1, a >> 1 & 1, a >> 2 }, to{ b & 1, b >> 1 & 1, b >> 2 };
-    return from + t * (to - from);
-  };
-  if (inside == 1)
-    visit(Triangle{ crossing(0, 1), crossing(0, 2), crossing(0, 3) });
-  else if (inside == 3)
-    visit(Triangle{ crossing(0, 3), crossing(1, 3), crossing(2, 3) });
-  else if (inside == 2)
-  {
-    visit(Triangle{ crossing(0, 2), crossing(0, 3), crossing(1, 3) });
-    visit(Triangle{ crossing(0, 2), crossing(1, 3), crossing(1, 2) });
-  }
-}
 
 /// Calls visit(cell, triangle) for the surface in one layer of cells, always in the same order.
 template <typename Visit>
@@ -69,23 +37,14 @@ void InLayer(const GridView<const float>& grid, int k, const Visit& visit)
       const std::array<double, 8> values = CellCorners(grid, { i, j, k });
       if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
         continue;
-      for (const auto& tetrahedron : Tetrahedra)
-        InTetrahedron(
-          values, tetrahedron, [&](const Triangle& t) { visit(glm::ivec3(i, j, k), t); });
+      InCell(values,
+        [&](const CellTriangle& t)
+        {
+          visit(glm::ivec3(i, j, k), t);
+          return false;
+        });
     }
   }
-}
-
-double AreaOf(const Triangle& t, const glm::dvec3& spacing)
-{
-  return 0.5 * glm::length(glm::cross((t[1] - t[0]) * spacing, (t[2] - t[0]) * spacing));
-}
-
-/// A point in the triangle from two numbers in [0, 1), evenly.
-glm::dvec3 PointIn(const Triangle& t, double u, double v)
-{
-  const double root = std::sqrt(u);
-  return (1.0 - root) * t[0] + root * (1.0 - v) * t[1] + root * v * t[2];
 }
 
 /// Newton's steps along the gradient to the trilinear surface. False if it is not near.
@@ -181,7 +140,7 @@ SurfaceSamples SampleSurface(const GridView<const float>& distances, const glm::
     [&](int k)
     {
       InLayer(distances, k,
-        [&](const glm::ivec3&, const Triangle& t) { areas[k] += AreaOf(t, g.spacing); });
+        [&](const glm::ivec3&, const CellTriangle& t) { areas[k] += AreaOf(t, g.spacing); });
     });
   const Shares shares(std::move(areas), count, seed);
   SurfaceSamples samples{ {}, shares.Total() };
@@ -190,7 +149,7 @@ SurfaceSamples SampleSurface(const GridView<const float>& distances, const glm::
 
   std::vector<SurfacePoint> made(count);
   std::vector<std::uint8_t> good(count, 0);
-  const auto place = [&](std::size_t n, const glm::ivec3& cell, const Triangle& t)
+  const auto place = [&](std::size_t n, const glm::ivec3& cell, const CellTriangle& t)
   {
     const double u = UnitHash(seed, 3 * n + 1), v = UnitHash(seed, 3 * n + 2);
     glm::dvec3 index = glm::dvec3(cell) + PointIn(t, u, v), normal{ 0.0 };
@@ -208,9 +167,9 @@ SurfaceSamples SampleSurface(const GridView<const float>& distances, const glm::
       std::size_t n = shares.FirstFrom(begin);
       double sum = 0.0;
       glm::ivec3 lastCell{ 0 };
-      Triangle last{};
+      CellTriangle last{};
       InLayer(distances, k,
-        [&](const glm::ivec3& cell, const Triangle& t)
+        [&](const glm::ivec3& cell, const CellTriangle& t)
         {
           sum += AreaOf(t, g.spacing);
           lastCell = cell;

@@ -112,7 +112,7 @@ TEST(CoarsePhase, NeverLeavesOutAPointWithinReach)
       const Census census = Count(pair, coarse, pose, reach);
       EXPECT_EQ(census.missed, 0U) << n;
       within += census.within;
-      far += coarse.Looked().far;
+      far += coarse.Asked().far;
     }
     EXPECT_GT(within, 5000U); // poses that touch
     EXPECT_GT(far, 150U);     // clusters that were left out, even of the bad field
@@ -130,7 +130,7 @@ TEST(CoarsePhase, SleepingNeverMissesAContactAtTheGreatestMotion)
   const double most = 0.5 * pair.map->SmallestSpacing();
   Draw draw(6);
   RigidPose pose{ { 40.0, 0.0, 0.0 }, hasp::TurnBy({}) };
-  std::size_t within = 0, asleep = 0, looked = 0;
+  std::size_t within = 0, clusters = 0, looked = 0, near = 0;
   for (int bout = 0; bout < 12; ++bout)
   {
     const glm::dvec3 axis = draw.Direction();
@@ -145,14 +145,68 @@ TEST(CoarsePhase, SleepingNeverMissesAContactAtTheGreatestMotion)
       const Census census = Count(pair, coarse, pose, 0.0);
       ASSERT_EQ(census.missed, 0U) << bout << ' ' << tick;
       within += census.within;
-      asleep += coarse.Looked().asleep;
-      looked += coarse.Looked().near + coarse.Looked().far;
+      clusters += coarse.Asked().near + coarse.Asked().far;
+      looked += coarse.Asked().looked;
+      near += coarse.Asked().near;
     }
   }
   EXPECT_GT(within, 1000U);
-  EXPECT_GT(asleep, looked);
-  RecordProperty("asleep", static_cast<int>(asleep));
+  EXPECT_LT(looked, clusters / 4); // the others slept
+  EXPECT_LT(near, clusters / 2);
+  RecordProperty("clusters", static_cast<int>(clusters));
+  RecordProperty("near", static_cast<int>(near));
   RecordProperty("looked", static_cast<int>(looked));
+}
+
+TEST(CoarsePhase, EachKindOfMotionCountsInFull)
+{
+  // A small ball 20 mm from its body's origin, and a plane, whose distance is as steep as it may
+  // be: what a cluster may move is used up to the last.
+  const SampledDistance tool(
+    Ball({ 20.0, 0.0, 0.0 }, 2.0), { glm::ivec3(9), { 16, -4, -4 }, glm::dvec3(1), glm::dmat3(1) });
+  const Pair pair(tool, { HalfSpace({}, { 0, 1, 0 }), CubeGrid(65) }, 500);
+  for (const bool turning : { false, true })
+  {
+    CoarsePhase coarse(pair.shell, pair.map);
+    std::size_t within = 0;
+    for (int tick = 0; tick < 45; ++tick) // to the floor from 12 mm above, 0.4 mm a tick
+    {
+      const RigidPose pose =
+        turning ? RigidPose{ { 0.0, 0.0, 0.0 }, hasp::TurnBy({ 0.0, 0.0, 0.6 - 0.02 * tick }) }
+                : RigidPose{ { 0.0, 12.0 - 0.4 * tick, 0.0 }, hasp::TurnBy({}) };
+      coarse.Begin(pose, 0.0);
+      const Census census = Count(pair, coarse, pose, 0.0);
+      ASSERT_EQ(census.missed, 0U) << turning << ' ' << tick;
+      within += census.within;
+    }
+    EXPECT_GT(within, 1000U);
+  }
+}
+
+TEST(CoarsePhase, WithinTheClearanceNothingTouches)
+{
+  const SampledDistance tool(BumpyBall(6.0, 0.6), CubeGrid(20));
+  const SampledDistance body(BumpyBall(9.0, 1.0), SkewGrid({ 48, 34, 26 }));
+  const Pair pair(tool, body, 1000);
+  Draw draw(8);
+  int clear = 0;
+  for (int n = 0; n < 100; ++n)
+  {
+    CoarsePhase coarse(pair.shell, pair.map);
+    RigidPose pose{ draw.Direction() * draw.In(17.0, 45.0),
+      hasp::TurnBy(draw.Direction() * draw.In(0.0, 3.0)) };
+    coarse.Begin(pose, 0.0);
+    Count(pair, coarse, pose, 0.0);
+    const double clearance = coarse.Asked().clearanceMm;
+    EXPECT_EQ(clearance == 0.0, coarse.Asked().near > 0);
+    clear += clearance > 1.0 ? 1 : 0;
+    // The straight way to the body is the shortest: just short of it.
+    pose.position -= glm::normalize(pose.position) * (0.999 * clearance);
+    CoarsePhase there(pair.shell, pair.map);
+    there.Begin(pose, 0.0);
+    EXPECT_TRUE(clearance == 0.0 || Count(pair, there, pose, 0.0).within == 0) << clearance;
+  }
+  EXPECT_GT(clear, 50);
 }
 
 TEST(CoarsePhase, JumpsAndNewReachesWakeWhomTheyMust)
@@ -215,12 +269,13 @@ TEST(CoarsePhase, FarAwayACallLooksAtNothing)
   coarse.Begin({ { 500.0, 0.0, 0.0 }, hasp::TurnBy({}) }, 3.0);
   const int last = pair.shell->Levels() - 1;
   EXPECT_TRUE(coarse.Near(last).empty());
-  EXPECT_EQ(coarse.Looked().far, pair.shell->Clusters(last).size());
+  EXPECT_EQ(coarse.Asked().looked, pair.shell->Clusters(last).size());
   for (int tick = 1; tick < 900; ++tick) // 450 mm in half millimetres
   {
     coarse.Begin({ { 500.0 - 0.5 * tick, 0.0, 0.0 }, hasp::TurnBy({}) }, 3.0);
     EXPECT_TRUE(coarse.Near(last).empty());
-    EXPECT_EQ(coarse.Looked().asleep, pair.shell->Clusters(last).size()) << tick;
+    EXPECT_EQ(coarse.Asked().looked, 0U) << tick;
+    EXPECT_EQ(coarse.Asked().far, pair.shell->Clusters(last).size());
   }
 }
 
