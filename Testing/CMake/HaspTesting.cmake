@@ -60,6 +60,22 @@ function (hasp_add_device_test)
   hasp_discover_tests(${arg_NAME} kernel device ${arg_LABELS})
 endfunction ()
 
+# hasp_add_studies_test(SOURCES Testing/TestHapticBench.cxx … [NAME TestX] [LIBRARIES targets…] [LABELS labels…])
+#
+# The same for Modules/Studies; labelled kernel.
+function (hasp_add_studies_test)
+  if (NOT HASP_BUILD_TESTING)
+    return()
+  endif ()
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if (NOT arg_NAME)
+    set(arg_NAME TestStudies)
+  endif ()
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE Hasp::Studies ${arg_LIBRARIES} GTest::gtest_main)
+  hasp_discover_tests(${arg_NAME} kernel ${arg_LABELS})
+endfunction ()
+
 # hasp_add_module_test(IOMedical SOURCES Cxx/TestVolumeReader.cxx … [LIBRARIES targets…] [LABELS labels…])
 #
 # GoogleTest cases of a VTK module that draw nothing. Called from the module's Testing/CMakeLists.txt.

@@ -21,7 +21,14 @@ function (hasp_add_devices)
   hasp_add_library_without_vtk(Devices . Devices ${ARGN})
 endfunction ()
 
-# What both do. <storey>: the folder of Modules that headers are included from.
+# hasp_add_studies(SOURCES a.cxx … HEADERS a.h … [PUBLIC targets…] [PRIVATE targets…])
+#
+# Storey 1 too, above Devices: target Studies, linked as Hasp::Studies.
+function (hasp_add_studies)
+  hasp_add_library_without_vtk(Studies . Studies ${ARGN})
+endfunction ()
+
+# What all do. <storey>: the folder of Modules that headers are included from.
 function (hasp_add_library_without_vtk target storey folder)
   cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   if (arg_SOURCES)
@@ -53,7 +60,7 @@ endfunction ()
 
 # hasp_add_needed_kernels()
 #
-# Adds each kernel, and Devices, that some target links and that is not there yet. So a build of single modules
+# Adds each kernel, Devices and Studies, that some target links and that is not there yet. So a build of single modules
 # (HASP_BUILD_ALL_MODULES OFF) has their kernels and no others. Call it when all targets are there.
 function (hasp_add_needed_kernels)
   set(folder_of_CellTracer Isosurface) # second libraries of a folder
@@ -67,10 +74,10 @@ function (hasp_add_needed_kernels)
     foreach (target IN LISTS targets)
       get_target_property(links ${target} LINK_LIBRARIES)
       foreach (kernel IN LISTS links)
-        if (kernel MATCHES "^Hasp::(Devices|Kernel(.+))$" AND NOT TARGET ${kernel})
+        if (kernel MATCHES "^Hasp::(Devices|Studies|Kernel(.+))$" AND NOT TARGET ${kernel})
           set(home "Kernels/${CMAKE_MATCH_2}")
-          if (kernel STREQUAL Hasp::Devices)
-            set(home Devices)
+          if (kernel MATCHES "^Hasp::(Devices|Studies)$")
+            set(home ${CMAKE_MATCH_1})
           elseif (DEFINED folder_of_${CMAKE_MATCH_2})
             set(home "Kernels/${folder_of_${CMAKE_MATCH_2}}")
           endif ()
