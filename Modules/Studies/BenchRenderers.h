@@ -33,6 +33,8 @@ public:
   {
   }
   void OnTick(Change change) { this->Changes = std::move(change); }
+  /// As after a start: force grows from zero in this time.
+  void RampIn(double seconds) { this->Limiter = ForceLimiter(this->Limits(seconds)); }
   /// Poses read in this span of time are not numbers.
   void LosePoses(double fromS, double toS)
   {
@@ -47,8 +49,18 @@ public:
   RigidPose Tool() const override { return this->Held.Tool(); }
 
 private:
+  ForceLimits Limits(double rampInS) const
+  {
+    ForceLimits limits;
+    limits.force = this->Device.forceLimitN;
+    limits.torque = this->Device.torqueLimitNmm;
+    limits.rampInS = rampInS;
+    return limits;
+  }
+
   Coupling Held;
   FieldContact Touch;
+  BenchDevice Device;
   ForceLimiter Limiter;
   CouplingTick Last;
   Change Changes;

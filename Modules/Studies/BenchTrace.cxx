@@ -126,7 +126,10 @@ void BenchTrace::Tick(
     this->Hold[axis + 3].push_back(this->Scene.device.leverMm * turned[axis]);
   }
   this->HoldForce.push_back(glm::length(motors.force));
-  this->Touched += deep > 0.0;
+  if (deep > 0.0)
+    this->TouchedAtS = timeS;
+  this->Sums.longestFlightS =
+    std::max(this->Sums.longestFlightS, timeS - std::max(this->TouchedAtS, this->Scene.holdFromS));
 }
 
 BenchFigures BenchTrace::Figures() const
@@ -154,11 +157,9 @@ BenchFigures BenchTrace::Figures() const
   figures.growth = first > 0.0 ? std::sqrt(last / first) : 0.0;
   const std::vector<double> force = AboveFiveHertz(this->HoldForce, tickS);
   figures.forceRipple = std::sqrt(Squares(force, 0, force.size())) / this->Scene.device.forceLimitN;
-  if (const auto n = static_cast<double>(this->HoldForce.size()); n > 0.0)
-  {
-    figures.holdForceN = std::accumulate(this->HoldForce.begin(), this->HoldForce.end(), 0.0) / n;
-    figures.contactShare = static_cast<double>(this->Touched) / n;
-  }
+  if (!this->HoldForce.empty())
+    figures.holdForceN = std::accumulate(this->HoldForce.begin(), this->HoldForce.end(), 0.0) /
+                         static_cast<double>(this->HoldForce.size());
   return figures;
 }
 
@@ -170,8 +171,9 @@ BenchVerdict Judge(const BenchScene& scene, const BenchFigures& figures)
   // An envelope that grows will get there; quanta alone make it wander at small size.
   verdict.oscillates = !(figures.rippleMm < most) ||
                        (figures.growth > 2.0 && figures.rippleMm > 0.5 * most) ||
-                       (scene.pressed && figures.contactShare < 0.99);
-  verdict.givesEnergy = scene.device.coulombN == 0.0 && figures.lowestEnergyMj < -1.0;
+                       (scene.pressed && figures.longestFlightS > 0.020);
+  verdict.givesEnergy =
+    scene.device.coulombN == 0.0 && figures.lowestEnergyMj < -1.0 - scene.givenMj;
   verdict.deep = figures.holdDeepestMm > scene.deepLimitMm;
   verdict.through = figures.tool.position.z < scene.throughBelowZ;
   verdict.overLimit = figures.largestForceN > scene.device.forceLimitN * (1.0 + 1e-9) ||

@@ -26,7 +26,7 @@ private:
   RigidPose Last;
   Wrench Held;
   bool HasLast = false;
-  std::size_t Touched = 0; ///< ticks of the hold phase
+  double TouchedAtS = -1.0;
   double UnbalancedFromS = -1.0;
   BenchFigures Sums;
 };

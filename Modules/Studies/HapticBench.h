@@ -74,7 +74,8 @@ struct BenchScene
   double holdFromS = 1.5;      ///< the hold phase is from here to the end
   double deepLimitMm = 1e9;    ///< min(half a voxel, half of half a plate's thickness)
   double throughBelowZ = -1e9; ///< mm: a tool that ends below it went through its plate
-  bool pressed = true;         ///< the tool is to touch in all of the hold phase
+  bool pressed = true;         ///< the tool is to touch in the hold phase
+  double givenMj = 0.0;        ///< energy that the scene itself puts in: a tool that begins inside
   double recoveryLimitS = 0.05;
 };
 
@@ -107,7 +108,7 @@ struct BenchFigures
   double deepestMm = 0.0;     ///< of the whole run, >= 0
   double holdDeepestMm = 0.0; ///< in the hold phase
   double largestForceN = 0.0, largestTorqueNmm = 0.0;
-  double contactShare = 0.0;     ///< of the hold phase's ticks: a tool thrown off looks quiet
+  double longestFlightS = 0.0;   ///< off in the hold phase: a tool thrown off looks quiet
   double slowestRecoveryS = 0.0; ///< longest time on end that the tool was out of balance
   bool finite = true;
   RigidPose device, tool; ///< at the end
@@ -117,9 +118,10 @@ struct BenchFigures
 /// Stable, in numbers. Each fault that is found; none: stable.
 struct BenchVerdict
 {
-  /// Ripple over a quantum + 10 um, an envelope that grows, or contact lost while pressed.
+  /// Ripple over a quantum + 10 um, an envelope that grows, or out of contact for 20 ms while
+  /// pressed.
   bool oscillates = false;
-  bool givesEnergy = false; ///< E < -1 mJ; asked without dry friction only
+  bool givesEnergy = false; ///< E < -1 mJ - what was given; asked without dry friction only
   bool deep = false;        ///< beyond deepLimitMm in the hold phase
   bool through = false;     ///< below throughBelowZ
   bool overLimit = false;   ///< a wrench beyond the device's limits was asked for
