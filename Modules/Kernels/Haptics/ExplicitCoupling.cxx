@@ -21,11 +21,11 @@ ExplicitCoupling::ExplicitCoupling(const ExplicitCouplingSettings& settings) : S
   for (const double value : { settings.massKg, settings.inertia, settings.tickS })
     if (!(value > 0.0) || !std::isfinite(value))
       throw std::invalid_argument("A mass, inertia or tick of an explicit coupling is " +
-        std::to_string(value) + "; it must be positive and finite");
+                                  std::to_string(value) + "; it must be positive and finite");
   for (const double value : { settings.damping, settings.turnDamping })
     if (!(value >= 0.0) || !std::isfinite(value))
       throw std::invalid_argument("A damping of an explicit coupling is " + std::to_string(value) +
-        "; it must be finite and not negative");
+                                  "; it must be finite and not negative");
 }
 
 void ExplicitCoupling::Place(const RigidPose& tool) noexcept

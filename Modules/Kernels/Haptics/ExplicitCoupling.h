@@ -7,11 +7,11 @@ namespace hasp
 struct ExplicitCouplingSettings
 {
   CouplingSpring spring{};
-  double damping = 0.001;  ///< N s/mm between device and tool; >= 0
+  double damping = 0.001;   ///< N s/mm between device and tool; >= 0
   double turnDamping = 0.9; ///< N mm s/rad; >= 0
-  double massKg = 0.05;    ///< of the tool; > 0
-  double inertia = 45.0;   ///< kg mm^2, about every axis; > 0
-  double tickS = 0.001;    ///< > 0
+  double massKg = 0.05;     ///< of the tool; > 0
+  double inertia = 45.0;    ///< kg mm^2, about every axis; > 0
+  double tickS = 0.001;     ///< > 0
 };
 
 /// The rival of VirtualCoupling: a tool with a mass on a spring and damper, moved by semi-implicit

@@ -43,7 +43,7 @@ bool IsFinite(const Wrench& wrench) noexcept
 {
   const glm::dvec3 &f = wrench.force, &t = wrench.torque;
   return std::isfinite(f.x) && std::isfinite(f.y) && std::isfinite(f.z) && std::isfinite(t.x) &&
-    std::isfinite(t.y) && std::isfinite(t.z);
+         std::isfinite(t.y) && std::isfinite(t.z);
 }
 
 ForceLimiter::ForceLimiter(const ForceLimits& limits) : Settings(limits)
@@ -51,7 +51,7 @@ ForceLimiter::ForceLimiter(const ForceLimits& limits) : Settings(limits)
   for (const double value : { limits.force, limits.torque, limits.rampInS })
     if (!(value >= 0.0) || !std::isfinite(value))
       throw std::invalid_argument("A limit of force, torque or its ramp is " +
-        std::to_string(value) + "; it must be finite and not negative");
+                                  std::to_string(value) + "; it must be finite and not negative");
   for (const double value : { limits.forceSlew, limits.torqueSlew })
     if (!(value > 0.0))
       throw std::invalid_argument(
