@@ -14,6 +14,7 @@ public:
     /// As far as every point of the tool may go, any way, before one touches that does not touch
     /// now; mm. 0 if not known, or in contact.
     double clearanceMm = 0.0;
+    bool last = false; ///< no time is left in this tick for another answer
   };
   virtual ~ToolContact() = default;
   /// HAPTIC: takes no memory, no lock, and does not throw.

@@ -126,6 +126,8 @@ CouplingTick VirtualCoupling::Tick(const RigidPose& device, ToolContact& contact
     if (share == 1.0 && (free || balance.residual <= s.tolerance))
       break;
     tick.status |= CouplingTick::Travelling;
+    if (answer.last)
+      break;
   }
   const Wrench pull = s.spring.Pull(device, this->ToolPose);
   tick.onDevice = { -pull.force, -pull.torque };
