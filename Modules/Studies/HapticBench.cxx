@@ -1,11 +1,11 @@
 #include "Studies/HapticBench.h"
 #include "Studies/BenchTrace.h"
+#include "Studies/CpuSeconds.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <deque>
 #include <numbers>
 #include <random>
@@ -153,13 +153,6 @@ public:
 private:
   std::deque<Wrench> Line;
 };
-
-double CpuSeconds()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 } // namespace
 
