@@ -1,0 +1,198 @@
+#include "Haptics/HapticScene.h"
+#include "Haptics/Solve6.h"
+#include "Haptics/VirtualCoupling.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace hasp
+{
+namespace
+{
+
+/// The share of its own area that a point of `level` stands for, if levels up to `finest` count:
+/// areas of coarser shells are larger, S / LevelEnd.
+double AreaShare(const PointShell& shell, int level, double finest) noexcept
+{
+  const int last = shell.Levels() - 1;
+  const int low = std::clamp(static_cast<int>(finest), 0, last), high = std::min(low + 1, last);
+  const double blend = std::clamp(finest - low, 0.0, 1.0);
+  const auto area = [&](int n) { return 1.0 / shell.LevelEnd(n); };
+  const double mine =
+    (level <= low ? (1.0 - blend) * area(low) : 0.0) + (level <= high ? blend * area(high) : 0.0);
+  return mine / area(level);
+}
+
+/// [R 0; [p]x R  R]: how a force and its torque are seen from elsewhere.
+std::array<std::array<double, 6>, 6> Transform(const glm::dquat& turn, const glm::dvec3& p) noexcept
+{
+  const glm::dmat3 r = glm::mat3_cast(turn); // columns
+  std::array<std::array<double, 6>, 6> t{};
+  for (int column = 0; column < 3; ++column)
+  {
+    const glm::dvec3 crossed = glm::cross(p, r[column]);
+    for (int row = 0; row < 3; ++row)
+    {
+      t[row][column] = t[row + 3][column + 3] = r[column][row];
+      t[row + 3][column] = crossed[row];
+    }
+  }
+  return t;
+}
+
+} // namespace
+
+ContactSums Moved(const ContactSums& sums, const glm::dquat& turn, const glm::dvec3& arm) noexcept
+{
+  ContactSums moved = sums;
+  const auto seen = [&](const Wrench& wrench)
+  {
+    const glm::dvec3 force = turn * wrench.force;
+    return Wrench{ force, turn * wrench.torque + glm::cross(arm, force) };
+  };
+  moved.contact = seen(sums.contact);
+  moved.attraction = seen(sums.attraction);
+  if (sums.contacts == 0)
+    return moved; // nothing is in the matrix
+  const auto t = Transform(turn, arm);
+  std::array<std::array<double, 6>, 6> half{}; // T M
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      for (std::size_t k = 0; k < 6; ++k)
+        half[i][j] += t[i][k] * sums.matrix[UpperIndex(std::min(k, j), std::max(k, j))];
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = i; j < 6; ++j)
+    {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 6; ++k)
+        sum += half[i][k] * t[j][k];
+      moved.matrix[UpperIndex(i, j)] = sum;
+    }
+  return moved;
+}
+
+HapticScene::HapticScene(
+  std::vector<HapticShell> shells, std::vector<HapticBody> bodies, const ContactKernels& kernels)
+  : Shells(std::move(shells)),
+    Bodies(std::move(bodies)),
+    Kernels(kernels),
+    FinestMm(std::numeric_limits<double>::infinity())
+{
+  int levels = 0;
+  for (const HapticShell& shell : this->Shells)
+  {
+    if (!shell.shell || !IsPose(shell.shellInTool))
+      throw std::invalid_argument("A shell of a haptic scene is null or has no pose");
+    levels = std::max(levels, shell.shell->Levels());
+    this->FarthestMm =
+      std::max(this->FarthestMm, glm::length(shell.shellInTool.position) + shell.shell->Radius());
+  }
+  for (const HapticBody& body : this->Bodies)
+  {
+    if (!body.map || !IsPose(body.mapInWorld))
+      throw std::invalid_argument("A body of a haptic scene is null or has no pose");
+    this->FinestMm = std::min(this->FinestMm, body.map->SmallestSpacing());
+  }
+  this->Near.resize(static_cast<std::size_t>(levels));
+  for (std::size_t s = 0; s < this->Shells.size(); ++s)
+    for (std::size_t b = 0; b < this->Bodies.size(); ++b)
+      this->Pairs.push_back({ s, b, CoarsePhase(this->Shells[s].shell, this->Bodies[b].map),
+        this->Bodies[b].map->View(), 1.0 });
+}
+
+ToolContact::Answer HapticScene::At(const RigidPose& tool) noexcept
+{
+  Answer answer;
+  answer.clearanceMm = std::numeric_limits<double>::infinity();
+  std::fill(this->Near.begin(), this->Near.end(), 0U);
+  this->Done = 0;
+  const bool attracts = this->Now.contact.attraction * this->Now.contact.fade > 0.0F;
+  for (Pair& pair : this->Pairs)
+    this->AddPair(pair, tool, attracts ? ContactTerms::Snap : ContactTerms::Matrix, answer);
+  return answer;
+}
+
+void HapticScene::AddPair(
+  Pair& pair, const RigidPose& tool, ContactTerms terms, Answer& answer) noexcept
+{
+  const HapticShell& shell = this->Shells[pair.shell];
+  const HapticBody& body = this->Bodies[pair.body];
+  const RigidPose shellInWorld = tool * shell.shellInTool;
+  const ContactPlacement placement{ body.mapInWorld.Inverse() * shellInWorld };
+  pair.coarse.Begin(
+    placement.shellInMap, terms == ContactTerms::Snap ? this->Now.contact.captureMm : 0.0);
+  const int levels =
+    std::min(shell.shell->Levels(), static_cast<int>(std::ceil(this->Now.finest)) + 1);
+  const double weight = pair.grown * pair.grown * pair.grown;
+  ContactSums sums;
+  double nearBefore = 0.0;
+  for (int level = 0; level < levels; ++level)
+  {
+    const std::span<const ContactPoints> runs = pair.coarse.Near(level);
+    std::uint32_t points = 0;
+    for (const ContactPoints& run : runs)
+      points += run.count;
+    this->Near[static_cast<std::size_t>(level)] += points;
+    nearBefore = points;
+    if (points == 0)
+      continue;
+    // Forces are linear in the area: blending levels is a stiffness per level.
+    const double area = AreaShare(*shell.shell, level, this->Now.finest);
+    ContactSettings settings = this->Now.contact;
+    settings.stiffness *= static_cast<float>(weight * area);
+    settings.attraction *= static_cast<float>(weight * area);
+    ContactSums part;
+    this->Kernels[terms](runs, placement, pair.view, settings, part);
+    part.contactArea *= area;
+    part.attractedArea *= area;
+    sums += part;
+    this->Done += points;
+  }
+  // Levels that were not asked about: as dense near the body as the one before.
+  for (int level = levels; level < shell.shell->Levels() && level > 0; ++level)
+  {
+    const double denser =
+      static_cast<double>(shell.shell->Level(level).count) / shell.shell->Level(level - 1).count;
+    nearBefore *= denser;
+    this->Near[static_cast<std::size_t>(level)] += static_cast<std::uint32_t>(nearBefore);
+  }
+  answer.clearanceMm = std::min(answer.clearanceMm, pair.coarse.Asked().clearanceMm);
+  answer.sums += Moved(sums, body.mapInWorld.orientation, shellInWorld.position - tool.position);
+}
+
+void HapticScene::TakeGrowth(const HapticScene* before) noexcept
+{
+  const auto same = [](const RigidPose& a, const RigidPose& b)
+  { return a.position == b.position && a.orientation == b.orientation; };
+  for (Pair& pair : this->Pairs)
+  {
+    pair.grown = 0.0;
+    const HapticShell& shell = this->Shells[pair.shell];
+    const HapticBody& body = this->Bodies[pair.body];
+    if (before == nullptr)
+      continue;
+    for (const Pair& old : before->Pairs)
+    {
+      const HapticShell& oldShell = before->Shells[old.shell];
+      const HapticBody& oldBody = before->Bodies[old.body];
+      if (oldShell.shell == shell.shell && same(oldShell.shellInTool, shell.shellInTool) &&
+          oldBody.map == body.map && same(oldBody.mapInWorld, body.mapInWorld))
+        pair.grown = old.grown;
+    }
+  }
+}
+
+void HapticScene::Grow(double share) noexcept
+{
+  for (Pair& pair : this->Pairs)
+    pair.grown = std::min(1.0, pair.grown + share);
+}
+
+} // namespace hasp

@@ -1,0 +1,210 @@
+#include "Haptics/HapticStep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace hasp
+{
+namespace
+{
+
+void RequirePositive(double value, const char* name)
+{
+  if (!(value > 0.0))
+    throw std::invalid_argument(std::string(name) + " of a haptic step is " +
+                                std::to_string(value) + "; it must be positive");
+}
+
+double NowUs() noexcept
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::micro>(now).count();
+}
+
+/// Towards `wanted` by a share of what is between both, and there at last.
+double Nearer(double now, double wanted, double share) noexcept
+{
+  const double next = now + (wanted - now) * share;
+  return std::abs(next - wanted) <= 1e-6 * std::abs(wanted) ? wanted : next;
+}
+
+} // namespace
+
+/// The scene with friction, as long as there is time.
+class HapticStep::TimedContact : public ToolContact
+{
+public:
+  explicit TimedContact(HapticStep& step) : Step(step), BeganUs(NowUs()) {}
+
+  Answer At(const RigidPose& tool) noexcept override
+  {
+    Answer answer;
+    const double before = NowUs();
+    if (this->Step.Scene)
+    {
+      answer = this->Step.Scene->At(tool);
+      this->Points += this->Step.Scene->PointsDone();
+    }
+    else
+      answer.clearanceMm = std::numeric_limits<double>::infinity();
+    const double after = NowUs();
+    this->MostAttracted = std::max(this->MostAttracted, answer.sums.attractedArea);
+    // More is in reach than a tick ago: this answer is already to keep to the bound.
+    const double fade = this->Step.Plan.contact.fade;
+    const double allowed = this->Step.AllowedFade(answer.sums.attractedArea);
+    if (allowed < fade)
+    {
+      answer.sums.attraction.force *= allowed / fade;
+      answer.sums.attraction.torque *= allowed / fade;
+    }
+    this->Step.Friction.Add(tool, answer);
+    this->SpentUs += after - before;
+    // Another one takes as long as this one.
+    answer.last = after - this->BeganUs + (after - before) > this->Step.Settings.budgetUs;
+    return answer;
+  }
+
+  HapticStep& Step;
+  double BeganUs, SpentUs = 0.0, MostAttracted = 0.0;
+  std::uint32_t Points = 0;
+};
+
+HapticStep::HapticStep(const HapticStepSettings& settings)
+  : Settings(settings),
+    Coupling(settings.coupling),
+    Friction(settings.friction),
+    Limiter(settings.limits),
+    Passivity(settings.passivity),
+    WantedContact(settings.contact),
+    WantedSpring(settings.coupling.spring)
+{
+  RequirePositive(settings.tickS, "The tick");
+  RequirePositive(settings.budgetUs, "The budget");
+  RequirePositive(settings.fadeS, "The fade");
+  RequirePositive(settings.slewS, "The slew");
+  RequirePositive(settings.contact.captureMm, "The capture distance");
+  if (settings.blendTicks < 5)
+    throw std::invalid_argument("Levels of a haptic step are blended in " +
+                                std::to_string(settings.blendTicks) + " ticks; it takes 5 or more");
+  if (!(settings.contact.stiffness >= 0.0F) || !(settings.contact.attraction >= 0.0F))
+    throw std::invalid_argument("Stiffness and attraction of a haptic step must not be negative");
+  this->Plan.contact = settings.contact;
+  this->Plan.contact.fade = 0.0F;
+}
+
+void HapticStep::Place(const RigidPose& tool) noexcept
+{
+  this->Coupling.Place(tool);
+  this->Friction.Restart();
+  this->Limiter.Restart();
+  this->Passivity.Restart();
+  this->Fade = 0.0;
+  if (this->Scene)
+    this->Scene->Grow(1.0);
+}
+
+void HapticStep::Swap(std::unique_ptr<HapticScene>& scene) noexcept
+{
+  if (scene)
+    scene->TakeGrowth(this->Scene.get());
+  std::swap(this->Scene, scene);
+  this->Friction.Restart();
+  this->AttractedMm2 = 0.0;
+  if (!this->Scene)
+    return;
+  this->Plan.finest = std::min(this->Plan.finest, std::max(0.0, this->Scene->Levels() - 1.0));
+  const double voxel = this->Scene->SmallestSpacing();
+  const double radius = this->Scene->RadiusMm();
+  this->Coupling.SetTravel(std::isfinite(voxel) ? 0.25 * voxel : 1.0, radius > 0.0 ? radius : 1.0);
+}
+
+void HapticStep::Slew() noexcept
+{
+  const double share = std::min(1.0, 3.0 * this->Settings.tickS / this->Settings.slewS);
+  ContactSettings& contact = this->Plan.contact;
+  // By its cubic root: contact is far stiffer than the coupling, a small share is felt already.
+  const double root =
+    Nearer(std::cbrt(contact.stiffness), std::cbrt(this->WantedContact.stiffness), share);
+  contact.stiffness = static_cast<float>(root * root * root);
+  contact.attraction =
+    static_cast<float>(Nearer(contact.attraction, this->WantedContact.attraction, share));
+  contact.captureMm =
+    static_cast<float>(Nearer(contact.captureMm, this->WantedContact.captureMm, share));
+  CouplingSpring spring = this->Coupling.GetSettings().spring;
+  spring.stiffness = Nearer(spring.stiffness, this->WantedSpring.stiffness, share);
+  spring.turnStiffness = Nearer(spring.turnStiffness, this->WantedSpring.turnStiffness, share);
+  spring.forceLimit = Nearer(spring.forceLimit, this->WantedSpring.forceLimit, share);
+  spring.torqueLimit = Nearer(spring.torqueLimit, this->WantedSpring.torqueLimit, share);
+  this->Coupling.SetSpring(spring);
+  if (this->Scene)
+    this->Scene->Grow(this->Settings.tickS / this->Settings.slewS);
+  this->SlewAttraction();
+  this->SlewLevels();
+}
+
+double HapticStep::AllowedFade(double attractedMm2) const noexcept
+{
+  // a A / R, and at the tool's radius a A r^2 / R: the steepest that attraction changes.
+  const ContactSettings& contact = this->Plan.contact;
+  const VirtualCouplingSettings& coupling = this->Coupling.GetSettings();
+  const double slope = contact.attraction * attractedMm2 / contact.captureMm;
+  const double turning = slope * coupling.radiusMm * coupling.radiusMm;
+  return std::min({ 1.0, slope > 0.0 ? 0.5 * coupling.spring.stiffness / slope : 1.0,
+    turning > 0.0 ? 0.5 * coupling.spring.turnStiffness / turning : 1.0 });
+}
+
+void HapticStep::SlewAttraction() noexcept
+{
+  const double most = this->Settings.tickS / this->Settings.fadeS;
+  this->Fade += std::clamp((this->Attracts ? 1.0 : 0.0) - this->Fade, -most, most);
+  // Down at once, up gradually: what is held is held by a steady law, which pumps no energy.
+  this->Bound = std::min(this->AllowedFade(this->AttractedMm2), this->Bound + most);
+  const double u = this->Fade;
+  this->Plan.contact.fade = static_cast<float>(u * u * (3.0 - 2.0 * u) * this->Bound);
+}
+
+void HapticStep::SlewLevels() noexcept
+{
+  if (!this->Scene || this->Scene->Levels() == 0)
+    return;
+  int levels = std::min(this->Scene->Levels(), this->MostLevels);
+  // An evaluation is to fit twice, for the second step.
+  if (std::isfinite(this->Settings.budgetUs))
+    levels =
+      std::min(levels, this->Cost.Levels(this->Scene->NearPoints(), 0.5 * this->Settings.budgetUs));
+  const double wanted = std::max(0, levels - 1);
+  const double most = 1.0 / this->Settings.blendTicks;
+  this->Plan.finest += std::clamp(wanted - this->Plan.finest, -most, most);
+}
+
+HapticTick HapticStep::Tick(const RigidPose& device) noexcept
+{
+  this->Slew();
+  if (this->Scene)
+    this->Scene->Set(this->Plan);
+  TimedContact contact(*this);
+  const CouplingTick coupled = this->Coupling.Tick(device, contact);
+  this->Friction.Settle(this->Coupling.Tool());
+  this->Cost.Measure(contact.Points, contact.SpentUs);
+  this->AttractedMm2 = contact.MostAttracted;
+
+  HapticTick tick;
+  Wrench wanted = coupled.onDevice;
+  if (this->Settings.control)
+    wanted = this->Passivity.Tick(device, wanted);
+  tick.onDevice = this->Limiter.Limit(wanted, this->Settings.tickS);
+  tick.tool = this->Coupling.Tool();
+  tick.sums = coupled.sums;
+  tick.levels = this->Plan.finest;
+  tick.points = contact.Points;
+  tick.evaluations = coupled.evaluations;
+  tick.status = coupled.status;
+  return tick;
+}
+
+} // namespace hasp

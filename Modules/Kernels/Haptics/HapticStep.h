@@ -1,0 +1,98 @@
+#pragma once
+#include "Haptics/ContactFriction.h"
+#include "Haptics/ForceLimiter.h"
+#include "Haptics/HapticScene.h"
+#include "Haptics/PassivityObserver.h"
+#include "Haptics/VirtualCoupling.h"
+
+#include <memory>
+
+namespace hasp
+{
+
+struct HapticStepSettings
+{
+  VirtualCouplingSettings coupling; ///< its travel and radius come from the scene
+  ContactSettings contact;
+  FrictionSettings friction;
+  ForceLimits limits;
+  double tickS = 0.001;    ///< > 0
+  double budgetUs = 400.0; ///< of a tick, for contact: 40 % of it; infinite: all levels always
+  double fadeS = 0.1;      ///< attraction from nothing to all of it; > 0
+  double slewS = 0.05;     ///< stiffness, spring and scenes, from one value to another; > 0
+  int blendTicks = 8;      ///< from one level to the next; >= 5
+  bool control = false;    ///< the passivity controller, as a last resort
+  PassivityControllerSettings passivity;
+};
+
+struct HapticTick
+{
+  Wrench onDevice; ///< WORLD axes, about the device's point; finite and within the limits
+  RigidPose tool;
+  ContactSums sums;         ///< on the tool; world axes, about its origin
+  double levels = 0.0;      ///< finest level that counts, from 0, blended
+  std::uint32_t points = 0; ///< evaluated, in all steps
+  int evaluations = 0;
+  std::uint32_t status = 0; ///< CouplingTick::Status
+};
+
+/// One tick of haptics: a device's pose in, a wrench for its motors out. Contact of a group of
+/// shells before several maps, quasi-static coupling, limits.
+///
+/// What changes is slewed inside the tick: a new stiffness or spring over slewS, bodies that are
+/// new in a scene grow from nothing over the same time, attraction fades over fadeS, levels are
+/// blended over blendTicks. So whatever is set, and however often, the device feels it gradually.
+///
+/// Attraction is kept where its slope, at most a A / R, is under half of the spring's, so that its
+/// negative part cannot run away from the coupling.
+///
+/// Threads: construct anywhere; then all of it HAPTIC. Tick takes no memory, no lock, logs nothing
+/// and does not throw. The clock that it measures contact with is the steady one.
+class HapticStep
+{
+public:
+  /// Throws std::invalid_argument with the value and its legal range.
+  explicit HapticStep(const HapticStepSettings& settings = {});
+
+  /// The tool jumps there, forces grow from zero.
+  void Place(const RigidPose& tool) noexcept;
+  /// Takes the scene and gives back the one before, which somebody else is to free. Null: nothing
+  /// can be touched. What both have in common stays as it is felt.
+  void Swap(std::unique_ptr<HapticScene>& scene) noexcept;
+  /// Slewed from the next tick on. Not checked: in the ranges that the settings' headers tell.
+  void Aim(const ContactSettings& contact) noexcept { this->WantedContact = contact; }
+  void Aim(const CouplingSpring& spring) noexcept { this->WantedSpring = spring; }
+  void Attract(bool on) noexcept { this->Attracts = on; }
+  /// No more than so many levels, whatever the budget allows; >= 1. Blended, as any change of it.
+  void LimitLevels(int levels) noexcept { this->MostLevels = levels; }
+
+  HapticTick Tick(const RigidPose& device) noexcept;
+
+  const PassivityObserver& Observer() const noexcept { return this->Passivity.Observer(); }
+  std::uint64_t Controlled() const noexcept { return this->Passivity.Activations(); }
+
+private:
+  class TimedContact;
+  void Slew() noexcept;
+  void SlewAttraction() noexcept;
+  double AllowedFade(double attractedMm2) const noexcept;
+  void SlewLevels() noexcept;
+
+  HapticStepSettings Settings;
+  VirtualCoupling Coupling;
+  ContactFriction Friction;
+  ForceLimiter Limiter;
+  PassivityController Passivity;
+  CostModel Cost;
+  std::unique_ptr<HapticScene> Scene;
+  ContactSettings WantedContact;
+  CouplingSpring WantedSpring;
+  HapticScene::Plan Plan;
+  bool Attracts = false;
+  int MostLevels = 99;
+  double Fade = 0.0;         ///< as switched on or off
+  double Bound = 1.0;        ///< what the spring allows
+  double AttractedMm2 = 0.0; ///< the most of the last tick
+};
+
+} // namespace hasp
