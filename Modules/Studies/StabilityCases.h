@@ -60,5 +60,6 @@ void AddShapeRows(std::vector<StabilityRow>& rows);
 void AddClockRows(std::vector<StabilityRow>& rows);
 void AddChangeRows(std::vector<StabilityRow>& rows);
 void AddEnergyRows(std::vector<StabilityRow>& rows);
+void AddStepRows(std::vector<StabilityRow>& rows);
 
 } // namespace hasp

@@ -137,6 +137,7 @@ std::vector<StabilityRow> StabilityRows()
   AddClockRows(rows);
   AddChangeRows(rows);
   AddEnergyRows(rows);
+  AddStepRows(rows);
   return rows;
 }
 
