@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +12,8 @@ namespace hasp
 {
 namespace
 {
+
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 void Require(bool good, const char* name, double value)
 {
@@ -81,6 +84,9 @@ private:
     ++this->Samples;
     const ImplicitField::Sample sample = this->Field.At(at);
     const double slope = glm::length(sample.gradient);
+    // Without a slope nobody knows how far it is: outside a step at a time, inside not at all.
+    if (slope == 0.0)
+      return { sample.value > 0.0 ? 2.0 * this->ToleranceMm : Unknown, glm::dvec3(0.0) };
     return { sample.value / slope - this->Settings.radiusMm, sample.gradient / slope };
   }
 
