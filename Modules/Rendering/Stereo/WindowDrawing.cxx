@@ -2,6 +2,7 @@
 
 #include "BorrowedView.h"
 #include "HaspGL.h"
+#include "WindowTextures.h"
 #include "vtkHaspStereoCamera.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -101,6 +102,12 @@ vtkRenderer* WindowDrawing::RendererFor(const ViewedScene& scene)
     this->Follower = std::make_unique<SceneFollower>(this->Shown);
   this->Follower->Follow(scene.renderer);
   return this->Follower->Renderer();
+}
+
+void WindowDrawing::Leave(const ViewedScene& scene)
+{
+  if (this->Shown)
+    ReleaseTextures(this->RendererFor(scene));
 }
 
 std::array<hasp::EyeView, 2> WindowDrawing::Views(const ViewedScene& scene, glm::ivec2 size) const

@@ -40,6 +40,8 @@ public:
   void ChangeSettings(const hasp::StereoWindow& settings);
 
   void Draw(const ViewedScene& scene);
+  /// After Draw: lets go of what VTK would take for another window's (WindowTextures.h).
+  void Leave(const ViewedScene& scene);
   /// A place in an eye's view: (-1,-1) lower left, (1,1) upper right.
   struct Position
   {

@@ -169,6 +169,8 @@ bool vtkHaspStereoWindows::Render()
     try
     {
       one.Draw(self.Scene(this->EyeAngle));
+      if (self.windows.size() > 1)
+        one.Leave(self.Scene(this->EyeAngle));
     }
     catch (const std::exception& error)
     {
