@@ -188,7 +188,7 @@ std::string StereoView::Text() const
     text = size;
   }
   if (self.tracker)
-    text.append(text.empty() ? "" : "; ")
+    text.append(text.empty() ? "" : "\n")
       .append(HeadText(self.drawn, self.tracker->Source().Name()));
   return text;
 }

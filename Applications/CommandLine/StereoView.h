@@ -52,8 +52,8 @@ public:
 
   /// After the camera was placed anew: --life-size, if it was asked for.
   void CameraPlaced();
-  /// "at 83 % of life size; head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted";
-  /// empty where there is neither a screen nor a tracker.
+  /// "at 83 % of life size", then "head: tracking by opentrack, 33 ms (2.0 frames) old, 33
+  /// predicted" in a line of its own; empty where there is neither a screen nor a tracker.
   std::string Text() const;
   /// What its tracker warns of, once each.
   std::vector<std::string> TakeWarnings();

@@ -146,6 +146,8 @@ void Run(Choices choices, Session& session)
   RequireRecordable(choices.head);
   RequireFitting(choices);
   const StereoWindow shown = MakeStereoWindow(choices.stereo);
+  if (choices.stereo.Any())
+    choices.options.camera.aspect = EyeAspect(shown, choices.options.resolution);
   HeadPose rest;
   rest.position = RoomHead(choices.stereo).position;
   auto tracker = MakeHeadTracker(choices.head, rest);
@@ -173,6 +175,7 @@ void Run(Choices choices, Session& session)
       renderer, window, choices.stereo, std::move(tracker), second ? second->Window() : nullptr);
   ViewSettings settings = SettingsOf(loaded, choices.options);
   settings.eyes = eyes.get();
+  settings.overlay = !shown.hmd;
   if (second)
     settings.closed = [&second] { second->Close(); };
   settings.sayWarning = [&session](const std::string& text) { SayWarning(session, text); };

@@ -3,7 +3,9 @@
 #include "StereoDesk.h"
 #include "VtkMessages.h"
 
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
+#include "vtkTextActor.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -60,6 +62,38 @@ TEST(StereoView, LifeSizeIsLifeSize)
 {
   StereoDesk desk("mono", nullptr, [](StereoChoices& c) { c.lifeSize = true; });
   EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
+}
+
+/// Whatever the shape of the window that its eyes share.
+TEST(StereoView, EveryLayoutShowsTheContentInOneSize)
+{
+  const double size = StereoDesk("mono").Scale();
+  for (const char* layout : { "side-by-side", "top-bottom", "interlaced", "anaglyph" })
+    EXPECT_NEAR(StereoDesk(layout).Scale(), size, 1e-9 * size) << layout;
+}
+
+TEST(StereoView, WhenNothingRefinesAnyMoreTheTextSaysSo)
+{
+  StereoDesk desk(
+    "anaglyph", nullptr, [](StereoChoices&) {}, "raycaching");
+  /// As the last frame has drawn it.
+  const auto refines = [&]
+  {
+    std::string text;
+    vtkCollectionSimpleIterator at;
+    desk.renderer->GetViewProps()->InitTraversal(at);
+    while (vtkProp* prop = desk.renderer->GetViewProps()->GetNextProp(at))
+      if (auto* line = vtkTextActor::SafeDownCast(prop))
+        text += line->GetInput();
+    EXPECT_NE(text.find("isovalue"), std::string::npos) << text;
+    return text.find("refining") != std::string::npos;
+  };
+  int refining = refines(), fired = 0;
+  for (; fired < 2000 && desk.Fire(); ++fired)
+    refining += refines();
+  EXPECT_GT(refining, 0) << "or this shows nothing";
+  EXPECT_LT(fired, 2000);
+  EXPECT_FALSE(refines());
 }
 
 TEST(StereoView, TheSketchShowsTheContentIfThereIsAny)

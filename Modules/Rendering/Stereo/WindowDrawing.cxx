@@ -37,8 +37,10 @@ void RequireQuadBuffers(vtkOpenGLRenderWindow* window)
   }
   if (!there)
     throw std::runtime_error(
-      "stereo: the window has no quad buffers; call StereoCapableWindowOn() before it is first "
-      "drawn, and where the driver has none take another layout (side-by-side, interlaced)");
+      "stereo: the window has no quad buffers: this display's driver gives none, or the program "
+      "did "
+      "not call StereoCapableWindowOn() before it was first drawn; take another layout "
+      "(side-by-side, interlaced)");
 }
 
 /// While one lives, the window's frames go to the left and right buffer.

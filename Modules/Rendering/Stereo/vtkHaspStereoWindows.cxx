@@ -234,7 +234,7 @@ bool vtkHaspStereoWindows::GetPositionInView(
 
 void vtkHaspStereoWindows::ListResources(hasp::ResourceList& resources) const
 {
-  hasp::ResourceUse second{ "second eye", 0, 0.0, "no window shows two eyes" };
+  hasp::ResourceUse second{ "second eye", 0, 0.0, "no window shows both eyes" };
   hasp::ResourceUse pictures{ "eye pictures", 0, 0.0, "no window puts eyes together" };
   hasp::ResourceUse tables{ "lens tables", 0, 0.0, "no window has a lens" };
   this->Self->DropGone();
