@@ -147,7 +147,7 @@ void ViewerEye::Forget()
 {
   this->ForgetDepth();
   this->Last.reset();
-  this->Served = false;
+  this->ServedTurn = 0;
   this->Progress = {};
 }
 

@@ -61,8 +61,8 @@ public:
   void Forget();
   std::size_t DepthBytes() const { return this->DepthPixels.size() * sizeof(float); }
 
-  const int Number;    ///< of the eye, from 0
-  bool Served = false; ///< the other eye's frame has cast rays for the one to come, too
+  const int Number;         ///< of the eye, from 0
+  long long ServedTurn = 0; ///< of the other eye's frame that cast rays for one of this eye, too
 
 private:
   class FrameObserver;

@@ -27,7 +27,6 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
 
@@ -347,7 +346,9 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
     return;
   const CellScene scene(this, hasp::GeometryOf(grid), isovalue, pass.renderer, pass.actor);
   ViewerEye& eye = pass.eye;
-  if (!std::exchange(eye.Served, false) || gl.Changed)
+  const ViewerEye& first = gl.Eyes.FirstOf(eye);
+  const bool served = &first != &eye && eye.ServedTurn == first.Turn;
+  if (!served || gl.Changed)
     this->CastRays(pass, scene);
   else
   {
@@ -387,7 +388,7 @@ void vtkHaspOpenGLRayCachingMapper::CastRays(const Pass& pass, const CellScene& 
   eye.Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
   if (!beside)
     return;
-  second->Served = true;
+  second->ServedTurn = eye.Turn;
   second->Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
 }
 
