@@ -31,6 +31,8 @@ public:
   }
   void Execute(vtkObject*, unsigned long, void*) override
   {
+    if (this->Renderer->GetSelector())
+      return; // nobody looks at what a pick draws
     this->Begins = true;
     ++this->Frames;
   }
@@ -167,8 +169,11 @@ ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
     found = this->Eyes.insert(found, std::make_unique<ViewerEye>(renderer, left, number));
   }
   ViewerEye& eye = **found;
+  begins = false;
+  if (renderer->GetSelector())
+    return eye;
   eye.IsDrawnNow();
-  begins = !renderer->GetSelector() && eye.BeginsFrame();
+  begins = eye.BeginsFrame();
   if (begins)
     eye.Turn = ++this->Turns;
   return eye;

@@ -3,9 +3,12 @@
 #include "RaycastTestScene.h"
 #include "vtkHaspStereoPair.h"
 
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
 
 #include <cstdlib>
 
@@ -140,6 +143,30 @@ TEST_P(EyesThatShare, AnEyeThatComesBackHasRaysOfItsOwn)
   scene.Renderer->GetActiveCamera()->Azimuth(150.0);
   scene.DrawEye(false);
   EXPECT_GT(scene.Rays(), 0);
+}
+
+/// A pick draws frames of its own, of one eye.
+TEST_P(EyesThatShare, APickDoesNotPartThem)
+{
+  EyesScene scene(GetParam());
+  scene.UseCache();
+  scene.Raycaster->PredictionOff();
+  scene.DrawMono();
+  const int mono = scene.Rays();
+  scene.DrawBoth();
+  scene.DrawBoth();
+  EXPECT_TRUE(scene.Raycaster->IsRefining());
+  scene.Left = true;
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, 20, 20);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  for (int pick = 0; pick < 2; ++pick)
+    vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  scene.DrawEye(true);
+  EXPECT_EQ(scene.Rays(), mono);
+  scene.DrawEye(false);
+  EXPECT_EQ(scene.Rays(), 0);
 }
 
 TEST_P(EyesThatShare, TheCacheComesToRestWithBothPicturesComplete)
