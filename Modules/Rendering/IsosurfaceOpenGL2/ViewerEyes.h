@@ -63,6 +63,7 @@ public:
 
   const int Number;         ///< of the eye, from 0
   long long ServedTurn = 0; ///< of the other eye's frame that cast rays for one of this eye, too
+  bool Changed = false;     ///< the surface was another one in its last frame than in those before
 
 private:
   class FrameObserver;

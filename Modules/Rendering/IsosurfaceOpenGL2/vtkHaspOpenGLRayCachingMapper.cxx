@@ -226,9 +226,13 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
   OpenGL& gl = *this->GL;
   gl.Raycasts.Clear();
   const bool automatic = this->Mode == Automatic && !lit;
-  const bool timed = automatic && pass.begins && !pass.translucent, changed = gl.Changed;
+  const bool timed = automatic && pass.begins && !pass.translucent;
   CacheProgress& progress = pass.eye.Progress;
   ViewerEye& chooses = gl.Eyes.FirstOf(pass.eye);
+  // The second eye's frame is as new as the first one's.
+  const bool changed = gl.Changed || (&chooses != &pass.eye && chooses.Changed);
+  if (pass.begins)
+    pass.eye.Changed = gl.Changed;
   DrawingChoice& choice = chooses.Choice;
   const bool measured = timed && &chooses == &pass.eye;
   const int* size = pass.renderer->GetSize();
