@@ -299,6 +299,41 @@ TEST_P(EyesThatShare, TheSecondTakesTheFirstOnesLight)
   EXPECT_LT(Different(scene.Shown(), alone.Shown(), 32), 2e-3);
 }
 
+/// Between one window's frames come the other's.
+TEST(EyesOfARig, ShareLightInEachOfTwoWindows)
+{
+  hasp::UseHeadlessWindows();
+  EyesScene first(false), second(false), alone(false);
+  for (EyesScene* scene : { &first, &second, &alone })
+    scene->UseLight();
+  second.Actor->SetMapper(first.Raycaster);
+  second.Renderer->GetActiveCamera()->Azimuth(40.0);
+  alone.Renderer->GetActiveCamera()->Azimuth(40.0);
+  for (EyesScene* scene : { &first, &second })
+    hasp::SetStereoPair(scene->Renderer->GetActiveCamera()->GetInformation(), hasp::StereoPair{});
+  const auto shared = [&] { return Find(first.Raycaster, "light of the first eye").bytes; };
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    if (frame % 2 == 0)
+    {
+      first.DrawBoth();
+      EXPECT_GT(shared(), 10'000) << frame;
+      second.DrawBoth();
+    }
+    else
+      for (const bool left : { true, false })
+        for (EyesScene* scene : { &first, &second })
+          scene->DrawEye(left);
+    EXPECT_GT(shared(), 10'000) << frame;
+    alone.DrawEye(false);
+  }
+  EXPECT_LT(Different(second.Shown(), alone.Shown(), 32), 2e-3); // as above
+  for (EyesScene* scene : { &first, &second })
+    hasp::SetStereoPair(scene->Renderer->GetActiveCamera()->GetInformation(), std::nullopt);
+  first.DrawMono();
+  EXPECT_EQ(shared(), 0);
+}
+
 #endif
 
 /// Of all that is kept for a second eye there is nothing in mono, before and after.
