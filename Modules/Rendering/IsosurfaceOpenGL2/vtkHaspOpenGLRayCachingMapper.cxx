@@ -201,7 +201,7 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
     else
     {
       bool begins = false;
-      ViewerEye& eye = gl.Eyes.Of(renderer, begins);
+      ViewerEye& eye = gl.Eyes.Of(renderer, actor, begins);
       this->DrawCells(
         { renderer, actor, eye, begins, bool(actor->IsRenderingTranslucentPolygonalGeometry()) },
         lit);

@@ -236,6 +236,34 @@ TEST_P(EyesThatShare, OneChoiceHoldsForBothAfterAChange)
   EXPECT_GT(cached, 0) << scene.Raycaster->GetModeChoice(); // several times as fast here
 }
 
+/// Each actor shows another side of the surface: rays are cast for both, as by a mapper each.
+TEST_P(EyesThatShare, TwoActorsOfAMapperBecomeComplete)
+{
+  EyesScene one(GetParam()), two(GetParam());
+  vtkNew<vtkHaspRayCachingMapper> other;
+  other->SetInputData(two.Raycaster->GetImage());
+  other->SetIsoValue(two.Raycaster->GetIsoValue());
+  other->SetModeToCache();
+  const auto complete = [&](EyesScene& scene, vtkHaspRayCachingMapper* second)
+  {
+    scene.UseCache();
+    scene.Actor->SetPosition(30, 0, 0);
+    vtkNew<vtkActor> behind;
+    behind->SetMapper(second);
+    behind->SetPosition(-30, 20, 0);
+    behind->RotateZ(180);
+    scene.Renderer->AddActor(behind);
+    for (int frames = 0, quiet = 0; quiet < 8 && frames < 400; ++frames)
+    {
+      scene.DrawBoth();
+      quiet = scene.Raycaster->IsRefining() || second->IsRefining() ? 0 : quiet + 1;
+    }
+    return scene.Shown();
+  };
+  const auto shown = complete(one, one.Raycaster);
+  EXPECT_LT(Different(shown, complete(two, other), 2), 1e-3); // as above
+}
+
 INSTANTIATE_TEST_SUITE_P(VtksStereoAndRigs, EyesThatShare, ::testing::Bool(),
   [](const auto& vtks) { return vtks.param ? "VtksStereo" : "Rig"; });
 
