@@ -137,6 +137,12 @@ TEST(LightCacheEyes, TheSecondTakesNothingThatIsNotItsOwn)
     Light(cache, scene, away, sun, LightEye::First);
   };
   EXPECT_EQ(second(elsewhere, sun), 0);
+  // Nor of another isovalue's surface, which nobody told it of.
+  const TracedVolume<float> shifted(scene.samples, Grid, 0.1);
+  hasp::LightCache cache;
+  Light(cache, scene, Eye(0.0), { {}, Sun }, LightEye::First);
+  Light(cache, shifted, Eye(3.0), { {}, Sun }, LightEye::Second);
+  EXPECT_EQ(cache.SharedPixels(), 0);
 }
 
 TEST(LightCacheEyes, TheSecondMayBeAtTheOtherSideOfTheSurface)
