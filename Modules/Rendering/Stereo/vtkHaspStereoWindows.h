@@ -31,7 +31,8 @@ enum class StereoEye;
  * camera's LeftEye says which it is.
  *
  * The scene's renderer draws in its own window, if that is one of them; in others a renderer of
- * ours shows the same props, lights and background. Its camera and the windows' StereoRender,
+ * ours shows the same props, lights and background. In its own window, other layers of its viewport
+ * with the same camera are seen by the same eyes. Its camera and the windows' StereoRender,
  * SwapBuffers and viewports come back as they were: interactors go on moving the application's
  * camera. So that interaction draws two eyes, not one, call interactor->EnableRenderOff() and let
  * its vtkCommand::RenderEvent call Render.

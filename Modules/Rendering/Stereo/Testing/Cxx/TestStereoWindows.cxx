@@ -223,6 +223,32 @@ TEST(StereoWindows, ComposeWithinTheScenesViewport)
   }
 }
 
+TEST(StereoWindows, ShowLayersOfTheSameCameraToEachEyeToo)
+{
+  BallsScene one, two; // all in one renderer; a part of it in the layer above
+  const auto whole = MakeWindow(Size), layered = MakeWindow(Size);
+  whole->AddRenderer(one.Renderer);
+  layered->AddRenderer(two.Renderer);
+  const auto near = stereotest::MakeBall({ 20, -300, 20 }, 15, { 1, 0, 0 });
+  one.Renderer->AddActor(near); // nearer than all others, so that layers hide nothing else
+  vtkNew<vtkRenderer> above;
+  vtkCamera* camera = two.Renderer->GetActiveCamera();
+  above->SetActiveCamera(camera);
+  above->SetLayer(1);
+  above->AddActor(stereotest::MakeBall({ 20, -300, 20 }, 15, { 1, 0, 0 }));
+  layered->SetNumberOfLayers(2);
+  layered->AddRenderer(above);
+  for (const StereoLayout layout : { StereoLayout::SideBySide, StereoLayout::Right })
+  {
+    one.Windows->AddWindow(whole, { { layout } });
+    two.Windows->AddWindow(layered, { { layout } });
+    ASSERT_TRUE(one.Windows->Render());
+    ASSERT_TRUE(two.Windows->Render());
+    EXPECT_EQ(Picture(layered), Picture(whole));
+    EXPECT_EQ(above->GetActiveCamera(), camera);
+  }
+}
+
 TEST(StereoWindows, FollowTheWindowsSize)
 {
   BallsScene scene;
