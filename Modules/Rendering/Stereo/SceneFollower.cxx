@@ -1,11 +1,31 @@
 #include "SceneFollower.h"
 
+#include "vtkFXAAOptions.h"
 #include "vtkLightCollection.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <vector>
+
+namespace
+{
+
+void FollowEnvironment(vtkOpenGLRenderer* own, vtkOpenGLRenderer* scene)
+{
+  own->SetUseImageBasedLighting(scene->GetUseImageBasedLighting());
+  own->SetUseSphericalHarmonics(scene->GetUseSphericalHarmonics());
+  own->SetEnvironmentUp(scene->GetEnvironmentUp());
+  own->SetEnvironmentRight(scene->GetEnvironmentRight());
+  own->SetUserLightTransform(scene->GetUserLightTransform());
+  own->SetEnvironmentTexture(
+    scene->GetEnvironmentTexture(), scene->GetEnvMapIrradiance()->GetConvertToLinear());
+}
+
+} // namespace
 
 SceneFollower::SceneFollower(vtkRenderWindow* window)
 {
@@ -34,7 +54,18 @@ void SceneFollower::Follow(vtkRenderer* scene)
 
   if (scene->GetLights()->GetNumberOfItems() > 0 && this->Own->GetLights() != scene->GetLights())
     this->Own->SetLightCollection(scene->GetLights());
+  this->FollowLook(scene);
+  if (auto* own = vtkOpenGLRenderer::SafeDownCast(this->Own))
+    if (auto* other = vtkOpenGLRenderer::SafeDownCast(scene))
+      FollowEnvironment(own, other);
+  this->Own->SetActiveCamera(scene->GetActiveCamera());
+}
+
+void SceneFollower::FollowLook(vtkRenderer* scene)
+{
+  this->Own->SetDraw(scene->GetDraw());
   this->Own->SetAutomaticLightCreation(scene->GetAutomaticLightCreation());
+  this->Own->SetLightFollowCamera(scene->GetLightFollowCamera());
   this->Own->SetTwoSidedLighting(scene->GetTwoSidedLighting());
   this->Own->SetAmbient(scene->GetAmbient());
   this->Own->SetBackground(scene->GetBackground());
@@ -44,14 +75,18 @@ void SceneFollower::Follow(vtkRenderer* scene)
   this->Own->SetBackgroundTexture(scene->GetBackgroundTexture());
   this->Own->SetTexturedBackground(scene->GetTexturedBackground());
   this->Own->SetUseDepthPeeling(scene->GetUseDepthPeeling());
+  this->Own->SetUseDepthPeelingForVolumes(scene->GetUseDepthPeelingForVolumes());
   this->Own->SetMaximumNumberOfPeels(scene->GetMaximumNumberOfPeels());
   this->Own->SetOcclusionRatio(scene->GetOcclusionRatio());
+  this->Own->SetUseSSAO(scene->GetUseSSAO());
+  this->Own->SetSSAORadius(scene->GetSSAORadius());
+  this->Own->SetSSAOBias(scene->GetSSAOBias());
+  this->Own->SetSSAOKernelSize(scene->GetSSAOKernelSize());
+  this->Own->SetSSAOBlur(scene->GetSSAOBlur());
   this->Own->SetUseFXAA(scene->GetUseFXAA());
+  this->Own->SetFXAAOptions(scene->GetFXAAOptions());
   this->Own->SetUseShadows(scene->GetUseShadows());
   this->Own->SetUseHiddenLineRemoval(scene->GetUseHiddenLineRemoval());
-  this->Own->SetEnvironmentTexture(scene->GetEnvironmentTexture());
-  this->Own->SetUseImageBasedLighting(scene->GetUseImageBasedLighting());
   this->Own->SetNearClippingPlaneTolerance(scene->GetNearClippingPlaneTolerance());
   this->Own->SetClippingRangeExpansion(scene->GetClippingRangeExpansion());
-  this->Own->SetActiveCamera(scene->GetActiveCamera());
 }

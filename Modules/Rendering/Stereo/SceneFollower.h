@@ -23,6 +23,8 @@ public:
   vtkRenderer* Renderer() const { return this->Own; }
 
 private:
+  void FollowLook(vtkRenderer* scene);
+
   vtkNew<vtkRenderer> Own;
 };
 

@@ -3,6 +3,10 @@
 
 #include "vtkCellPicker.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkRendererCollection.h"
+#include "vtkTexture.h"
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
 #else
@@ -111,6 +115,33 @@ TEST(StereoWindows, ShowTheSameSceneInEach)
       EXPECT_FALSE(window->HasRenderer(scene.Renderer));
   }
   EXPECT_EQ(scene.Errors, 0);
+}
+
+TEST(StereoWindows, ShowTheSceneAsItsOwnWindowDoes)
+{
+  BallsScene scene;
+  const auto home = MakeWindow(Size), other = MakeWindow(Size);
+  home->AddRenderer(scene.Renderer);
+  scene.Windows->AddWindow(home, "left");
+  scene.Windows->AddWindow(other, "left");
+  ASSERT_TRUE(scene.Windows->Render());
+  const Bytes plain = Picture(home);
+  EXPECT_EQ(Picture(other), plain);
+  scene.Renderer->UseSSAOOn(); // shades what lies in hollows
+  scene.Renderer->SetSSAORadius(40.0);
+  scene.Renderer->SetSSAOBias(0.5);
+  scene.Renderer->SetSSAOKernelSize(64);
+  auto* gl = vtkOpenGLRenderer::SafeDownCast(scene.Renderer);
+  vtkNew<vtkTexture> around;
+  gl->SetEnvironmentTexture(around, true);
+  gl->SetEnvironmentUp(0, 0, 1);
+  ASSERT_TRUE(scene.Windows->Render());
+  EXPECT_NE(Picture(home), plain);
+  EXPECT_EQ(Picture(other), Picture(home));
+  auto* shown = vtkOpenGLRenderer::SafeDownCast(other->GetRenderers()->GetFirstRenderer());
+  EXPECT_EQ(shown->GetEnvironmentTexture(), around);
+  EXPECT_TRUE(shown->GetEnvMapIrradiance()->GetConvertToLinear());
+  EXPECT_EQ(shown->GetEnvironmentUp()[2], 1.0);
 }
 
 TEST(StereoWindows, ShowThePropsThatComeAndGo)
