@@ -35,6 +35,10 @@ void RequirePerspective(vtkCamera* camera)
   if (camera->GetUseOffAxisProjection() || shear[0] != 0.0 || shear[1] != 0.0)
     throw std::invalid_argument("stereo: the camera has an off-axis projection or a shear already; "
                                 "give the rig itself instead");
+  if (camera->GetUseExplicitProjectionTransformMatrix() || camera->GetUseExplicitAspectRatio())
+    throw std::invalid_argument(
+      "stereo: the camera has an explicit projection or aspect, which says "
+      "nothing of eyes; give the rig itself instead");
 }
 
 /// What a perspective camera sees at its focal point. A view up along the axis gives NaN,
@@ -67,6 +71,8 @@ void SetAxes(vtkCamera* camera, const EyeView& view, StereoEye eye)
   camera->SetUseOffAxisProjection(false);
   camera->SetParallelProjection(false);
   camera->SetUseHorizontalViewAngle(false);
+  camera->SetUseExplicitProjectionTransformMatrix(false);
+  camera->SetUseExplicitAspectRatio(false);
   camera->SetViewShear(0, 0, 1);
   camera->SetPosition(view.position.x, view.position.y, view.position.z);
   camera->SetFocalPoint(view.focalPoint.x, view.focalPoint.y, view.focalPoint.z);
