@@ -5,6 +5,10 @@
 #include "WindowTextures.h"
 #include "vtkHaspStereoCamera.h"
 
+#include "vtkCamera.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
@@ -67,6 +71,20 @@ private:
   vtkRenderWindow* window;
   int type, render;
 };
+
+/// Where the camera itself sees what its user transform, if it has one, shows at `device`. Right
+/// for what turns, moves and scales the view; one that depends on depth has no straight rays.
+glm::dvec2 BeforeUser(vtkCamera* camera, glm::dvec2 device)
+{
+  if (!camera->GetUserTransform())
+    return device;
+  vtkNew<vtkMatrix4x4> back;
+  vtkMatrix4x4::Invert(camera->GetUserTransform()->GetMatrix(), back);
+  const double shown[4] = { device.x, device.y, 0.0, 1.0 };
+  double seen[4];
+  back->MultiplyPoint(shown, seen);
+  return glm::dvec2(seen[0], seen[1]) / seen[3];
+}
 
 bool IsPlain(const hasp::StereoWindow& set)
 {
@@ -244,5 +262,7 @@ std::optional<WindowDrawing::Position> WindowDrawing::FindPosition(
     if (std::abs(device.x) > 1.0 || std::abs(device.y) > 1.0)
       return std::nullopt;
   }
-  return Position{ from.eye, view, (device - grid.shift) / grid.scale };
+  device = (device - grid.shift) / grid.scale;
+  const glm::dvec2 onScreen = BeforeUser(scene.renderer->GetActiveCamera(), device);
+  return Position{ from.eye, device, view.position, hasp::PointOnScreen(view, onScreen) };
 }

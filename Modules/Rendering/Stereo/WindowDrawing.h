@@ -42,12 +42,12 @@ public:
   void Draw(const ViewedScene& scene);
   /// After Draw: lets go of what VTK would take for another window's (WindowTextures.h).
   void Leave(const ViewedScene& scene);
-  /// A place in an eye's view: (-1,-1) lower left, (1,1) upper right.
+  /// A place in an eye's view.
   struct Position
   {
     hasp::StereoEye eye;
-    hasp::EyeView view;
-    glm::dvec2 device;
+    glm::dvec2 device;          ///< (-1,-1) lower left, (1,1) upper right
+    glm::dvec3 origin, through; ///< of its ray in the world: the eye, and a point seen there
   };
   /// What a pixel shows; none where there is nothing to see.
   std::optional<Position> FindPosition(const ViewedScene& scene, glm::ivec2 pixel);

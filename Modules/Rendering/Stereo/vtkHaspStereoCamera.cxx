@@ -94,17 +94,20 @@ void SetCameraToView(vtkCamera* camera, const EyeView& view, StereoEye eye, cons
   SetAxes(camera, view, eye);
   // VTK's projection has the aspect of the viewport; x of the view is `squeeze` times its x.
   const double squeeze = grid.size.x / (grid.size.y * view.aspect);
-  const glm::dvec2 scale = grid.scale * glm::dvec2(squeeze, 1.0);
-  if (glm::length(scale - 1.0) < 1e-12 && grid.shift == glm::dvec2(0.0))
+  if (std::abs(squeeze - 1.0) < 1e-12 && glm::length(grid.scale - 1.0) < 1e-12 &&
+      grid.shift == glm::dvec2(0.0))
     return;
   camera->SetWindowCenter(view.windowCenter.x / squeeze, view.windowCenter.y);
-  vtkNew<vtkMatrix4x4> stretch;
-  stretch->SetElement(0, 0, scale.x);
-  stretch->SetElement(1, 1, scale.y);
-  stretch->SetElement(0, 3, grid.shift.x);
-  stretch->SetElement(1, 3, grid.shift.y);
+  vtkNew<vtkMatrix4x4> stretch; // the view, what the user does with it, the pixels drawn of that
+  stretch->SetElement(0, 0, squeeze);
   if (camera->GetUserTransform())
     vtkMatrix4x4::Multiply4x4(camera->GetUserTransform()->GetMatrix(), stretch, stretch);
+  vtkNew<vtkMatrix4x4> pixels;
+  pixels->SetElement(0, 0, grid.scale.x);
+  pixels->SetElement(1, 1, grid.scale.y);
+  pixels->SetElement(0, 3, grid.shift.x);
+  pixels->SetElement(1, 3, grid.shift.y);
+  vtkMatrix4x4::Multiply4x4(pixels, stretch, stretch);
   vtkNew<vtkMatrixToHomogeneousTransform> transform;
   transform->SetInput(stretch);
   camera->SetUserTransform(transform);

@@ -24,7 +24,7 @@ VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToEye(
 
 /// The same for any eye's view, drawn into the pixels of `grid`, whatever their shape: where the
 /// viewport has another aspect than the view, or the grid is shifted, the camera's user transform
-/// stretches the picture (on top of one that is there already).
+/// stretches the picture: a view that one turns or moves already is drawn so, in those pixels.
 VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToView(
   vtkCamera* camera, const EyeView& view, StereoEye eye, const EyeGrid& grid);
 

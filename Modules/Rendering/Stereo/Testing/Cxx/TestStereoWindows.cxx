@@ -7,6 +7,7 @@
 #include "vtkPBRIrradianceTexture.h"
 #include "vtkRendererCollection.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
 #else
@@ -57,7 +58,10 @@ TEST(StereoWindows, SayWhatIsWrongOnce)
   scene.Windows->SetHead({ { 0, 0, -5 } });
   for (int frame = 0; frame < 3; ++frame)
     EXPECT_FALSE(scene.Windows->Render());
-  EXPECT_EQ(scene.Errors, 7) << "once, not once a frame";
+  double eye[3], through[3];
+  for (int move = 0; move < 3; ++move)
+    EXPECT_FALSE(scene.Windows->GetRay(window, move, 10, eye, through));
+  EXPECT_EQ(scene.Errors, 7) << "once, not once a frame or a mouse's move";
   EXPECT_EQ(Picture(window), before) << "the view stays";
   scene.Windows->SetHead({ { 0, 0, NAN } });
   EXPECT_FALSE(scene.Windows->Render());
@@ -363,6 +367,50 @@ TEST(StereoWindows, KnowsWhereAPixelLiesInItsEyesView)
   EXPECT_NEAR(device[1], 2.0 * 50.5 / 200.0 - 1.0, 1e-12);
   EXPECT_FALSE(scene.Windows->GetPositionInView(window, 300, 50, eye, device));
   EXPECT_FALSE(scene.Windows->GetPositionInView(nullptr, 10, 50, eye, device));
+}
+
+TEST(StereoWindows, AUsersTransformTurnsTheViewAndNotTheRows)
+{
+  BallsScene scene;
+  scene.Renderer->RemoveAllViewProps();
+  const glm::dvec3 center(25, -40, 20);
+  const auto ball = stereotest::MakeBall(center, 24.0);
+  ball->GetProperty()->LightingOff();
+  scene.Renderer->AddActor(ball);
+  const auto window = MakeWindow({ 300, 200 });
+  window->AddRenderer(scene.Renderer);
+  vtkNew<vtkTransform> user; // a mirror, and beside
+  user->Translate(0.1, 0.2, 0.0);
+  user->Scale(1, -1, 1);
+  scene.Renderer->GetActiveCamera()->SetUserTransform(user);
+  hasp::StereoWindow settings;
+  settings.screen.emplace(); // of another aspect than the window
+  Bytes full;
+  for (const StereoResolution resolution : { StereoResolution::Full, StereoResolution::Half })
+  {
+    settings.output = { StereoLayout::Interlaced, resolution };
+    scene.Windows->AddWindow(window, settings);
+    ASSERT_TRUE(scene.Windows->Render());
+    const Bytes picture = Picture(window);
+    int wrong = 0, bright = 0, differ = 0;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 300; ++x)
+      {
+        double eye[3], through[3];
+        ASSERT_TRUE(scene.Windows->GetRay(window, x, y, eye, through));
+        const glm::dvec3 e(eye[0], eye[1], eye[2]), t(through[0], through[1], through[2]);
+        const double off = glm::length(glm::cross(glm::normalize(t - e), center - e));
+        const std::size_t at = 3 * (y * 300 + x) + 1;
+        bright += picture[at] > 200;
+        if (std::abs(off - 24.0) > 0.5) // half of a pixel: its outline
+          wrong += (picture[at] > 200) != (off < 24.0);
+        differ += !full.empty() && std::abs(full[at] - picture[at]) > 2;
+      }
+    EXPECT_GT(bright, 1000);
+    EXPECT_EQ(wrong, 0);
+    EXPECT_LE(differ, 8) << "a sample on an edge may fall to its other side";
+    full = picture;
+  }
 }
 
 TEST(StereoWindows, MayBeDeletedInAnyOrder)
