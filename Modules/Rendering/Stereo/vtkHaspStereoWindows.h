@@ -40,9 +40,11 @@ enum class StereoEye;
  * Where the room lies: with SetRoomToWorld(nullptr) the first window's screen stands at the focal
  * point of the scene's camera (hasp::RoomOnScreen), else where the matrix says.
  *
- * Mono, left and right without mirror and lens have no pass and no textures.
- * VTK's own mappers keep buffers of one window: with several windows VTK 9.1 makes them anew at
- * each change of window, whether their contexts are shared or not; ours keep them a window.
+ * Mono, left and right without mirror and lens have no pass and no textures. What the pass puts
+ * together is opaque, whatever the background's alpha. Each frame draws all renderers of the
+ * window: of two scenes in viewports of one window only the last one drawn has its eyes put
+ * together. VTK's own mappers keep buffers of one window: with several windows VTK 9.1 makes them
+ * anew at each change of window, whether their contexts are shared or not; ours keep them a window.
  * With several samples a pixel, an eye's pixel is their mean.
  *
  * Threads: RENDER. Windows are held weakly: they may be deleted at any time.
