@@ -9,10 +9,21 @@
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 
+#include <unordered_set>
 #include <vector>
 
 namespace
 {
+
+std::vector<vtkProp*> PropsOf(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> props;
+  vtkCollectionSimpleIterator at;
+  renderer->GetViewProps()->InitTraversal(at);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(at))
+    props.push_back(prop);
+  return props;
+}
 
 void FollowEnvironment(vtkOpenGLRenderer* own, vtkOpenGLRenderer* scene)
 {
@@ -40,18 +51,7 @@ SceneFollower::~SceneFollower()
 
 void SceneFollower::Follow(vtkRenderer* scene)
 {
-  std::vector<vtkProp*> gone;
-  vtkCollectionSimpleIterator at;
-  this->Own->GetViewProps()->InitTraversal(at);
-  while (vtkProp* prop = this->Own->GetViewProps()->GetNextProp(at))
-    if (!scene->HasViewProp(prop))
-      gone.push_back(prop);
-  for (vtkProp* prop : gone)
-    this->Own->RemoveViewProp(prop);
-  scene->GetViewProps()->InitTraversal(at);
-  while (vtkProp* prop = scene->GetViewProps()->GetNextProp(at))
-    this->Own->AddViewProp(prop); // nothing if it is there already
-
+  this->FollowProps(scene);
   if (scene->GetLights()->GetNumberOfItems() > 0 && this->Own->GetLights() != scene->GetLights())
     this->Own->SetLightCollection(scene->GetLights());
   this->FollowLook(scene);
@@ -59,6 +59,26 @@ void SceneFollower::Follow(vtkRenderer* scene)
     if (auto* other = vtkOpenGLRenderer::SafeDownCast(scene))
       FollowEnvironment(own, other);
   this->Own->SetActiveCamera(scene->GetActiveCamera());
+}
+
+/// What is drawn later lies on top, so the order is followed too. Of many props, a few come and go.
+void SceneFollower::FollowProps(vtkRenderer* scene)
+{
+  const std::vector<vtkProp*> wanted = PropsOf(scene), shown = PropsOf(this->Own);
+  if (wanted == shown)
+    return;
+  const std::unordered_set<vtkProp*> now(wanted.begin(), wanted.end());
+  const std::unordered_set<vtkProp*> before(shown.begin(), shown.end());
+  for (vtkProp* prop : shown)
+    if (!now.contains(prop))
+      this->Own->RemoveViewProp(prop);
+  for (vtkProp* prop : wanted)
+    if (!before.contains(prop))
+      this->Own->AddViewProp(prop);
+  vtkPropCollection* order = this->Own->GetViewProps(); // the renderer stays their consumer
+  order->RemoveAllItems();
+  for (vtkProp* prop : wanted)
+    order->AddItem(prop);
 }
 
 void SceneFollower::FollowLook(vtkRenderer* scene)

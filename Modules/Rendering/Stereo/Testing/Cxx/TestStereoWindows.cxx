@@ -164,6 +164,28 @@ TEST(StereoWindows, ShowThePropsThatComeAndGo)
   EXPECT_EQ(Picture(window), before);
 }
 
+TEST(StereoWindows, DrawPropsInTheScenesOrder)
+{
+  BallsScene scene;
+  const auto home = MakeWindow(Size), other = MakeWindow(Size);
+  home->AddRenderer(scene.Renderer);
+  scene.Windows->AddWindow(home, "left");
+  scene.Windows->AddWindow(other, "left");
+  const auto below = stereotest::MakeBall({ 0, -300, 0 }, 25, { 1, 0, 0 });
+  const auto above = stereotest::MakeBall({ 0, -300, 0 }, 25, { 0, 1, 0 }); // hides it: drawn later
+  scene.Renderer->AddActor(below);
+  scene.Renderer->AddActor(above);
+  ASSERT_TRUE(scene.Windows->Render());
+  const Bytes first = Picture(home);
+  EXPECT_EQ(Picture(other), first);
+  scene.Renderer->RemoveActor(below);
+  scene.Renderer->AddActor(below);
+  ASSERT_TRUE(scene.Windows->Render());
+  EXPECT_NE(Picture(home), first);
+  EXPECT_EQ(Picture(other), Picture(home));
+  EXPECT_EQ(below->GetNumberOfConsumers(), 2) << "both renderers";
+}
+
 TEST(StereoWindows, ADualWindowIsOneEyeEach)
 {
   BallsScene scene;
