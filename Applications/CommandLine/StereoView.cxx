@@ -65,7 +65,7 @@ bool Sees(const StereoHead& head, const StereoWindow& window)
 struct StereoView::Parts
 {
   vtkRenderer* renderer;
-  vtkRenderWindow* window;
+  vtkRenderWindow* pointed; ///< the window whose pixels are asked for
   StereoChoices choices;
   StereoWindow settings;
   StereoHead head;
@@ -81,6 +81,11 @@ struct StereoView::Parts
     const glm::dmat4 roomToWorld = RoomOnScreen(
       this->renderer->GetActiveCamera(), this->settings.screen.value_or(StereoScreen{}));
     return std::cbrt(glm::determinant(glm::dmat3(roomToWorld)));
+  }
+  bool EyesApart() const
+  {
+    const StereoLayout layout = this->settings.output.layout;
+    return layout == StereoLayout::SideBySide || layout == StereoLayout::TopBottom;
   }
   bool Placed() const { return this->settings.screen || this->settings.hmd; }
 };
@@ -150,11 +155,16 @@ void StereoView::PointAt(double x, double y)
     mouse->SetPosition({ x, y });
 }
 
+void StereoView::PointIn(vtkRenderWindow* window)
+{
+  this->Self->pointed = window;
+}
+
 std::optional<std::pair<WorldPoint, WorldPoint>> StereoView::RayOf(int x, int y) const
 {
   const Parts& self = *this->Self;
   glm::dvec3 eye, through;
-  if (!self.windows->GetRay(self.window, x, y, &eye.x, &through.x))
+  if (!self.windows->GetRay(self.pointed, x, y, &eye.x, &through.x))
     return std::nullopt;
   double bounds[6];
   self.renderer->ComputeVisiblePropBounds(bounds);
@@ -169,12 +179,19 @@ std::optional<StereoView::ViewPosition> StereoView::PositionInView(int x, int y)
   const Parts& self = *this->Self;
   StereoEye eye = StereoEye::Left;
   double device[2];
-  if (!self.windows->GetPositionInView(self.window, x, y, eye, device))
+  if (!self.windows->GetPositionInView(self.pointed, x, y, eye, device))
     return std::nullopt;
-  const StereoLayout layout = self.settings.output.layout;
-  return ViewPosition{ device[0], device[1],
-    layout == StereoLayout::SideBySide || layout == StereoLayout::TopBottom,
-    eye == StereoEye::Right };
+  return ViewPosition{ device[0], device[1], self.EyesApart(), eye == StereoEye::Right };
+}
+
+std::optional<StereoView::ViewPosition> StereoView::PositionInEye(bool rightEye, int x, int y) const
+{
+  const Parts& self = *this->Self;
+  double device[2];
+  if (!self.windows->GetPositionInViewOf(
+        rightEye ? StereoEye::Right : StereoEye::Left, self.pointed, x, y, device))
+    return std::nullopt;
+  return ViewPosition{ device[0], device[1], self.EyesApart(), rightEye };
 }
 
 std::string StereoView::Text() const

@@ -177,7 +177,10 @@ void Run(Choices choices, Session& session)
   settings.eyes = eyes.get();
   settings.overlay = !shown.hmd;
   if (second)
+  {
     settings.closed = [&second] { second->Close(); };
+    second->OnPointer([&](bool right) { eyes->PointIn(right ? second->Window() : window.Get()); });
+  }
   settings.sayWarning = [&session](const std::string& text) { SayWarning(session, text); };
   ViewWindow view(scene, window, interactor, settings);
   if (!choices.stereo.sketch.empty())

@@ -241,18 +241,20 @@ void WindowDrawing::Draw(const ViewedScene& scene)
 }
 
 std::optional<WindowDrawing::Position> WindowDrawing::FindPosition(
-  const ViewedScene& scene, glm::ivec2 pixel)
+  const ViewedScene& scene, glm::ivec2 pixel, std::optional<StereoEye> of)
 {
   vtkRenderer* renderer = this->RendererFor(scene);
   const glm::ivec2 size = ViewportSize(renderer);
   glm::ivec2 origin, unused;
   renderer->GetTiledSizeAndOrigin(&unused.x, &unused.y, &origin.x, &origin.y);
   pixel -= origin;
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
+  const hasp::StereoOutput& output = this->Set.output;
+  if (!of && (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y))
     return std::nullopt;
-  const hasp::EyePixel from = hasp::EyePixelAt(this->Set.output, size, pixel);
+  const hasp::EyePixel from = of ? hasp::EyePixel{ *of, hasp::PixelOfEye(output, size, *of, pixel) }
+                                 : hasp::EyePixelAt(output, size, pixel);
   const hasp::EyeView view = this->Views(scene, size)[from.eye == StereoEye::Right];
-  const hasp::EyeGrid grid = hasp::GridOfEye(this->Set.output, size, from.eye);
+  const hasp::EyeGrid grid = hasp::GridOfEye(output, size, from.eye);
   glm::dvec2 device = 2.0 * (glm::dvec2(from.pixel) + 0.5) / glm::dvec2(grid.size) - 1.0;
   if (this->Set.lens)
   {

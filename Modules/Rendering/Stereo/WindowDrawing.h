@@ -49,8 +49,10 @@ public:
     glm::dvec2 device;          ///< (-1,-1) lower left, (1,1) upper right
     glm::dvec3 origin, through; ///< of its ray in the world: the eye, and a point seen there
   };
-  /// What a pixel shows; none where there is nothing to see.
-  std::optional<Position> FindPosition(const ViewedScene& scene, glm::ivec2 pixel);
+  /// What a pixel shows; none where there is nothing to see. of: where it is for that eye, whosever
+  /// pixel it is and even outside of the window.
+  std::optional<Position> FindPosition(
+    const ViewedScene& scene, glm::ivec2 pixel, std::optional<hasp::StereoEye> of = {});
 
   const StereoOutputPass& Pass() const { return this->Output; }
   double SecondEyeMilliseconds() const { return this->SecondEye; }

@@ -60,14 +60,15 @@ struct vtkHaspStereoWindows::Internals
     if (window.IsNews(error))
       vtkErrorWithObjectMacro(this->owner, << error);
   }
-  std::optional<WindowDrawing::Position> FindPosition(vtkRenderWindow* window, glm::ivec2 pixel)
+  std::optional<WindowDrawing::Position> FindPosition(
+    vtkRenderWindow* window, glm::ivec2 pixel, std::optional<hasp::StereoEye> of = {})
   {
     WindowDrawing* drawing = window ? this->Find(window) : nullptr;
     if (!drawing)
       return std::nullopt;
     try
     {
-      return drawing->FindPosition(this->Scene(), pixel);
+      return drawing->FindPosition(this->Scene(), pixel, of);
     }
     catch (const std::exception& error)
     {
@@ -224,6 +225,17 @@ bool vtkHaspStereoWindows::GetPositionInView(
   if (!at)
     return false;
   eye = at->eye;
+  device[0] = at->device.x;
+  device[1] = at->device.y;
+  return true;
+}
+
+bool vtkHaspStereoWindows::GetPositionInViewOf(
+  hasp::StereoEye eye, vtkRenderWindow* window, int x, int y, double device[2])
+{
+  const auto at = this->Self->FindPosition(window, { x, y }, eye);
+  if (!at)
+    return false;
   device[0] = at->device.x;
   device[1] = at->device.y;
   return true;

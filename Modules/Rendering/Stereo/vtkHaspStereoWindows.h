@@ -108,6 +108,12 @@ public:
   bool GetPositionInView(
     vtkRenderWindow* window, int x, int y, hasp::StereoEye& eye, double device[2]);
 
+  /** The same for a given eye and any pixel, outside of the window too, as if the eye's part of it
+   * went on beyond its borders: where a drag is that began in that eye. Beyond what a lens shows
+   * there is nothing: false. */
+  bool GetPositionInViewOf(
+    hasp::StereoEye eye, vtkRenderWindow* window, int x, int y, double device[2]);
+
   /** "second eye", "eye pictures", "lens tables": bytes of textures of all windows; milliseconds of
    * the second eyes' last frames. All 0, with a reason, where nothing asks for them. */
   void ListResources(hasp::ResourceList& resources) const;

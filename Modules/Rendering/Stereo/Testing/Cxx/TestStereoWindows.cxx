@@ -387,6 +387,9 @@ TEST(StereoWindows, KnowsWhereAPixelLiesInItsEyesView)
   EXPECT_EQ(eye, hasp::StereoEye::Right);
   EXPECT_NEAR(device[0], 1.0 - 2.0 * 30.5 / 150.0, 1e-12); // turned over within its half
   EXPECT_NEAR(device[1], 2.0 * 50.5 / 200.0 - 1.0, 1e-12);
+  ASSERT_TRUE(scene.Windows->GetPositionInViewOf(hasp::StereoEye::Right, window, 140, -5, device));
+  EXPECT_NEAR(device[0], 1.0 + 2.0 * 9.5 / 150.0, 1e-12); // beyond the border, in the other's half
+  EXPECT_NEAR(device[1], -1.0 - 2.0 * 4.5 / 200.0, 1e-12);
   EXPECT_FALSE(scene.Windows->GetPositionInView(window, 300, 50, eye, device));
   EXPECT_FALSE(scene.Windows->GetPositionInView(nullptr, 10, 50, eye, device));
 }
