@@ -1,20 +1,13 @@
 #include "StereoTestScene.h"
-#include "vtkHaspStereoCamera.h"
 
-#include "vtkCellPicker.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
-#include "vtkPBRIrradianceTexture.h"
-#include "vtkRendererCollection.h"
-#include "vtkTexture.h"
-#include "vtkTransform.h"
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
 #else
 #include "vtk_glew.h"
 #endif
 
-#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +16,6 @@
 namespace
 {
 
-using hasp::MirrorFlip;
 using hasp::StereoLayout;
 using hasp::StereoResolution;
 using stereotest::BallsScene;
@@ -121,71 +113,6 @@ TEST(StereoWindows, ShowTheSameSceneInEach)
   EXPECT_EQ(scene.Errors, 0);
 }
 
-TEST(StereoWindows, ShowTheSceneAsItsOwnWindowDoes)
-{
-  BallsScene scene;
-  const auto home = MakeWindow(Size), other = MakeWindow(Size);
-  home->AddRenderer(scene.Renderer);
-  scene.Windows->AddWindow(home, "left");
-  scene.Windows->AddWindow(other, "left");
-  ASSERT_TRUE(scene.Windows->Render());
-  const Bytes plain = Picture(home);
-  EXPECT_EQ(Picture(other), plain);
-  scene.Renderer->UseSSAOOn(); // shades what lies in hollows
-  scene.Renderer->SetSSAORadius(40.0);
-  scene.Renderer->SetSSAOBias(0.5);
-  scene.Renderer->SetSSAOKernelSize(64);
-  auto* gl = vtkOpenGLRenderer::SafeDownCast(scene.Renderer);
-  vtkNew<vtkTexture> around;
-  gl->SetEnvironmentTexture(around, true);
-  gl->SetEnvironmentUp(0, 0, 1);
-  ASSERT_TRUE(scene.Windows->Render());
-  EXPECT_NE(Picture(home), plain);
-  EXPECT_EQ(Picture(other), Picture(home));
-  auto* shown = vtkOpenGLRenderer::SafeDownCast(other->GetRenderers()->GetFirstRenderer());
-  EXPECT_EQ(shown->GetEnvironmentTexture(), around);
-  EXPECT_TRUE(shown->GetEnvMapIrradiance()->GetConvertToLinear());
-  EXPECT_EQ(shown->GetEnvironmentUp()[2], 1.0);
-}
-
-TEST(StereoWindows, ShowThePropsThatComeAndGo)
-{
-  BallsScene scene;
-  const auto window = MakeWindow(Size);
-  scene.Windows->AddWindow(window, "side-by-side");
-  ASSERT_TRUE(scene.Windows->Render());
-  const Bytes before = Picture(window);
-  const auto ball = stereotest::MakeBall({ 20, -200, 20 }, 25);
-  scene.Renderer->AddActor(ball);
-  ASSERT_TRUE(scene.Windows->Render());
-  EXPECT_NE(Picture(window), before);
-  scene.Renderer->RemoveActor(ball);
-  ASSERT_TRUE(scene.Windows->Render());
-  EXPECT_EQ(Picture(window), before);
-}
-
-TEST(StereoWindows, DrawPropsInTheScenesOrder)
-{
-  BallsScene scene;
-  const auto home = MakeWindow(Size), other = MakeWindow(Size);
-  home->AddRenderer(scene.Renderer);
-  scene.Windows->AddWindow(home, "left");
-  scene.Windows->AddWindow(other, "left");
-  const auto below = stereotest::MakeBall({ 0, -300, 0 }, 25, { 1, 0, 0 });
-  const auto above = stereotest::MakeBall({ 0, -300, 0 }, 25, { 0, 1, 0 }); // hides it: drawn later
-  scene.Renderer->AddActor(below);
-  scene.Renderer->AddActor(above);
-  ASSERT_TRUE(scene.Windows->Render());
-  const Bytes first = Picture(home);
-  EXPECT_EQ(Picture(other), first);
-  scene.Renderer->RemoveActor(below);
-  scene.Renderer->AddActor(below);
-  ASSERT_TRUE(scene.Windows->Render());
-  EXPECT_NE(Picture(home), first);
-  EXPECT_EQ(Picture(other), Picture(home));
-  EXPECT_EQ(below->GetNumberOfConsumers(), 2) << "both renderers";
-}
-
 TEST(StereoWindows, ADualWindowIsOneEyeEach)
 {
   BallsScene scene;
@@ -280,32 +207,6 @@ TEST(StereoWindows, ComposeWithinTheScenesViewport)
   }
 }
 
-TEST(StereoWindows, ShowLayersOfTheSameCameraToEachEyeToo)
-{
-  BallsScene one, two; // all in one renderer; a part of it in the layer above
-  const auto whole = MakeWindow(Size), layered = MakeWindow(Size);
-  whole->AddRenderer(one.Renderer);
-  layered->AddRenderer(two.Renderer);
-  const auto near = stereotest::MakeBall({ 20, -300, 20 }, 15, { 1, 0, 0 });
-  one.Renderer->AddActor(near); // nearer than all others, so that layers hide nothing else
-  vtkNew<vtkRenderer> above;
-  vtkCamera* camera = two.Renderer->GetActiveCamera();
-  above->SetActiveCamera(camera);
-  above->SetLayer(1);
-  above->AddActor(stereotest::MakeBall({ 20, -300, 20 }, 15, { 1, 0, 0 }));
-  layered->SetNumberOfLayers(2);
-  layered->AddRenderer(above);
-  for (const StereoLayout layout : { StereoLayout::SideBySide, StereoLayout::Right })
-  {
-    one.Windows->AddWindow(whole, { { layout } });
-    two.Windows->AddWindow(layered, { { layout } });
-    ASSERT_TRUE(one.Windows->Render());
-    ASSERT_TRUE(two.Windows->Render());
-    EXPECT_EQ(Picture(layered), Picture(whole));
-    EXPECT_EQ(above->GetActiveCamera(), camera);
-  }
-}
-
 TEST(StereoWindows, FollowTheWindowsSize)
 {
   BallsScene scene;
@@ -324,118 +225,6 @@ TEST(StereoWindows, FollowTheWindowsSize)
   EXPECT_TRUE(scene.Windows->Render());
   EXPECT_EQ(Picture(window), before);
   EXPECT_EQ(scene.Errors, 0);
-}
-
-TEST(StereoWindows, ARaySeesWhatThePixelShows)
-{
-  BallsScene scene;
-  scene.Renderer->RemoveAllViewProps();
-  const glm::dvec3 center(25, -40, 20);
-  const auto ball = stereotest::MakeBall(center, 14.0);
-  ball->GetProperty()->LightingOff();
-  scene.Renderer->AddActor(ball);
-  const auto window = MakeWindow({ 300, 200 });
-  window->AddRenderer(scene.Renderer);
-  vtkNew<vtkCellPicker> picker;
-  hasp::StereoWindow settings;
-  settings.screen.emplace();
-  for (const StereoLayout layout :
-    { StereoLayout::SideBySide, StereoLayout::Interlaced, StereoLayout::Checkerboard })
-    for (const MirrorFlip flip : { MirrorFlip::None, MirrorFlip::Both })
-      for (const bool lens : { false, true })
-      {
-        settings.output = { layout, StereoResolution::Half, flip };
-        settings.lens.reset();
-        if (lens)
-          settings.lens = hasp::LensModel{ { 0.1, 0.0, 0.0 } };
-        scene.Windows->AddWindow(window, settings);
-        scene.Windows->SetHead({ { 60, 30, 600 }, { 1, 0.2, 0 } });
-        ASSERT_TRUE(scene.Windows->Render());
-        const Bytes picture = Picture(window);
-        int wrong = 0, bright = 0;
-        for (int y = 0; y < 200; y += 3)
-          for (int x = 0; x < 300; x += 3)
-          {
-            double eye[3], through[3];
-            const bool any = scene.Windows->GetRay(window, x, y, eye, through);
-            const glm::dvec3 e(eye[0], eye[1], eye[2]), t(through[0], through[1], through[2]);
-            const double off = glm::length(glm::cross(glm::normalize(t - e), center - e));
-            const bool shown = picture[3 * (y * 300 + x) + 1] > 200;
-            bright += shown;
-            wrong += any ? shown != (off < 14.0) : shown;
-          }
-        EXPECT_GT(bright, 40);
-        EXPECT_LE(wrong, 12) << "pixels on the outline: " << bright; // fields are half a pixel off
-      }
-  double eye[3], through[3];
-  EXPECT_FALSE(scene.Windows->GetRay(window, 300, 10, eye, through));
-  EXPECT_FALSE(scene.Windows->GetRay(MakeWindow(Size), 10, 10, eye, through));
-}
-
-TEST(StereoWindows, KnowsWhereAPixelLiesInItsEyesView)
-{
-  BallsScene scene;
-  auto window = MakeWindow({ 300, 200 });
-  window->AddRenderer(scene.Renderer);
-  hasp::StereoWindow settings;
-  settings.output = { hasp::StereoLayout::SideBySide, hasp::StereoResolution::Full,
-    hasp::MirrorFlip::Horizontal };
-  ASSERT_TRUE(scene.Windows->AddWindow(window, settings));
-  hasp::StereoEye eye = hasp::StereoEye::Left;
-  double device[2];
-  ASSERT_TRUE(scene.Windows->GetPositionInView(window, 180, 50, eye, device));
-  EXPECT_EQ(eye, hasp::StereoEye::Right);
-  EXPECT_NEAR(device[0], 1.0 - 2.0 * 30.5 / 150.0, 1e-12); // turned over within its half
-  EXPECT_NEAR(device[1], 2.0 * 50.5 / 200.0 - 1.0, 1e-12);
-  ASSERT_TRUE(scene.Windows->GetPositionInViewOf(hasp::StereoEye::Right, window, 140, -5, device));
-  EXPECT_NEAR(device[0], 1.0 + 2.0 * 9.5 / 150.0, 1e-12); // beyond the border, in the other's half
-  EXPECT_NEAR(device[1], -1.0 - 2.0 * 4.5 / 200.0, 1e-12);
-  EXPECT_FALSE(scene.Windows->GetPositionInView(window, 300, 50, eye, device));
-  EXPECT_FALSE(scene.Windows->GetPositionInView(nullptr, 10, 50, eye, device));
-}
-
-TEST(StereoWindows, AUsersTransformTurnsTheViewAndNotTheRows)
-{
-  BallsScene scene;
-  scene.Renderer->RemoveAllViewProps();
-  const glm::dvec3 center(25, -40, 20);
-  const auto ball = stereotest::MakeBall(center, 24.0);
-  ball->GetProperty()->LightingOff();
-  scene.Renderer->AddActor(ball);
-  const auto window = MakeWindow({ 300, 200 });
-  window->AddRenderer(scene.Renderer);
-  vtkNew<vtkTransform> user; // a mirror, and beside
-  user->Translate(0.1, 0.2, 0.0);
-  user->Scale(1, -1, 1);
-  scene.Renderer->GetActiveCamera()->SetUserTransform(user);
-  hasp::StereoWindow settings;
-  settings.screen.emplace(); // of another aspect than the window
-  Bytes full;
-  for (const StereoResolution resolution : { StereoResolution::Full, StereoResolution::Half })
-  {
-    settings.output = { StereoLayout::Interlaced, resolution };
-    scene.Windows->AddWindow(window, settings);
-    ASSERT_TRUE(scene.Windows->Render());
-    const Bytes picture = Picture(window);
-    int wrong = 0, bright = 0, differ = 0;
-    for (int y = 0; y < 200; ++y)
-      for (int x = 0; x < 300; ++x)
-      {
-        double eye[3], through[3];
-        ASSERT_TRUE(scene.Windows->GetRay(window, x, y, eye, through));
-        const glm::dvec3 e(eye[0], eye[1], eye[2]), t(through[0], through[1], through[2]);
-        const double off = glm::length(glm::cross(glm::normalize(t - e), center - e));
-        const std::size_t at = 3 * (y * 300 + x) + 1;
-        bright += picture[at] > 200;
-        if (std::abs(off - 24.0) > 0.5) // half of a pixel: its outline
-          wrong += (picture[at] > 200) != (off < 24.0);
-        differ += !full.empty() && std::abs(full[at] - picture[at]) > 2;
-      }
-    EXPECT_GT(bright, 1000);
-    EXPECT_EQ(wrong, 0);
-    EXPECT_LE(differ, 8) << "a sample on an edge may fall to its other side";
-    full = picture;
-  }
 }
 
 TEST(StereoWindows, MayBeDeletedInAnyOrder)
