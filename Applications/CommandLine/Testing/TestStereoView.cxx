@@ -3,9 +3,7 @@
 #include "StereoDesk.h"
 #include "VtkMessages.h"
 
-#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
-#include "vtkTextActor.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -70,30 +68,6 @@ TEST(StereoView, EveryLayoutShowsTheContentInOneSize)
   const double size = StereoDesk("mono").Scale();
   for (const char* layout : { "side-by-side", "top-bottom", "interlaced", "anaglyph" })
     EXPECT_NEAR(StereoDesk(layout).Scale(), size, 1e-9 * size) << layout;
-}
-
-TEST(StereoView, WhenNothingRefinesAnyMoreTheTextSaysSo)
-{
-  StereoDesk desk(
-    "anaglyph", nullptr, [](StereoChoices&) {}, "raycaching");
-  /// As the last frame has drawn it.
-  const auto refines = [&]
-  {
-    std::string text;
-    vtkCollectionSimpleIterator at;
-    desk.renderer->GetViewProps()->InitTraversal(at);
-    while (vtkProp* prop = desk.renderer->GetViewProps()->GetNextProp(at))
-      if (auto* line = vtkTextActor::SafeDownCast(prop))
-        text += line->GetInput();
-    EXPECT_NE(text.find("isovalue"), std::string::npos) << text;
-    return text.find("refining") != std::string::npos;
-  };
-  int refining = refines(), fired = 0;
-  for (; fired < 2000 && desk.Fire(); ++fired)
-    refining += refines();
-  EXPECT_GT(refining, 0) << "or this shows nothing";
-  EXPECT_LT(fired, 2000);
-  EXPECT_FALSE(refines());
 }
 
 TEST(StereoView, TheSketchShowsTheContentIfThereIsAny)
@@ -179,50 +153,6 @@ TEST(StereoView, TheFirstViewComesBackInLifeSize)
   desk.interactor->SetKeySym("r");
   desk.interactor->InvokeEvent(vtkCommand::KeyPressEvent);
   EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
-}
-
-TEST(StereoView, ATrackerThatFallsSilentIsShownWithoutAMove)
-{
-  StereoDesk desk("left", std::make_unique<HandHeld>());
-  double now = 1.0;
-  for (; now < 3.0; now += 0.05)
-    desk.eyes->Draw(now);
-  EXPECT_FALSE(desk.eyes->HeadMoved(now));
-  desk.hand->silent = true;
-  EXPECT_TRUE(desk.eyes->HeadMoved(now + 0.6));
-}
-
-TEST(StereoView, WithoutATrackerNothingRunsWhenThePictureIsComplete)
-{
-  StereoDesk desk("anaglyph");
-  int fired = 0;
-  while (fired < 100 && desk.Fire())
-    ++fired;
-  EXPECT_LT(fired, 100);
-  const int frames = desk.frames;
-  EXPECT_EQ(frames % 2, 0) << "two eyes each";
-  desk.interactor->Render(); // what a widget, a key or an exposed window asks for
-  EXPECT_EQ(desk.frames, frames + 2);
-  EXPECT_EQ(desk.view->Text().find("head"), std::string::npos);
-}
-
-TEST(StereoView, WithATrackerItIsAskedAndOnlyAHeadThatMovedIsDrawn)
-{
-  StereoDesk desk("anaglyph", std::make_unique<HandHeld>());
-  desk.hand->warnings = { "the tracker lost its light" };
-  for (int n = 0; n < 30; ++n)
-    ASSERT_TRUE(desk.Fire());
-  EXPECT_EQ(desk.said, std::vector<std::string>{ "the tracker lost its light" });
-  EXPECT_NE(desk.view->Text().find("head: tracking by a hand"), std::string::npos)
-    << desk.view->Text();
-  const int frames = desk.frames;
-  for (int n = 0; n < 30; ++n)
-    ASSERT_TRUE(desk.Fire());
-  EXPECT_EQ(desk.frames, frames) << "nobody moved";
-  desk.hand->pose.position.x = 20.0;
-  for (int n = 0; n < 5; ++n)
-    ASSERT_TRUE(desk.Fire());
-  EXPECT_GT(desk.frames, frames);
 }
 
 TEST(StereoView, TheMouseIsTheHeadUnlessItDrags)
