@@ -193,7 +193,8 @@ std::string StereoView::SketchPng(const std::optional<ContentBox>& content) cons
   const glm::dmat4 roomToWorld = RoomOnScreen(self.renderer->GetActiveCamera(), screen);
   const double scale = std::cbrt(glm::determinant(glm::dmat3(roomToWorld)));
   char title[160];
-  std::snprintf(title, sizeof title, "%s, at %.0f %% of life size (a mm on the screen is %.2f mm)",
+  std::snprintf(title, sizeof title,
+    "%s, at %.0f %% of life size (a mm on the screen is %.2f mm of the patient)",
     StereoLayoutName(self.settings.output.layout), 100.0 / scale, scale);
   StereoSketch sketch{ title, { screen, self.head }, self.settings.output.layout };
   if (content)
