@@ -2,17 +2,14 @@
 
 #include "Failure.h"
 #include "StereoRig.h"
+#include "VolumeIsosurface.h"
 #include "vtkHaspStereoCamera.h"
 #include "vtkHaspStereoPicture.h"
 #include "vtkHaspStereoWindows.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkContourValues.h"
 #include "vtkImageData.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
@@ -63,23 +60,9 @@ vtkSmartPointer<vtkImageData> BallImage(const glm::dvec3& center)
 
 vtkSmartPointer<vtkProp> VolumeBall(const glm::dvec3& center)
 {
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
-  mapper->SetInputData(BallImage(center));
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(0.1f);
-  mapper->SetBlendModeToIsoSurface();
-  vtkNew<vtkColorTransferFunction> white;
-  white->AddRGBPoint(0, 1, 1, 1);
-  vtkNew<vtkPiecewiseFunction> opaque;
-  opaque->AddPoint(0, 1);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  vtkVolumeProperty* property = volume->GetProperty();
-  property->SetInterpolationTypeToLinear();
-  property->SetColor(white);
-  property->SetScalarOpacity(opaque);
-  property->GetIsoSurfaceValues()->SetValue(0, 0.0);
-  return volume.Get();
+  const auto volume = MakeVolumeIsosurface(BallImage(center), 0.0, 0.2);
+  volume->GetProperty()->ShadeOff(); // a white disc, as the mesh
+  return volume;
 }
 
 /// Middle of the bright pixels between two columns; pixel centres lie at half numbers.

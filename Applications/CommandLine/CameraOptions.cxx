@@ -43,6 +43,13 @@ std::array<double, 3> UsualUp(const std::array<double, 3>& direction)
   return { 0, -1, 0 };
 }
 
+/// Radius of a ball that fills a view of that aspect, through its distance: as ResetCamera has it.
+double HalfSine(vtkCamera* camera, double aspect)
+{
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  return std::sin(std::atan(tangent * std::min(1.0, aspect)));
+}
+
 } // namespace
 
 const std::vector<AnatomicalView>& AnatomicalViews()
@@ -74,6 +81,9 @@ void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options)
   camera->SetPosition(-direction[0], -direction[1], -direction[2]);
   camera->SetViewUp(up.data());
   renderer->ResetCamera();
+  if (options.aspect) // ResetCamera went by the window's
+    camera->Dolly(
+      HalfSine(camera, *options.aspect) / HalfSine(camera, renderer->GetTiledAspectRatio()));
   camera->Zoom(options.zoom);
   renderer->ResetCameraClippingRange();
 }

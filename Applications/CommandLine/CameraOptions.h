@@ -16,6 +16,8 @@ struct CameraOptions
   std::optional<std::array<double, 3>> direction{}; ///< the way the viewer looks; overrides view
   std::optional<std::array<double, 3>> viewUp{};    ///< overrides the view's up
   double zoom = 1.0;                                ///< > 0; 2 shows half as much
+  /// Width through height of what an eye sees, where that is not the window's; > 0.
+  std::optional<double> aspect{};
 };
 
 struct AnatomicalView

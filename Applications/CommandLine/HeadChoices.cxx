@@ -196,6 +196,8 @@ std::unique_ptr<HeadTracker> MakeHeadTracker(const HeadChoices& choices, const H
   settings.rest = rest;
   settings.horizonS = 1e-3 * choices.predictionMs;
   settings.predict = choices.predictionMs > 0.0;
+  if (choices.predictionMs > 0.0 && choices.predictionMs < 1.0)
+    throw Failure(ExitCode::WrongUse, "--head-prediction must be 0 or from 1 to 200: it is in ms");
   const TrackerCalibration calibration = ReadCalibration(choices);
   try
   {

@@ -53,7 +53,10 @@ RenderScene::RenderScene(vtkDataObject* volume, const RenderOptions& options, Se
   Parts& self = *this->Self;
   self.session = &session;
   self.OpenWindow(options);
-  self.scene.emplace(self.renderer, volume, options, session);
+  SceneOptions scene = options;
+  if (options.stereo.Any())
+    scene.camera.aspect = EyeAspect(MakeStereoWindow(options.stereo), options.resolution);
+  self.scene.emplace(self.renderer, volume, scene, session);
   self.view = std::make_unique<StereoView>(self.renderer, self.window, options.stereo);
 }
 

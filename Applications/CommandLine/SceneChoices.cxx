@@ -71,8 +71,10 @@ void AddLookOptions(CLI::App& verb, SceneOptions& scene)
     ->take_all();
   verb
     .add_option("--resolution", scene.resolution,
-      scene.drawing.interactive ? "Pixels of the window, width,height"
-                                : "Pixels of one eye, width,height")
+      scene.drawing.interactive
+        ? "Pixels of one eye, width,height; where two eyes lie side by side or one above "
+          "the other the window is twice as wide or high"
+        : "Pixels of one eye, width,height")
     ->delimiter(',')
     ->check(CLI::Range(1, 16384))
     ->capture_default_str();

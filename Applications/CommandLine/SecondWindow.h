@@ -4,14 +4,15 @@
 #include "vtkRenderWindowInteractor.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 
 namespace hasp
 {
 
 /// The right eye's window of two. What happens in it happens to the main window's interactor: its
-/// keys, its close button, and that it wants to be drawn again; its mouse does nothing. RENDER
-/// thread; the main interactor must outlive it.
+/// mouse, its keys, its close button, and that it wants to be drawn again. RENDER thread; the main
+/// interactor must outlive it.
 class SecondWindow
 {
 public:
@@ -23,6 +24,8 @@ public:
   SecondWindow& operator=(const SecondWindow&) = delete;
 
   vtkRenderWindow* Window() { return this->Shown; }
+  /// Called with true before an event with a position in this window, and with false after it.
+  void OnPointer(const std::function<void(bool)>& here) { this->Here = here; }
   /// Ends its part of the event loop, which goes on as long as any interactor's does.
   void Close() { this->Own->TerminateApp(); }
 
@@ -32,6 +35,7 @@ private:
   vtkRenderWindowInteractor* Main;
   vtkNew<vtkRenderWindow> Shown;
   vtkNew<vtkRenderWindowInteractor> Own;
+  std::function<void(bool)> Here;
 };
 
 } // namespace hasp

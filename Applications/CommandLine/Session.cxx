@@ -47,7 +47,7 @@ Session::Session() : progress(std::cerr) {}
 
 void AddTextOptions(CLI::App& verb, Session& session)
 {
-  verb.add_flag("--quiet", session.quiet, "No progress; errors are still said");
+  verb.add_flag("--quiet", session.quiet, "No progress and no warnings; errors are still said");
   verb.add_flag("--show-names", session.showNames,
     "Say files' names in texts and results; they may hold a patient's");
 }

@@ -1,18 +1,15 @@
 #include "SilhouetteScene.h"
 
 #include "Failure.h"
+#include "VolumeIsosurface.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspRayCachingMapper.h"
 #include "vtkHaspStereoPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkContourValues.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkVersionMacros.h"
@@ -79,23 +76,9 @@ vtkSmartPointer<vtkProp> ByMesh()
 
 vtkSmartPointer<vtkProp> ByVtksRays()
 {
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
-  mapper->SetInputData(LensImage());
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(0.25F);
-  mapper->SetBlendModeToIsoSurface();
-  vtkNew<vtkColorTransferFunction> white;
-  white->AddRGBPoint(0, 1, 1, 1);
-  vtkNew<vtkPiecewiseFunction> opaque;
-  opaque->AddPoint(0, 1);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  vtkVolumeProperty* property = volume->GetProperty();
-  property->SetInterpolationTypeToLinear();
-  property->SetColor(white);
-  property->SetScalarOpacity(opaque);
-  property->GetIsoSurfaceValues()->SetValue(0, IsoValue);
-  return volume.Get();
+  const auto volume = MakeVolumeIsosurface(LensImage(), IsoValue, 0.25);
+  volume->GetProperty()->ShadeOff(); // the outline alone, as the actors
+  return volume;
 }
 
 /// Of the eye whose picture begins at that column.

@@ -17,7 +17,8 @@ namespace hasp
 namespace
 {
 
-constexpr double LeastScreenMm = 10.0, MostScreenMm = 1e5;
+constexpr double LeastScreenMm = 50.0, MostScreenMm = 1e5;
+constexpr double MostTangent = 10.0;
 
 std::vector<std::string> Layouts()
 {
@@ -73,8 +74,8 @@ void AddRoomOptions(CLI::App& verb, StereoChoices& choices)
     ->excludes(hmd);
   verb
     .add_option("--eye-separation", choices.eyeSeparationMm,
-      "mm between the eyes, before a screen; adults: 54 to 74")
-    ->check(Within(0.0, 1000.0))
+      "mm between the eyes, before a screen; adults: 54 to 74; 0: both see the same")
+    ->check(Within(0.0, 200.0))
     ->default_str("63");
   verb
     .add_option("--head-position", choices.headMm,
@@ -121,6 +122,11 @@ void RequireFitting(const StereoChoices& choices)
       (choices.eyeAngle || choices.eyeSeparationMm || choices.hmd || choices.swapEyes))
     refuse(
       "--eye-angle, --eye-separation, --hmd and --swap-eyes are for two eyes; give --stereo too");
+  if (const double mm = choices.eyeSeparationMm.value_or(63.0); mm > 0.0 && mm < 10.0)
+    refuse("--eye-separation must be 0 or from 10 to 200 mm; adults have 54 to 74");
+  if (choices.hmd && std::any_of(choices.hmd->begin(), choices.hmd->end(),
+                       [](double tangent) { return std::abs(tangent) > MostTangent; }))
+    refuse("--hmd must be tangents, at most 10 (84 degrees): 1 is 45 degrees");
   if (choices.swapEyes && (layout == StereoLayout::Left || layout == StereoLayout::Right))
     refuse("--swap-eyes is for two eyes; --stereo left and right draw one");
   if (choices.resolution == "half" && layout != StereoLayout::SideBySide &&
@@ -211,9 +217,15 @@ std::array<double, 2> ScreenSize(const std::string& text)
            value <= MostScreenMm;
   };
   if (times == text.npos || !read(0, times, size[0]) || !read(times + 1, text.size(), size[1]))
-    throw Failure(ExitCode::WrongUse, "--screen must be WIDTHxHEIGHT in mm, each from 10 to "
+    throw Failure(ExitCode::WrongUse, "--screen must be WIDTHxHEIGHT in mm, each from 50 to "
                                       "100000, say 520x320: measure what lights up");
   return size;
+}
+
+double EyeAspect(const StereoWindow& window, std::array<int, 2> view)
+{
+  return window.screen ? window.screen->widthMm / window.screen->heightMm
+                       : double(view[0]) / view[1];
 }
 
 std::array<int, 2> WindowPixels(

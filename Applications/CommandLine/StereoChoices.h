@@ -52,6 +52,9 @@ StereoHead RoomHead(const StereoChoices& choices);
 /// "520x320" as width and height in millimetres, each in [10, 100000]. Throws Failure: WrongUse.
 std::array<double, 2> ScreenSize(const std::string& text);
 
+/// Width through height of what one eye sees: of its screen, or of its pixels, `view`.
+double EyeAspect(const StereoWindow& window, std::array<int, 2> view);
+
 /// Pixels of the whole picture or window. view: of one eye; with `squarePixels` its width follows
 /// the screen's.
 std::array<int, 2> WindowPixels(

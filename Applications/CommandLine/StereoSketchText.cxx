@@ -13,6 +13,8 @@ namespace hasp
 namespace
 {
 
+constexpr double MostDegrees = 1.5; ///< that most people fuse
+
 double Degrees(double opposite, double distance)
 {
   return std::atan2(opposite, distance) * 180.0 / std::numbers::pi;
@@ -33,7 +35,9 @@ std::string DepthText(const StereoSketch& sketch, const glm::dvec3& point, const
   if (!NeedsSecondEye(sketch.layout))
     return place;
   const double mm = ScreenDisparityMm(sketch.rig, point);
-  std::snprintf(text, sizeof text, ": disparity %.1f mm, %.2f degrees", mm, Degrees(mm, eyes));
+  const double degrees = Degrees(mm, eyes);
+  std::snprintf(text, sizeof text, ": disparity %.1f mm, %.2f degrees%s", mm, degrees,
+    std::abs(degrees) > MostDegrees ? ": TOO FAR APART, most people see it double" : "");
   return place + text;
 }
 
@@ -56,8 +60,9 @@ std::string EyesText(const StereoSketch& sketch)
     std::snprintf(text, sizeof text, "the %s eye of two %.1f mm apart, %.0f mm in front of it",
       StereoLayoutName(sketch.layout), head.eyeSeparationMm, at.z);
   else
-    std::snprintf(text, sizeof text, "eyes %.1f mm apart, %.0f mm in front of it",
-      head.eyeSeparationMm, distance);
+    std::snprintf(text, sizeof text,
+      "eyes %.1f mm apart (red: left, blue: right), %.0f mm in front of it", head.eyeSeparationMm,
+      distance);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include "HeadChoices.h"
 #include "PictureFile.h"
 #include "StereoSketch.h"
+#include "TrackedViewer.h"
 #include "VtkMessages.h"
 #include "vtkHaspStereoCamera.h"
 #include "vtkHaspStereoWindows.h"
@@ -24,48 +25,11 @@
 
 namespace hasp
 {
-namespace
-{
-
-StereoHead HeadOf(const HeadPose& pose, double eyeSeparationMm)
-{
-  StereoHead head;
-  head.position = pose.position;
-  head.right = pose.orientation * glm::dvec3(1, 0, 0);
-  head.up = pose.orientation * glm::dvec3(0, 1, 0);
-  head.eyeSeparationMm = eyeSeparationMm;
-  return head;
-}
-
-bool Differ(const HeadPose& a, const HeadPose& b)
-{
-  constexpr double mm = 0.1, degrees = 0.02;
-  const double halfTurn = std::abs(glm::dot(a.orientation, b.orientation)); // cosine
-  return glm::distance(a.position, b.position) > mm ||
-         halfTurn < std::cos(0.5 * glm::radians(degrees));
-}
-
-/// Can both eyes be drawn?
-bool Sees(const StereoHead& head, const StereoWindow& window)
-{
-  constexpr double widest = 179.0; // degrees, of vtkCamera
-  try
-  {
-    const auto views = ViewsOfEyes(window, head, glm::dmat4(1.0));
-    return views[0].viewAngleDegrees <= widest && views[1].viewAngleDegrees <= widest;
-  }
-  catch (const std::invalid_argument&)
-  {
-    return false;
-  }
-}
-
-} // namespace
 
 struct StereoView::Parts
 {
   vtkRenderer* renderer;
-  vtkRenderWindow* window;
+  vtkRenderWindow* pointed; ///< the window whose pixels are asked for
   StereoChoices choices;
   StereoWindow settings;
   StereoHead head;
@@ -81,6 +45,11 @@ struct StereoView::Parts
     const glm::dmat4 roomToWorld = RoomOnScreen(
       this->renderer->GetActiveCamera(), this->settings.screen.value_or(StereoScreen{}));
     return std::cbrt(glm::determinant(glm::dmat3(roomToWorld)));
+  }
+  bool EyesApart() const
+  {
+    const StereoLayout layout = this->settings.output.layout;
+    return layout == StereoLayout::SideBySide || layout == StereoLayout::TopBottom;
   }
   bool Placed() const { return this->settings.screen || this->settings.hmd; }
 };
@@ -150,11 +119,16 @@ void StereoView::PointAt(double x, double y)
     mouse->SetPosition({ x, y });
 }
 
+void StereoView::PointIn(vtkRenderWindow* window)
+{
+  this->Self->pointed = window;
+}
+
 std::optional<std::pair<WorldPoint, WorldPoint>> StereoView::RayOf(int x, int y) const
 {
   const Parts& self = *this->Self;
   glm::dvec3 eye, through;
-  if (!self.windows->GetRay(self.window, x, y, &eye.x, &through.x))
+  if (!self.windows->GetRay(self.pointed, x, y, &eye.x, &through.x))
     return std::nullopt;
   double bounds[6];
   self.renderer->ComputeVisiblePropBounds(bounds);
@@ -169,12 +143,19 @@ std::optional<StereoView::ViewPosition> StereoView::PositionInView(int x, int y)
   const Parts& self = *this->Self;
   StereoEye eye = StereoEye::Left;
   double device[2];
-  if (!self.windows->GetPositionInView(self.window, x, y, eye, device))
+  if (!self.windows->GetPositionInView(self.pointed, x, y, eye, device))
     return std::nullopt;
-  const StereoLayout layout = self.settings.output.layout;
-  return ViewPosition{ device[0], device[1],
-    layout == StereoLayout::SideBySide || layout == StereoLayout::TopBottom,
-    eye == StereoEye::Right };
+  return ViewPosition{ device[0], device[1], self.EyesApart(), eye == StereoEye::Right };
+}
+
+std::optional<StereoView::ViewPosition> StereoView::PositionInEye(bool rightEye, int x, int y) const
+{
+  const Parts& self = *this->Self;
+  double device[2];
+  if (!self.windows->GetPositionInViewOf(
+        rightEye ? StereoEye::Right : StereoEye::Left, self.pointed, x, y, device))
+    return std::nullopt;
+  return ViewPosition{ device[0], device[1], self.EyesApart(), rightEye };
 }
 
 std::string StereoView::Text() const
@@ -188,7 +169,7 @@ std::string StereoView::Text() const
     text = size;
   }
   if (self.tracker)
-    text.append(text.empty() ? "" : "; ")
+    text.append(text.empty() ? "" : "\n")
       .append(HeadText(self.drawn, self.tracker->Source().Name()));
   return text;
 }
@@ -212,7 +193,8 @@ std::string StereoView::SketchPng(const std::optional<ContentBox>& content) cons
   const glm::dmat4 roomToWorld = RoomOnScreen(self.renderer->GetActiveCamera(), screen);
   const double scale = std::cbrt(glm::determinant(glm::dmat3(roomToWorld)));
   char title[160];
-  std::snprintf(title, sizeof title, "%s, at %.0f %% of life size (a mm on the screen is %.2f mm)",
+  std::snprintf(title, sizeof title,
+    "%s, at %.0f %% of life size (a mm on the screen is %.2f mm of the patient)",
     StereoLayoutName(self.settings.output.layout), 100.0 / scale, scale);
   StereoSketch sketch{ title, { screen, self.head }, self.settings.output.layout };
   if (content)

@@ -38,6 +38,8 @@ public:
 
   /// The tracker where it is the mouse: x and y in [-1, 1] of the view. Else does nothing.
   void PointAt(double x, double y);
+  /// In which window are the pixels that follow? The main one at first.
+  void PointIn(vtkRenderWindow* window);
   /// The line of sight of a window's pixel through all that is shown; none where nothing is seen.
   std::optional<std::pair<WorldPoint, WorldPoint>> RayOf(int x, int y) const;
 
@@ -49,11 +51,14 @@ public:
   };
   /// Where a window's pixel lies in what its eye sees; none where nothing is seen.
   std::optional<ViewPosition> PositionInView(int x, int y) const;
+  /// The same for one eye, whosever pixel it is: as if that eye's part of the window went on beyond
+  /// its borders. None beyond what a lens shows.
+  std::optional<ViewPosition> PositionInEye(bool rightEye, int x, int y) const;
 
   /// After the camera was placed anew: --life-size, if it was asked for.
   void CameraPlaced();
-  /// "at 83 % of life size; head: tracking by opentrack, 33 ms (2.0 frames) old, 33 predicted";
-  /// empty where there is neither a screen nor a tracker.
+  /// "at 83 % of life size", then "head: tracking by opentrack, 33 ms (2.0 frames) old, 33
+  /// predicted" in a line of its own; empty where there is neither a screen nor a tracker.
   std::string Text() const;
   /// What its tracker warns of, once each.
   std::vector<std::string> TakeWarnings();

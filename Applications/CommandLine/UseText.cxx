@@ -79,17 +79,22 @@ std::string ExtraText(const std::vector<std::string>& extras, const CLI::App& as
          "; names with blanks need quotes";
 }
 
-/// The option that CLI11's text speaks of: it stands before any word of the user's.
+/// The option that CLI11's text speaks of: it stands before any word of the user's. Of two names
+/// there, --head and --head-prediction, the longer.
 const CLI::Option* OptionOf(const CLI::App& asked, const std::string& text)
 {
   const CLI::Option* found = nullptr;
   std::size_t first = text.npos;
   for (const CLI::Option* option : asked.get_options())
-    if (const auto at = text.find(option->get_name()); at < first)
+  {
+    const auto at = text.find(option->get_name());
+    if (at < first ||
+        (found && at == first && option->get_name().size() > found->get_name().size()))
     {
       first = at;
       found = option;
     }
+  }
   return found;
 }
 

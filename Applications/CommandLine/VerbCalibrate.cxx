@@ -99,6 +99,21 @@ std::string Text(const Fits& fits)
   return text + line + Residuals(*fits.seat, "sighting");
 }
 
+/// Of what rulers and trackers measure, not of hands that hold still.
+void WarnOfLarge(const CalibrationFit& fit, const char* what, Session& session)
+{
+  constexpr double usual = 10.0; // mm
+  const auto worst = std::max_element(fit.residualsMm.begin(), fit.residualsMm.end());
+  if (fit.rmsMm <= usual)
+    return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+    "the residual of the %ss is %.0f mm, more than rulers and trackers leave; measure again, first "
+    "%s %zu (%.0f mm)",
+    what, fit.rmsMm, what, std::size_t(worst - fit.residualsMm.begin()) + 1, *worst);
+  SayWarning(session, text);
+}
+
 void Run(const Choices& choices, Session& session)
 {
   RequireWritable(choices.output, { ".json" });
@@ -117,6 +132,9 @@ void Run(const Choices& choices, Session& session)
     session.result["sightings_residuals_mm"] = fits.seat->residualsMm;
   }
   session.progress.Wipe();
+  WarnOfLarge(fits.place, "point", session);
+  if (fits.seat)
+    WarnOfLarge(*fits.seat, "sighting", session);
   if (!session.json)
     std::cout << Text(fits);
 }

@@ -146,6 +146,8 @@ void Run(Choices choices, Session& session)
   RequireRecordable(choices.head);
   RequireFitting(choices);
   const StereoWindow shown = MakeStereoWindow(choices.stereo);
+  if (choices.stereo.Any())
+    choices.options.camera.aspect = EyeAspect(shown, choices.options.resolution);
   HeadPose rest;
   rest.position = RoomHead(choices.stereo).position;
   auto tracker = MakeHeadTracker(choices.head, rest);
@@ -173,8 +175,12 @@ void Run(Choices choices, Session& session)
       renderer, window, choices.stereo, std::move(tracker), second ? second->Window() : nullptr);
   ViewSettings settings = SettingsOf(loaded, choices.options);
   settings.eyes = eyes.get();
+  settings.overlay = !shown.hmd;
   if (second)
+  {
     settings.closed = [&second] { second->Close(); };
+    second->OnPointer([&](bool right) { eyes->PointIn(right ? second->Window() : window.Get()); });
+  }
   settings.sayWarning = [&session](const std::string& text) { SayWarning(session, text); };
   ViewWindow view(scene, window, interactor, settings);
   if (!choices.stereo.sketch.empty())

@@ -100,14 +100,16 @@ void ViewFrames::End()
     return this->Call.failed();
   if (!this->Ticking) // camera, isovalue, head or window: what was complete is no more
     this->Scene.Restart();
+  const bool refined = this->Refining;
   this->Refining = this->Scene.WantsFrame(MostFrames);
+  this->SaysOld = refined && !this->Refining;
   this->Wait();
 }
 
 /// For the next frame, if there may be one.
 void ViewFrames::Wait()
 {
-  if (this->Refining)
+  if (this->Refining || this->SaysOld)
     this->Timer.Start();
   else if (this->Tracked())
     this->Timer.Start(TrackerMs);
@@ -122,7 +124,7 @@ void ViewFrames::Tick()
     for (const std::string& warning : this->Eyes->TakeWarnings())
       this->Call.warns(warning);
   this->Ticking = !moved; // a head that moves makes another picture
-  if (moved || this->Refining)
+  if (moved || this->Refining || this->SaysOld)
     this->Draw();
   else
     this->Wait();

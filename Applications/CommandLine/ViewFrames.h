@@ -65,6 +65,7 @@ private:
   std::chrono::steady_clock::time_point Start;
   double FrameMs = 0.0;
   bool Refining = false, Ticking = false, Stopped = false;
+  bool SaysOld = false; ///< the last frame's text, drawn before it: that it refines
   std::string Complaint;
 };
 

@@ -62,14 +62,15 @@ ViewOverlay::ViewOverlay(
   vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, const ViewSettings& settings)
   : Renderer(renderer),
     Unit(settings.unit.empty() ? "" : " " + settings.unit),
-    Changeable(settings.range.has_value())
+    Changeable(settings.range.has_value() && settings.overlay)
 {
   const auto ink = InkOn(renderer->GetBackground());
   Write(this->Line->GetTextProperty(), ink);
   this->Line->GetTextProperty()->SetVerticalJustificationToTop();
   this->Line->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   this->Line->GetPositionCoordinate()->SetValue(0.01, 0.99);
-  renderer->AddActor2D(this->Line);
+  if (settings.overlay)
+    renderer->AddActor2D(this->Line);
   if (!this->Changeable)
     return;
   vtkNew<vtkSliderRepresentation2D> slider;

@@ -17,8 +17,7 @@ namespace
 int Scaled(double device, int pixels)
 {
   constexpr double rounding = 1e-6; // two pixels for one: their middles lie on borders
-  const double at = std::floor(0.5 * (device + 1.0) * pixels + rounding);
-  return std::clamp(static_cast<int>(at), 0, pixels - 1);
+  return static_cast<int>(std::floor(0.5 * (device + 1.0) * pixels + rounding));
 }
 
 /// 1 for a button that goes down, -1 for one that comes up.
@@ -82,13 +81,13 @@ void ViewPointer::Map(unsigned long event)
   this->InWindow = { at[0], at[1] };
   const int* size = this->Interactor->GetRenderWindow()->GetSize();
   const Pixel last = this->InView;
-  if (const auto to = this->Eyes->PositionInView(at[0], at[1]))
-  {
-    if (!held)
-      this->RightEye = to->rightEye;
-    if (!held || !to->eyesApart || to->rightEye == this->RightEye)
-      this->InView = { Scaled(to->x, size[0]), Scaled(to->y, size[1]) };
-  }
+  auto to = this->Eyes->PositionInView(at[0], at[1]);
+  if (!held && to)
+    this->RightEye = to->rightEye;
+  if (held && (!to || (to->eyesApart && to->rightEye != this->RightEye)))
+    to = this->Eyes->PositionInEye(this->RightEye, at[0], at[1]);
+  if (to)
+    this->InView = { Scaled(to->x, size[0]), Scaled(to->y, size[1]) };
   else if (!held) // beside what is seen
     this->InView = this->InWindow;
   this->Before();

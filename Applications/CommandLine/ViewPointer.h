@@ -14,9 +14,9 @@ class StereoView;
 
 /// Where eyes are placed apart, turned over or bent by a lens, gives mouse events the position in
 /// the eye's view, scaled to the window: widgets, trackball and the mouse as a head then find
-/// things where the user sees them. A drag that leaves the eye's part of the window, or what its
-/// lens shows, stays where it left until it comes back. RENDER thread; interactor and eyes must
-/// outlive it.
+/// things where the user sees them. A drag goes on where it leaves the eye's part of the window;
+/// where it leaves what a lens shows, it stays until it comes back. RENDER thread; interactor and
+/// eyes must outlive it.
 class ViewPointer
 {
 public:

@@ -27,6 +27,8 @@ struct ViewSettings
   double isoValue = 0.0;                      ///< that the scene has
   std::string unit;                           ///< of the isovalue, "HU"; empty: not known
   CameraOptions camera;                       ///< of the first view, to which key r goes back
+  bool overlay = true; ///< text and slider. They lie in the screen's plane: none in a head-mounted
+                       ///< display, which has no such plane
   StereoView* eyes = nullptr;   ///< draws the frames, of one eye or two; none: the window itself.
                                 ///< Must outlive the ViewWindow
   std::function<void()> closed; ///< called when the user has closed the window; may be empty

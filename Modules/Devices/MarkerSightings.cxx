@@ -9,6 +9,7 @@ namespace
 constexpr const char* What = "sightings of the marker";
 constexpr std::string_view Columns =
   "trackerXMm,trackerYMm,trackerZMm,qw,qx,qy,qz,roomXMm,roomYMm,roomZMm";
+constexpr double LeastDistanceMm = 50.0;
 constexpr std::size_t MostSightings = 10'000;
 constexpr std::size_t MostBytes = std::size_t(4) << 20;
 } // namespace
@@ -33,6 +34,9 @@ std::vector<MarkerSighting> ParseMarkerSightings(std::string_view text)
     {
       table.Refuse(error.what());
     }
+    if (v[9] < LeastDistanceMm)
+      table.Refuse("the eyes are " + std::to_string(v[9]) +
+                   " mm in front of the screen, must be at least 50: are these millimetres?");
     sightings.push_back(sighting);
   }
   return sightings;

@@ -81,7 +81,8 @@ struct MarkerSighting
 ///   trackerXMm,trackerYMm,trackerZMm,qw,qx,qy,qz,roomXMm,roomYMm,roomZMm
 ///   12.5,-80,1020,1,0,0,0,0,40,610
 ///
-/// Errors as there; poses that ValidateHeadPose refuses are some, too. Any thread.
+/// Errors as there; poses that ValidateHeadPose refuses are some, too, and eyes less than 50 mm in
+/// front of the screen, as metres are. Any thread.
 std::vector<MarkerSighting> ParseMarkerSightings(std::string_view text);
 std::vector<MarkerSighting> ReadMarkerSightings(const std::string& file);
 

@@ -56,11 +56,12 @@ struct StereoDesk
 
   explicit StereoDesk(
     const std::string& layout, std::unique_ptr<HeadPoseSource> source = nullptr,
-    const std::function<void(StereoChoices&)>& change = [](StereoChoices&) {})
+    const std::function<void(StereoChoices&)>& change = [](StereoChoices&) {},
+    const std::string& mapper = "cells")
   {
     this->session.quiet = true;
     this->options.isoValue = 80.0;
-    this->options.drawing.mapper = "cells";
+    this->options.drawing.mapper = mapper;
     this->options.drawing.interactive = true;
     this->choices.layout = layout;
     this->choices.screen = "400x300";
@@ -68,6 +69,7 @@ struct StereoDesk
       this->choices.eyeSeparationMm = 60.0;
     change(this->choices);
     const auto size = WindowPixels(MakeStereoWindow(this->choices), { 200, 150 }, true);
+    this->options.camera.aspect = EyeAspect(MakeStereoWindow(this->choices), { 200, 150 });
     this->window->SetOffScreenRendering(true);
     this->window->SetSize(size[0], size[1]);
     this->window->AddRenderer(this->renderer);

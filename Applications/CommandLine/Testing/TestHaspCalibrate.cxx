@@ -58,6 +58,7 @@ TEST_F(HaspCalibrate, APointThatWasMistakenStandsOut)
     return ExpectFailure(run, 2, "HASP_ENABLE_EIGEN=ON");
   ASSERT_EQ(run.exitCode, 0) << run.err; // 60 mm off in y
   EXPECT_NE(run.out.find("6 points, residual "), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find("measure again, first point 6 ("), std::string::npos) << run.err;
   const auto last = run.out.find("point 6: ");
   ASSERT_NE(last, std::string::npos) << run.out;
   EXPECT_GT(std::stod(run.out.substr(last + 9)), 30.0) << run.out;

@@ -60,6 +60,9 @@ TEST_F(HaspUse, WrongValuesAreToldWhatTheOptionTakes)
   ExpectFailure(render("--zoom", "0"), 1, "--zoom takes a number in [0.01 - 100]; see hasp render");
   ExpectFailure(render("--view", "inside"), 1, "--view takes one of {");
   ExpectFailure(render("--resolution", "7"), 1, "--resolution takes 2 whole numbers");
+  if (HASP_WITH_VIEW)
+    ExpectFailure(RunHasp({ "view", "x", "--head", "mouse", "--head-prediction", "33s" }), 1,
+      "--head-prediction takes a number");
   ExpectFailure(RunHasp({ "info", "x", "--series", "two" }), 1, "--series takes a whole number;");
 }
 

@@ -2,6 +2,9 @@
 #include "Devices/HeadPath.h"
 #include "ViewFixture.h"
 
+#include <cmath>
+#include <future>
+
 namespace
 {
 
@@ -119,6 +122,36 @@ TEST_F(HaspViewEyes, TheCloseButtonOfTheRightEyesWindowEndsBoth)
   ASSERT_EQ(title, "hasp view, right eye");
   user.CloseWindow();
   EXPECT_EQ(view.ExitCode(), 0);
+}
+
+TEST_F(HaspViewEyes, TheMouseDragsTheSliderInTheRightEyesWindow)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const auto isoValueAfterDrag = [&](double share)
+  {
+    ScreenUser user(screen.Display());
+    auto run = std::async(std::launch::async,
+      [&]
+      {
+        return RunHasp(this->View({ "--quiet", "--json", "--mapper", "mesh", "--stereo",
+                         "dual-window", "--right-window-at", "300,0" }),
+          {}, screen.Display());
+      });
+    while (user.SeeWindow() != "hasp view, right eye")
+      ;
+    const auto column = [](double at) { return static_cast<int>(200 * (0.1 + 0.8 * at)); };
+    user.Drag(column(0.5), 138, column(share), 138); // ViewOverlay.cxx: 0.08 of the height
+    user.CloseWindow();
+    const std::string out = run.get().out;
+    const auto at = out.find("\"isovalue\":");
+    return at == out.npos ? NAN : std::stod(out.substr(at + 11));
+  };
+  const double low = isoValueAfterDrag(0.0), high = isoValueAfterDrag(1.0);
+  const double quarter = isoValueAfterDrag(0.25);
+  EXPECT_LT(low, high);
+  EXPECT_NEAR((quarter - low) / (high - low), 0.25, 2.0 / 160.0); // two pixels of the slider
 }
 
 } // namespace

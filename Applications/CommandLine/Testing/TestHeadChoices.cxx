@@ -85,6 +85,9 @@ TEST_F(HeadChoicesTest, WrongUseIsOneAndWhatCannotBeOpenedTwo)
 {
   EXPECT_EQ(MakeHeadTracker({}, {}), nullptr);
   EXPECT_EQ(Refusal(From("telepathy"), "--head must be"), 1);
+  HeadChoices seconds = From("mouse");
+  seconds.predictionMs = 0.033;
+  EXPECT_EQ(Refusal(seconds, "it is in ms"), 1);
   EXPECT_EQ(Refusal(From("mouse"), "--head: ", { { 0, 0, 149 }, { 1, 0, 0, 0 } }), 1);
   EXPECT_EQ(Refusal(From("mouse"), "", { { 0, 0, 151 }, { 1, 0, 0, 0 } }), 0);
   EXPECT_EQ(Refusal(From("opentrack:localhost:4242"), "--head: opentrack: the address"), 1);

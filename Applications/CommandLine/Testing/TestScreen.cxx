@@ -121,6 +121,27 @@ void ScreenUser::Press(unsigned long keySym)
   XFlush(display);
 }
 
+void ScreenUser::Drag(int fromX, int fromY, int toX, int toY)
+{
+  Display* display = this->Self->display;
+  const Window window = this->Self->window;
+  XWindowAttributes attributes{};
+  while (!(attributes.all_event_masks & ButtonPressMask)) // else nobody would get it
+    XGetWindowAttributes(display, window, &attributes);
+  const auto button = [&](int type, long mask, int x, int y)
+  {
+    XEvent event{};
+    event.xbutton = { type, 0, False, display, window, DefaultRootWindow(display), None,
+      CurrentTime, x, y, 0, 0, 0, Button1, True };
+    XSendEvent(display, window, True, mask, &event);
+  };
+  button(ButtonPress, ButtonPressMask, fromX, fromY);
+  XWarpPointer(display, None, window, 0, 0, 0, 0, toX, toY); // VTK asks where the pointer is
+  XSync(display, False);
+  button(ButtonRelease, ButtonReleaseMask, toX, toY);
+  XFlush(display);
+}
+
 void ScreenUser::CloseWindow()
 {
   Display* display = this->Self->display;

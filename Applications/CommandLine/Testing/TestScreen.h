@@ -32,6 +32,9 @@ public:
   /// Waits for the window, a minute at most; its title. Throws std::runtime_error.
   std::string SeeWindow();
   void Press(unsigned long keySym);
+  /// The left button, down at one place and up at another, where the pointer was not yet; pixels
+  /// from the upper left. Waits until the program listens to the mouse.
+  void Drag(int fromX, int fromY, int toX, int toY);
   /// As a window manager's close button.
   void CloseWindow();
 

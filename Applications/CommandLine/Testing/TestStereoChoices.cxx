@@ -27,7 +27,7 @@ TEST(StereoChoices, AreRefusedWithWhatToDo)
     }
   };
   for (const char* size : { "520", "520x", "x320", "520x320x1", "520,320", "nanx320", "1x320",
-         "520x1e9", "520 x 320", "520x320mm", "infxinf", "-520x320" })
+         "20.5x11.5", "520x1e9", "520 x 320", "520x320mm", "infxinf", "-520x320" })
     refuse([&](StereoChoices& c) { c.screen = size; }, "--screen must be WIDTHxHEIGHT in mm");
   refuse([](StereoChoices& c) { c.headMm = { 0.0, 0.0, 600.0 }; }, "give --screen or --hmd too");
   refuse([](StereoChoices& c) { c.lifeSize = true; }, "give --screen or --hmd too");
@@ -47,6 +47,22 @@ TEST(StereoChoices, AreRefusedWithWhatToDo)
       c.swapEyes = true;
     },
     "--stereo left and right draw one");
+  for (const double metres : { 0.063, 6.3 })
+    refuse(
+      [=](StereoChoices& c)
+      {
+        c.layout = "anaglyph";
+        c.screen = "520x320";
+        c.eyeSeparationMm = metres;
+      },
+      "must be 0 or from 10 to 200 mm");
+  refuse(
+    [](StereoChoices& c)
+    {
+      c.layout = "side-by-side";
+      c.hmd = { 45.0, 45.0, 45.0, 45.0 };
+    },
+    "1 is 45 degrees");
   for (const char* layout : { "mono", "left", "right", "anaglyph", "dual-window", "quad-buffer" })
     refuse(
       [&](StereoChoices& c)

@@ -43,12 +43,21 @@ TEST(StereoSketch, SaysWhatARulerWouldFind)
   const std::string text = StereoSketchText(Desk());
   // 2 atan(260/600), 2 atan(160/600)
   EXPECT_TRUE(Holds(text, "desk\nscreen 520 x 320 mm, seen under 46.9 x 29.9 degrees")) << text;
-  EXPECT_TRUE(Holds(text, "eyes 60.0 mm apart, 600 mm in front")) << text;
+  EXPECT_TRUE(Holds(text, "eyes 60.0 mm apart (red: left, blue: right), 600 mm in front")) << text;
   // 60 * 100 / (600 - 100) in front, crossed; 60 * 150 / (600 + 150) behind; at 600 mm.
   EXPECT_TRUE(Holds(text, "nearest 100 mm in front of the screen: disparity -12.0 mm, -1.15 deg"))
     << text;
   EXPECT_TRUE(Holds(text, "farthest 150 mm behind the screen: disparity 12.0 mm, 1.15 deg"))
     << text;
+}
+
+TEST(StereoSketch, WarnsOfWhatIsSeenDouble)
+{
+  StereoSketch sketch = Desk();
+  EXPECT_FALSE(Holds(StereoSketchText(sketch), "TOO FAR APART"));
+  (*sketch.content)[0].z = 150.0; // 60 * 150 / (600 - 150) = 20 mm at 600: 1.91 degrees
+  EXPECT_TRUE(Holds(StereoSketchText(sketch), "-1.91 degrees: TOO FAR APART"))
+    << StereoSketchText(sketch);
 }
 
 TEST(StereoSketch, IsTheSameWhereverTheRoomLies)

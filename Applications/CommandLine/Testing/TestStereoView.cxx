@@ -62,6 +62,14 @@ TEST(StereoView, LifeSizeIsLifeSize)
   EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
 }
 
+/// Whatever the shape of the window that its eyes share.
+TEST(StereoView, EveryLayoutShowsTheContentInOneSize)
+{
+  const double size = StereoDesk("mono").Scale();
+  for (const char* layout : { "side-by-side", "top-bottom", "interlaced", "anaglyph" })
+    EXPECT_NEAR(StereoDesk(layout).Scale(), size, 1e-9 * size) << layout;
+}
+
 TEST(StereoView, TheSketchShowsTheContentIfThereIsAny)
 {
   StereoDesk desk("side-by-side");
@@ -145,50 +153,6 @@ TEST(StereoView, TheFirstViewComesBackInLifeSize)
   desk.interactor->SetKeySym("r");
   desk.interactor->InvokeEvent(vtkCommand::KeyPressEvent);
   EXPECT_NEAR(desk.Scale(), 1.0, 1e-9);
-}
-
-TEST(StereoView, ATrackerThatFallsSilentIsShownWithoutAMove)
-{
-  StereoDesk desk("left", std::make_unique<HandHeld>());
-  double now = 1.0;
-  for (; now < 3.0; now += 0.05)
-    desk.eyes->Draw(now);
-  EXPECT_FALSE(desk.eyes->HeadMoved(now));
-  desk.hand->silent = true;
-  EXPECT_TRUE(desk.eyes->HeadMoved(now + 0.6));
-}
-
-TEST(StereoView, WithoutATrackerNothingRunsWhenThePictureIsComplete)
-{
-  StereoDesk desk("anaglyph");
-  int fired = 0;
-  while (fired < 100 && desk.Fire())
-    ++fired;
-  EXPECT_LT(fired, 100);
-  const int frames = desk.frames;
-  EXPECT_EQ(frames % 2, 0) << "two eyes each";
-  desk.interactor->Render(); // what a widget, a key or an exposed window asks for
-  EXPECT_EQ(desk.frames, frames + 2);
-  EXPECT_EQ(desk.view->Text().find("head"), std::string::npos);
-}
-
-TEST(StereoView, WithATrackerItIsAskedAndOnlyAHeadThatMovedIsDrawn)
-{
-  StereoDesk desk("anaglyph", std::make_unique<HandHeld>());
-  desk.hand->warnings = { "the tracker lost its light" };
-  for (int n = 0; n < 30; ++n)
-    ASSERT_TRUE(desk.Fire());
-  EXPECT_EQ(desk.said, std::vector<std::string>{ "the tracker lost its light" });
-  EXPECT_NE(desk.view->Text().find("head: tracking by a hand"), std::string::npos)
-    << desk.view->Text();
-  const int frames = desk.frames;
-  for (int n = 0; n < 30; ++n)
-    ASSERT_TRUE(desk.Fire());
-  EXPECT_EQ(desk.frames, frames) << "nobody moved";
-  desk.hand->pose.position.x = 20.0;
-  for (int n = 0; n < 5; ++n)
-    ASSERT_TRUE(desk.Fire());
-  EXPECT_GT(desk.frames, frames);
 }
 
 TEST(StereoView, TheMouseIsTheHeadUnlessItDrags)

@@ -74,16 +74,35 @@ INSTANTIATE_TEST_SUITE_P(Each, ViewPointerIn,
     Case{ "mono", "full", "vertical", { 0, 0 }, { 200, 150 } },
     Case{ "interlaced", "half", "both", { 0, 0 }, { 200, 150 } }));
 
-TEST(ViewPointer, ADragStaysInItsEye)
+TEST(ViewPointer, ADragStaysInItsEyeAndGoesOnBeyondIt)
 {
   StereoDesk desk("side-by-side"); // 200 pixels each
   desk.Mouse(326, 12, vtkCommand::LeftButtonPressEvent);
   desk.Mouse(300, 12, vtkCommand::MouseMoveEvent);
-  const double before = desk.view->IsoValue();
-  EXPECT_NEAR(before, 70.0, 1.0);
+  EXPECT_NEAR(desk.view->IsoValue(), 70.0, 1.0);
   desk.Mouse(190, 12, vtkCommand::MouseMoveEvent); // the right end, for the other eye
-  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), before);
-  desk.Mouse(190, 12, vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), 40.0);
+  desk.Mouse(500, 12, vtkCommand::MouseMoveEvent); // outside of the window
+  EXPECT_DOUBLE_EQ(desk.view->IsoValue(), 100.0);
+  desk.Mouse(300, 12, vtkCommand::MouseMoveEvent);
+  EXPECT_NEAR(desk.view->IsoValue(), 70.0, 1.0);
+  desk.Mouse(300, 12, vtkCommand::LeftButtonReleaseEvent);
+}
+
+TEST(ViewPointer, TheRightWindowsMouseDoesWhatTheMainOnesDoes)
+{
+  StereoDesk desk("dual-window");
+  desk.eyes->PointIn(desk.right);
+  desk.Mouse(126, 12, vtkCommand::LeftButtonPressEvent);
+  desk.Mouse(100, 12, vtkCommand::MouseMoveEvent);
+  desk.Mouse(100, 12, vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_NEAR(desk.view->IsoValue(), 70.0, 1.0);
+  const auto right = desk.eyes->RayOf(100, 75);
+  desk.eyes->PointIn(desk.window);
+  const auto left = desk.eyes->RayOf(100, 75);
+  ASSERT_TRUE(left && right);
+  EXPECT_NEAR(desk.InRoom(left->first).x, -30.0, 1e-9);
+  EXPECT_NEAR(desk.InRoom(right->first).x, 30.0, 1e-9);
 }
 
 TEST(ViewPointer, TheTrackballTurnsByWhatTheEyeSeesAndNotByAJump)
@@ -102,6 +121,8 @@ TEST(ViewPointer, TheTrackballTurnsByWhatTheEyeSeesAndNotByAJump)
   ASSERT_GT(std::abs(mono), 0.1);
   EXPECT_NEAR(turned("side-by-side", 300, 320), mono, 1e-9);
   EXPECT_NEAR(turned("side-by-side", 100, 120), mono, 1e-9);
+  EXPECT_NEAR(turned("side-by-side", 390, 410), mono, 1e-9);  // out of the window
+  EXPECT_NEAR(turned("side-by-side", 210, 190), -mono, 1e-9); // over the other eye's part
 }
 
 TEST(ViewPointer, KeysPickInTheWindowsPixel)

@@ -62,11 +62,11 @@ TEST(CalibrationPairs, AFileThatIsNotThereIsAnError)
 TEST(MarkerSightings, AreReadAsTheyStand)
 {
   const auto sightings =
-    ParseMarkerSightings(Sightings + "1,2,3,0,0.6,0,-0.8,4,5,6\r\n-1e2,0.5,0,1,0,0,0,0,40,610");
+    ParseMarkerSightings(Sightings + "1,2,3,0,0.6,0,-0.8,4,5,600\r\n-1e2,0.5,0,1,0,0,0,0,40,610");
   ASSERT_EQ(sightings.size(), 2U);
   EXPECT_EQ(sightings[0].marker.position, glm::dvec3(1, 2, 3));
   EXPECT_EQ(sightings[0].marker.orientation, glm::dquat(0, 0.6, 0, -0.8));
-  EXPECT_EQ(sightings[0].head.position, glm::dvec3(4, 5, 6));
+  EXPECT_EQ(sightings[0].head.position, glm::dvec3(4, 5, 600));
   EXPECT_EQ(sightings[0].head.orientation, glm::dquat(1, 0, 0, 0));
   EXPECT_EQ(sightings[1].marker.position, glm::dvec3(-100, 0.5, 0));
   EXPECT_EQ(sightings[1].head.position, glm::dvec3(0, 40, 610));
@@ -87,11 +87,12 @@ TEST(MarkerSightings, WhatIsWrongIsSaidByItsLine)
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  const std::string good = "1,2,3,1,0,0,0,4,5,6\n";
+  const std::string good = "1,2,3,1,0,0,0,4,5,600\n";
   expect(Head + good, "sightings of the marker: line 1: it must be trackerXMm");
   expect(Sightings + "1,2,3,1,0,0,0,4,5\n", "line 2: there must be 10 numbers");
-  expect(Sightings + good + "1,2,3,1,1,0,0,4,5,6\n", "line 3: ");        // no unit quaternion
-  expect(Sightings + "20000,2,3,1,0,0,0,4,5,6\n", "line 2: ");           // 20 m
+  expect(Sightings + good + "1,2,3,1,1,0,0,4,5,600\n", "line 3: "); // no unit quaternion
+  expect(Sightings + "20000,2,3,1,0,0,0,4,5,600\n", "line 2: ");    // 20 m
+  expect(Sightings + good + "0.2,0.1,1,1,0,0,0,0,0.04,0.6\n", "line 3: the eyes are 0.6"); // metres
   expect(Sightings + good + good + "1,2,3,1,0,0,0,nan,5,6\n", "line 4"); // no number
   std::string many = Sightings;
   for (int n = 0; n < 10'001; ++n)

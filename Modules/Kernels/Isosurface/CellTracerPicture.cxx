@@ -64,8 +64,16 @@ void CellTracer::TracePicture(const PictureView& view, TracedPicture& picture, b
   picture.size = view.size;
   picture.cells.resize(pixels);
   picture.gradients.resize(pixels);
-  picture.places.resize(places ? pixels : 0);
-  picture.corners.resize(places ? pixels : 0);
+  if (places)
+  {
+    picture.places.resize(pixels);
+    picture.corners.resize(pixels);
+  }
+  else // their memory goes, too
+  {
+    picture.places = std::vector<glm::vec3>();
+    picture.corners = std::vector<glm::ivec3>();
+  }
 
   const auto packet = [&](const glm::ivec2& from)
   {

@@ -170,10 +170,25 @@ struct View
 
 } // namespace
 
+VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
+  const glm::ivec2& viewport, double pointLimit, double margin)
+{
+  View view{ Classifier(indexToClip, viewport, pointLimit, margin), {} };
+  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
+    view.Add(static_cast<std::uint32_t>(c), glm::dvec3(cells.clusters[c].Origin()));
+  return view.Visible(cells.clusters.size());
+}
+
 std::vector<VisibleClusters> CullClusters(const ClusteredCells& cells,
   std::span<const glm::dmat4> indexToClip, const glm::ivec2& viewport, double pointLimit,
   double margin)
 {
+  std::vector<VisibleClusters> visible;
+  if (indexToClip.size() == 1) // a list of views would cost a twelfth more
+  {
+    visible.push_back(CullClusters(cells, indexToClip[0], viewport, pointLimit, margin));
+    return visible;
+  }
   std::vector<View> views;
   for (const glm::dmat4& matrix : indexToClip)
     views.push_back({ Classifier(matrix, viewport, pointLimit, margin), {} });
@@ -183,19 +198,9 @@ std::vector<VisibleClusters> CullClusters(const ClusteredCells& cells,
     for (View& view : views)
       view.Add(static_cast<std::uint32_t>(c), origin);
   }
-  std::vector<VisibleClusters> visible;
   for (const View& view : views)
     visible.push_back(view.Visible(cells.clusters.size()));
   return visible;
-}
-
-VisibleClusters CullClusters(const ClusteredCells& cells, const glm::dmat4& indexToClip,
-  const glm::ivec2& viewport, double pointLimit, double margin)
-{
-  View view{ Classifier(indexToClip, viewport, pointLimit, margin), {} };
-  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
-    view.Add(static_cast<std::uint32_t>(c), glm::dvec3(cells.clusters[c].Origin()));
-  return view.Visible(cells.clusters.size());
 }
 
 std::uint32_t UnseenState(const CellCluster& cluster)

@@ -205,18 +205,20 @@ std::size_t LightCache::Bytes() const
   return this->Blocks ? this->Blocks->Bytes() : 0;
 }
 
-void LightCache::Watch(const ClusteredCells& cells, double distance)
+/// distance: of ambient occlusion, if that is asked for.
+void LightCache::Watch(const ClusteredCells& cells, const std::optional<double>& distance)
 {
-  if (!this->Blocks)
+  if (distance && !this->Blocks)
     this->Blocks = std::make_unique<LightBlocks>(this->Settings.blocks);
   const GridGeometry &now = cells.geometry, &then = this->Geometry;
-  if (cells.isovalue == this->Isovalue && distance == this->Distance && now.dims == then.dims &&
+  const double reach = distance.value_or(this->Distance);
+  if (cells.isovalue == this->Isovalue && reach == this->Distance && now.dims == then.dims &&
       now.spacing == then.spacing)
     return;
   this->Forget();
   this->Geometry = now;
   this->Isovalue = cells.isovalue;
-  this->Distance = distance;
+  this->Distance = reach;
 }
 
 /// The light of a tile's pixels, as far as it is known before the frame's rays are added.
@@ -346,8 +348,7 @@ void LightCache::Light(const CellTracer& tracer, const PictureView& view,
   this->RayCount = this->SharedPixelCount = 0;
   if (tracer.Cells().clusters.empty())
     return;
-  if (settings.ambientDistanceMm)
-    this->Watch(tracer.Cells(), *settings.ambientDistanceMm);
+  this->Watch(tracer.Cells(), settings.ambientDistanceMm);
   const LightView from(tracer, view, picture, this->Settings.pixelsACorner);
   const bool second =
     settings.eye == LightEye::Second && this->FirstEye && this->FirstEye->IsOf(settings);

@@ -106,7 +106,7 @@ private:
   struct Tile;
   struct Picture;
   struct Group;
-  void Watch(const ClusteredCells& cells, double distance);
+  void Watch(const ClusteredCells& cells, const std::optional<double>& distance);
   void CastRays(const Picture& seen, std::int64_t number, PictureLight& light);
   float Gather(
     const Picture& seen, const Group& group, std::size_t n, Tile& tile, LightBlockFinder& finder);

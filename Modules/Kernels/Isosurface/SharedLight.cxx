@@ -64,9 +64,15 @@ std::optional<glm::u8vec2> SharedLight::At(const CellHit& hit) const
   for (const Pixel* at : { lower, lower + 1, upper, upper + 1 })
     if (at->light.y != lower->light.y || !(std::abs(at->depth - depth) <= tolerance))
       return std::nullopt;
-  const auto mix = [&](const Pixel* row)
-  { return row[0].light.x + share.x * (float(row[1].light.x) - float(row[0].light.x)); };
-  const float open = mix(lower) + share.y * (mix(upper) - mix(lower));
+  const auto mix = [&](const auto& of)
+  {
+    const auto row = [&](const Pixel* at) { return of(at[0]) + share.x * (of(at[1]) - of(at[0])); };
+    return row(lower) + share.y * (row(upper) - row(lower));
+  };
+  constexpr auto closer = static_cast<float>(OwnSurfaceVoxels / SameSurfaceVoxels);
+  if (!(std::abs(mix([](const Pixel& of) { return of.depth; }) - depth) <= closer * tolerance))
+    return std::nullopt;
+  const float open = mix([](const Pixel& of) { return float(of.light.x); });
   return glm::u8vec2(static_cast<std::uint8_t>(open + 0.5F), lower->light.y);
 }
 

@@ -6,9 +6,10 @@ namespace hasp
 {
 
 /// The light of the first eye's picture, for the second eye. A place on the surface is looked for
-/// in that picture: where the four pixels round it show the surface there, and all four are in the
-/// light or all four in the shadow, so is it, and as open as they are, by weight. Elsewhere nothing
-/// is said: along the edges of shadows and of things, and where the first eye does not see.
+/// in that picture: where it lies on the surface that the four pixels round it show, and all four
+/// are in the light or all four in the shadow, so is it, and as open as they are, by weight.
+/// Elsewhere nothing is said: along the edges of shadows and of things, and where the first eye
+/// does not see.
 ///
 /// Limit: a shadow thinner than a pixel may pass between the four. 8 bytes a pixel. Threads: one
 /// writes; At from any thread.
@@ -26,7 +27,9 @@ public:
   std::optional<glm::u8vec2> At(const CellHit& hit) const;
 
 private:
-  static constexpr double SameSurfaceVoxels = 2.0; ///< in depth; slopes of four pixels take some
+  // In depth. Slopes of four pixels take some; between them, where they lie in one plane, none. The
+  // two sides of a wall are a voxel apart or so.
+  static constexpr double SameSurfaceVoxels = 2.0, OwnSurfaceVoxels = 0.2;
   struct Pixel
   {
     float depth;

@@ -14,10 +14,10 @@
  * Mode says how. Cache is RayCaching (thesis 3.2.1, Paper V): each frame a few rays a tile of the
  * picture; where one meets the surface, the block of 8^3 cells around the hit goes into a circular
  * buffer of fixed size, which is drawn with the exact root in each cell. A picture is complete
- * after some frames: render until IsRefining() is false. One cache serves both eyes and all
- * windows. Raycast and RaycastSkipping are the direct ways it is measured against: complete in each
- * frame, opaque only, cell ids are the image's; the GPU holds the samples. Automatic takes the
- * cheaper one of Cache and all active cells, by measurement.
+ * after some frames: render until IsRefining() is false. One cache serves both eyes, all windows
+ * and all actors. Raycast and RaycastSkipping are the direct ways it is measured against: complete
+ * in each frame, opaque only, cell ids are the image's; the GPU holds the samples. Automatic takes
+ * the cheaper one of Cache and all active cells, by measurement.
  *
  * Honoured: as vtkHaspClusteredCellMapper honours them, the actor's matrix and property, lights,
  * clipping planes, hardware selection (cell ids hold until the next frame; PickFirstCell gives

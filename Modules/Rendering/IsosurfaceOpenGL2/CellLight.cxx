@@ -35,13 +35,14 @@ std::optional<glm::dvec4> FirstLight(const CellScene& scene, const hasp::GridGeo
 
 } // namespace
 
-/// A picture is one of a pair where the last one was of the same renderer's other eye.
-hasp::LightEye CellLight::EyeOf(vtkRenderer* renderer, vtkMTimeType picture)
+/// A picture is one of a pair where a rig says so, whatever is drawn between its eyes, or where the
+/// last one was of the same renderer's other eye.
+hasp::LightEye CellLight::EyeOf(vtkRenderer* renderer, bool ofRig, vtkMTimeType picture)
 {
   if (picture == this->Seen)
     return this->Eye;
   const bool left = renderer->GetActiveCamera()->GetLeftEye();
-  const bool pair = this->Renderer == renderer && left != this->Left;
+  const bool pair = ofRig || (this->Renderer == renderer && left != this->Left);
   this->Seen = picture;
   this->Renderer = renderer;
   this->Left = left;
@@ -66,7 +67,7 @@ void CellLight::Update(const CellTracing& tracing, const CellScene& scene, vtkRe
   }
   this->CellsTime = time;
   hasp::PictureLightSettings settings;
-  settings.eye = this->EyeOf(renderer, tracing.PictureTime());
+  settings.eye = this->EyeOf(renderer, scene.otherIndexToClip.has_value(), tracing.PictureTime());
   if (wanted.ambientOcclusion)
     settings.ambientDistanceMm = wanted.distanceMm;
   const hasp::CellTracer& tracer = tracing.GetTracer();

@@ -47,7 +47,7 @@ public:
   double Milliseconds() const { return this->Spent; } ///< of the last picture
 
 private:
-  hasp::LightEye EyeOf(vtkRenderer* renderer, vtkMTimeType picture);
+  hasp::LightEye EyeOf(vtkRenderer* renderer, bool ofRig, vtkMTimeType picture);
 
   std::shared_ptr<hasp::LightCache> Cache;
   hasp::PictureLight Pixels;

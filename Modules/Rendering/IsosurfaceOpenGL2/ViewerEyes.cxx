@@ -3,11 +3,11 @@
 #include "HaspGL.h"
 #include "OneSampleDepth.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkWeakPointer.h"
 
 #include <glm/matrix.hpp>
 
@@ -31,6 +31,8 @@ public:
   }
   void Execute(vtkObject*, unsigned long, void*) override
   {
+    if (this->Renderer->GetSelector())
+      return; // nobody looks at what a pick draws
     this->Begins = true;
     ++this->Frames;
   }
@@ -48,9 +50,10 @@ private:
   unsigned long Tag;
 };
 
-ViewerEye::ViewerEye(vtkRenderer* renderer, bool left, int number)
+ViewerEye::ViewerEye(vtkRenderer* renderer, vtkActor* actor, bool left, int number)
   : Number(number),
     Observer(new FrameObserver(renderer), [](FrameObserver* observer) { observer->Delete(); }),
+    Actor(actor),
     Left(left)
 {
 }
@@ -60,19 +63,19 @@ ViewerEye::~ViewerEye()
   this->Observer->Stop();
 }
 
-bool ViewerEye::Is(vtkRenderer* renderer, bool left) const
+bool ViewerEye::Is(vtkRenderer* renderer, vtkActor* actor, bool left) const
 {
-  return this->Observer->Renderer == renderer && this->Left == left;
+  return this->Observer->Renderer == renderer && this->Actor == actor && this->Left == left;
 }
 
 bool ViewerEye::Lost() const
 {
-  return !this->Observer->Renderer;
+  return !this->Observer->Renderer || !this->Actor;
 }
 
-bool ViewerEye::IsOfSameRenderer(const ViewerEye& other) const
+bool ViewerEye::IsBeside(const ViewerEye& other) const
 {
-  return this->Observer->Renderer == other.Observer->Renderer;
+  return this->Observer->Renderer == other.Observer->Renderer && this->Actor == other.Actor;
 }
 
 bool ViewerEye::IsDrawn(bool stereo) const
@@ -147,28 +150,31 @@ void ViewerEye::Forget()
 {
   this->ForgetDepth();
   this->Last.reset();
-  this->Served = false;
+  this->ServedTurn = 0;
   this->Progress = {};
 }
 
-ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
+ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, vtkActor* actor, bool& begins)
 {
   constexpr long long forgotten = 256; // frames of others
   std::erase_if(this->Eyes,
     [&](const auto& eye) { return eye->Lost() || this->Turns - eye->Turn > forgotten; });
   const bool left = renderer->GetActiveCamera()->GetLeftEye();
-  auto found = std::find_if(
-    this->Eyes.begin(), this->Eyes.end(), [&](const auto& eye) { return eye->Is(renderer, left); });
+  auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
+    [&](const auto& eye) { return eye->Is(renderer, actor, left); });
   if (found == this->Eyes.end())
   {
     int number = 0;
     for (const auto& eye : this->Eyes)
       number = std::max(number, eye->Number + 1);
-    found = this->Eyes.insert(found, std::make_unique<ViewerEye>(renderer, left, number));
+    found = this->Eyes.insert(found, std::make_unique<ViewerEye>(renderer, actor, left, number));
   }
   ViewerEye& eye = **found;
+  begins = false;
+  if (renderer->GetSelector())
+    return eye;
   eye.IsDrawnNow();
-  begins = !renderer->GetSelector() && eye.BeginsFrame();
+  begins = eye.BeginsFrame();
   if (begins)
     eye.Turn = ++this->Turns;
   return eye;
@@ -177,9 +183,8 @@ ViewerEye& ViewerEyes::Of(vtkRenderer* renderer, bool& begins)
 ViewerEye* ViewerEyes::SecondOf(const ViewerEye& first)
 {
   const auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
-    [&](const auto& eye) {
-      return first.IsLeft() && !eye->IsLeft() && eye->IsOfSameRenderer(first) && eye->IsDrawn(true);
-    });
+    [&](const auto& eye)
+    { return first.IsLeft() && !eye->IsLeft() && eye->IsBeside(first) && eye->IsDrawn(true); });
   return found == this->Eyes.end() ? nullptr : found->get();
 }
 
@@ -187,10 +192,7 @@ ViewerEye& ViewerEyes::FirstOf(ViewerEye& eye) const
 {
   const auto found = std::find_if(this->Eyes.begin(), this->Eyes.end(),
     [&](const auto& first)
-    {
-      return first->IsLeft() && !eye.IsLeft() && first->IsOfSameRenderer(eye) &&
-             first->IsDrawn(true);
-    });
+    { return first->IsLeft() && !eye.IsLeft() && first->IsBeside(eye) && first->IsDrawn(true); });
   return found == this->Eyes.end() ? eye : **found;
 }
 
@@ -228,7 +230,7 @@ bool ViewerEyes::Refining() const
     [&](const auto& eye)
     {
       const bool stereo = std::any_of(this->Eyes.begin(), this->Eyes.end(),
-        [&](const auto& other) { return other != eye && other->IsOfSameRenderer(*eye); });
+        [&](const auto& other) { return other != eye && other->IsBeside(*eye); });
       return this->Turns - eye->Turn < turn && eye->IsDrawn(stereo) && eye->Progress.Refining();
     });
 }

@@ -4,6 +4,8 @@
 #include "CacheProgress.h"
 #include "DrawingChoice.h"
 
+#include "vtkWeakPointer.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
@@ -11,23 +13,26 @@
 #include <optional>
 #include <vector>
 
+class vtkActor;
 class vtkRenderer;
 
-/// An eye that looks at a mapper: a vtkRenderer, or one of its two in stereo; and what is kept of
-/// it from one frame to the next. Which of the two it is the camera's LeftEye says, while a
-/// renderer draws: VTK's stereo sets it, and rigs that draw each eye as a frame of its own do
-/// (Rendering/Stereo, DrawnEye). Threads: RENDER.
+/// An eye that looks at a mapper: a vtkRenderer, or one of its two in stereo, by an actor of the
+/// mapper, for each shows it at another place; and what is kept of it from one frame to the next.
+/// Which of the two it is the camera's LeftEye says, while a renderer draws: VTK's stereo sets it,
+/// and rigs that draw each eye as a frame of its own do (Rendering/Stereo, DrawnEye). Threads:
+/// RENDER.
 class ViewerEye
 {
 public:
-  ViewerEye(vtkRenderer* renderer, bool left, int number);
+  ViewerEye(vtkRenderer* renderer, vtkActor* actor, bool left, int number);
   ~ViewerEye();
   ViewerEye(const ViewerEye&) = delete;
   ViewerEye& operator=(const ViewerEye&) = delete;
 
-  bool Is(vtkRenderer* renderer, bool left) const;
+  bool Is(vtkRenderer* renderer, vtkActor* actor, bool left) const;
   bool Lost() const;
-  bool IsOfSameRenderer(const ViewerEye& other) const;
+  /// Of the same renderer and actor.
+  bool IsBeside(const ViewerEye& other) const;
   bool IsLeft() const { return this->Left; }
   /// Has it been drawn in its renderer's last frame? A frame in stereo begins twice.
   bool IsDrawn(bool stereo) const;
@@ -61,12 +66,14 @@ public:
   void Forget();
   std::size_t DepthBytes() const { return this->DepthPixels.size() * sizeof(float); }
 
-  const int Number;    ///< of the eye, from 0
-  bool Served = false; ///< the other eye's frame has cast rays for the one to come, too
+  const int Number;         ///< of the eye, from 0
+  long long ServedTurn = 0; ///< of the other eye's frame that cast rays for one of this eye, too
+  bool Changed = false;     ///< the surface was another one in its last frame than in those before
 
 private:
   class FrameObserver;
   std::unique_ptr<FrameObserver, void (*)(FrameObserver*)> Observer;
+  vtkWeakPointer<vtkActor> Actor;
   bool Left;
   std::optional<glm::dmat4> Last;
   glm::ivec2 DepthSize{ 0 };
@@ -78,7 +85,7 @@ class ViewerEyes
 {
 public:
   /// begins: a frame of it, nothing of which is drawn yet.
-  ViewerEye& Of(vtkRenderer* renderer, bool& begins);
+  ViewerEye& Of(vtkRenderer* renderer, vtkActor* actor, bool& begins);
   /// The right eye that follows this left one: its renderer's last frame was of it. Else null.
   ViewerEye* SecondOf(const ViewerEye& first);
   /// The left eye that this right one follows, whose choice is for both; else the eye itself.

@@ -27,7 +27,6 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 vtkStandardNewMacro(vtkHaspOpenGLRayCachingMapper);
 
@@ -202,7 +201,7 @@ void vtkHaspOpenGLRayCachingMapper::Render(vtkRenderer* renderer, vtkActor* acto
     else
     {
       bool begins = false;
-      ViewerEye& eye = gl.Eyes.Of(renderer, begins);
+      ViewerEye& eye = gl.Eyes.Of(renderer, actor, begins);
       this->DrawCells(
         { renderer, actor, eye, begins, bool(actor->IsRenderingTranslucentPolygonalGeometry()) },
         lit);
@@ -227,9 +226,13 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
   OpenGL& gl = *this->GL;
   gl.Raycasts.Clear();
   const bool automatic = this->Mode == Automatic && !lit;
-  const bool timed = automatic && pass.begins && !pass.translucent, changed = gl.Changed;
+  const bool timed = automatic && pass.begins && !pass.translucent;
   CacheProgress& progress = pass.eye.Progress;
   ViewerEye& chooses = gl.Eyes.FirstOf(pass.eye);
+  // The second eye's frame is as new as the first one's.
+  const bool changed = gl.Changed || (&chooses != &pass.eye && chooses.Changed);
+  if (pass.begins)
+    pass.eye.Changed = gl.Changed;
   DrawingChoice& choice = chooses.Choice;
   const bool measured = timed && &chooses == &pass.eye;
   const int* size = pass.renderer->GetSize();
@@ -347,7 +350,9 @@ void vtkHaspOpenGLRayCachingMapper::SampleCache(const Pass& pass)
     return;
   const CellScene scene(this, hasp::GeometryOf(grid), isovalue, pass.renderer, pass.actor);
   ViewerEye& eye = pass.eye;
-  if (!std::exchange(eye.Served, false) || gl.Changed)
+  const ViewerEye& first = gl.Eyes.FirstOf(eye);
+  const bool served = &first != &eye && eye.ServedTurn == first.Turn;
+  if (!served || gl.Changed)
     this->CastRays(pass, scene);
   else
   {
@@ -387,7 +392,7 @@ void vtkHaspOpenGLRayCachingMapper::CastRays(const Pass& pass, const CellScene& 
   eye.Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
   if (!beside)
     return;
-  second->Served = true;
+  second->ServedTurn = eye.Turn;
   second->Progress.Sampled(gl.Last, rays, gl.SampleMilliseconds);
 }
 

@@ -4,9 +4,11 @@
 #include "vtkHaspStereoCamera.h"
 #include "vtkHaspStereoPair.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -15,6 +17,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include <list>
 #include <stdexcept>
 
 BorrowedView::BorrowedView(vtkRenderer* r, vtkCamera* of)
@@ -41,8 +44,13 @@ BorrowedView::BorrowedView(vtkRenderer* r, vtkCamera* of)
     other->GetViewport(&viewport.x);
     if (viewport.x >= own.x && viewport.y >= own.y && viewport.z <= own.z && viewport.w <= own.w)
       this->kept.push_back({ other, viewport });
+    const bool shares =
+      viewport == own && other->IsActiveCameraCreated() && other->GetActiveCamera() == this->camera;
+    if (other == r || shares)
+      this->throughEye.emplace_back(other);
   }
-  r->SetActiveCamera(this->eyeCamera);
+  for (vtkRenderer* one : this->throughEye)
+    one->SetActiveCamera(this->eyeCamera);
   this->window->SetStereoRender(false);
   this->window->SetSwapBuffers(false); // a visible window does not flicker between the eyes
 }
@@ -50,7 +58,8 @@ BorrowedView::BorrowedView(vtkRenderer* r, vtkCamera* of)
 BorrowedView::~BorrowedView()
 {
   this->ShowFrames();
-  this->renderer->SetActiveCamera(this->camera);
+  for (vtkRenderer* one : this->throughEye)
+    one->SetActiveCamera(this->camera);
   this->window->SetStereoRender(this->stereo);
 }
 
@@ -85,7 +94,23 @@ void BorrowedView::Aim(const hasp::EyeView& view, hasp::StereoEye eye, const has
   hasp::SetCameraToView(this->eyeCamera, view, eye, grid);
   if (grid.size != this->size)
     this->SetViewports(grid.size);
-  this->renderer->ResetCameraClippingRange();
+  this->ResetClippingRange();
+}
+
+void BorrowedView::ResetClippingRange()
+{
+  vtkBoundingBox visible;
+  double bounds[6];
+  for (vtkRenderer* one : this->throughEye)
+  {
+    one->ComputeVisiblePropBounds(bounds);
+    if (vtkMath::AreBoundsInitialized(bounds))
+      visible.AddBounds(bounds);
+  }
+  if (!visible.IsValid())
+    return;
+  visible.GetBounds(bounds);
+  this->renderer->ResetCameraClippingRange(bounds);
 }
 
 /// Multiplied as vtkOpenGLCamera does, so that it is the frame's matrix to the last bit. That class
@@ -112,7 +137,9 @@ void BorrowedView::Announce(const Eye& left, const Eye& right)
 void BorrowedView::Draw(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid)
 {
   this->Aim(view, eye, grid);
-  const DrawnEye drawn(this->renderer, eye == hasp::StereoEye::Left);
+  std::list<DrawnEye> drawn;
+  for (vtkRenderer* one : this->throughEye)
+    drawn.emplace_back(one, eye == hasp::StereoEye::Left);
   this->window->Render();
 }
 

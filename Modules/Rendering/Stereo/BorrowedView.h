@@ -18,11 +18,13 @@ class vtkRenderWindow;
 class vtkRenderer;
 
 /// Sets a renderer's camera, and the switches and viewports of its window, aside for a while;
-/// brings them back whatever happens. Meanwhile a visible window does not swap. Threads: RENDER.
+/// brings them back whatever happens. Other layers of its viewport that look through the same
+/// camera get the eyes' too. Meanwhile a visible window does not swap. Threads: RENDER.
 class BorrowedView
 {
 public:
-  /// The renderer is in a window. `camera`: whose clipping range and user transform the eyes have.
+  /// The renderer is in a window. `camera`: what the eyes' are like but for their views; their
+  /// clipping range is reset to what is visible.
   BorrowedView(vtkRenderer* renderer, vtkCamera* camera);
   ~BorrowedView();
   BorrowedView(const BorrowedView&) = delete;
@@ -49,6 +51,7 @@ public:
 
 private:
   void Aim(const hasp::EyeView& view, hasp::StereoEye eye, const hasp::EyeGrid& grid);
+  void ResetClippingRange();
   glm::dmat4 WorldToClip() const;
   void SetViewports(glm::ivec2 pixels);
 
@@ -63,7 +66,8 @@ private:
   vtkNew<vtkCamera> eyeCamera;
   int stereo;
   int swapBuffers;
-  std::vector<Kept> kept; ///< renderers within the viewport
+  std::vector<Kept> kept;                               ///< renderers within the viewport
+  std::vector<vtkSmartPointer<vtkRenderer>> throughEye; ///< ours and those that share its camera
   glm::ivec2 origin, size;
 };
 

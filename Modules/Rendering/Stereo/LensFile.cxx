@@ -27,7 +27,8 @@ const Json& Get(const Json& json, const char* key)
 {
   const auto found = json.find(key);
   if (found == json.end())
-    Fail(key, "is missing");
+    Fail(key,
+      "is missing; format, coefficients, leftCenter, rightCenter and colorScale must be there");
   return *found;
 }
 
@@ -70,7 +71,8 @@ LensModel ParseLens(const std::string& text)
   int number = 0;
   for (const auto& [key, value] : json.items())
     if (++number; std::none_of(Keys.begin(), Keys.end(), [&](const char* k) { return key == k; }))
-      Fail("key " + std::to_string(number), "is unknown; mend its spelling or take it out");
+      Fail("key " + std::to_string(number) + " in alphabetical order",
+        "is unknown; known are format, note, coefficients, leftCenter, rightCenter, colorScale");
   const Json& format = Get(json, "format");
   if (!format.is_string() || format != "hasp-lens-1")
     Fail("format", "is of another kind, must be 'hasp-lens-1'");

@@ -23,6 +23,9 @@ public:
   vtkRenderer* Renderer() const { return this->Own; }
 
 private:
+  void FollowProps(vtkRenderer* scene);
+  void FollowLook(vtkRenderer* scene);
+
   vtkNew<vtkRenderer> Own;
 };
 

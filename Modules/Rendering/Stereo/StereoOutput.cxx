@@ -83,41 +83,40 @@ EyePicture Require(const EyeGrid& grid, std::span<const std::uint8_t> rgb, const
   return { grid.size, rgb, lens };
 }
 
+/// The pixel of the first or second eye's picture of `eyeSize`, inside or outside of it, that
+/// `pixel` of the output shows or lies beside.
+glm::ivec2 PixelOf(
+  const StereoOutput& output, glm::ivec2 size, glm::ivec2 eyeSize, bool second, glm::ivec2 pixel)
+{
+  glm::ivec2 fromTop{ pixel.x, size.y - 1 - pixel.y };
+  if (output.layout == StereoLayout::SideBySide)
+    fromTop.x -= second ? eyeSize.x : 0;
+  else if (output.layout == StereoLayout::TopBottom)
+    fromTop.y -= second ? eyeSize.y : 0;
+  else if (Halves(output, StereoLayout::Interlaced))
+    fromTop.y >>= 1; // down, below 0 too
+  else if (Halves(output, StereoLayout::Checkerboard))
+    fromTop.x >>= 1;
+  return Flip(output.flip, eyeSize, { fromTop.x, eyeSize.y - 1 - fromTop.y });
+}
+
 /// EyePixelAt for an eye's picture of `eyeSize`, unchecked.
 EyePixel Locate(const StereoOutput& output, glm::ivec2 size, glm::ivec2 eyeSize, glm::ivec2 pixel)
 {
-  glm::ivec2 fromTop{ pixel.x, size.y - 1 - pixel.y };
+  const glm::ivec2 fromTop{ pixel.x, size.y - 1 - pixel.y };
   bool second = false;
-  switch (output.layout)
-  {
-    case StereoLayout::SideBySide:
-      second = fromTop.x >= eyeSize.x;
-      fromTop.x -= second ? eyeSize.x : 0;
-      break;
-    case StereoLayout::TopBottom:
-      second = fromTop.y >= eyeSize.y;
-      fromTop.y -= second ? eyeSize.y : 0;
-      break;
-    case StereoLayout::Interlaced:
-      second = (fromTop.y & 1) != 0;
-      fromTop.y /= Halves(output, StereoLayout::Interlaced) ? 2 : 1;
-      break;
-    case StereoLayout::Checkerboard:
-      second = ((fromTop.x + fromTop.y) & 1) != 0;
-      fromTop.x /= Halves(output, StereoLayout::Checkerboard) ? 2 : 1;
-      break;
-    case StereoLayout::Mono:
-    case StereoLayout::Left:
-      return { StereoEye::Left, Flip(output.flip, size, pixel) };
-    case StereoLayout::Right:
-      return { StereoEye::Right, Flip(output.flip, size, pixel) };
-    case StereoLayout::Anaglyph:
-    case StereoLayout::DualWindow:
-    case StereoLayout::QuadBuffer:
-      return { Place(output, false), Flip(output.flip, size, pixel) };
-  }
-  const glm::ivec2 upwards{ fromTop.x, eyeSize.y - 1 - fromTop.y };
-  return { Place(output, second), Flip(output.flip, eyeSize, upwards) };
+  if (output.layout == StereoLayout::SideBySide)
+    second = fromTop.x >= eyeSize.x;
+  else if (output.layout == StereoLayout::TopBottom)
+    second = fromTop.y >= eyeSize.y;
+  else if (output.layout == StereoLayout::Interlaced)
+    second = (fromTop.y & 1) != 0;
+  else if (output.layout == StereoLayout::Checkerboard)
+    second = ((fromTop.x + fromTop.y) & 1) != 0;
+  const glm::ivec2 from = PixelOf(output, size, eyeSize, second, pixel);
+  if (NeedsSecondEye(output.layout))
+    return { Place(output, second), from };
+  return { output.layout == StereoLayout::Right ? StereoEye::Right : StereoEye::Left, from };
 }
 
 } // namespace
@@ -163,6 +162,12 @@ EyePixel EyePixelAt(const StereoOutput& output, glm::ivec2 size, glm::ivec2 pixe
     throw std::invalid_argument("stereo: pixel (" + std::to_string(pixel.x) + ", " +
                                 std::to_string(pixel.y) + ") is not in the output");
   return Locate(output, size, GridOfEye(output, size, StereoEye::Left).size, pixel);
+}
+
+glm::ivec2 PixelOfEye(const StereoOutput& output, glm::ivec2 size, StereoEye eye, glm::ivec2 pixel)
+{
+  return PixelOf(
+    output, size, GridOfEye(output, size, eye).size, eye != Place(output, false), pixel);
 }
 
 std::vector<std::uint8_t> ComposeStereo(const StereoOutput& output, glm::ivec2 size,

@@ -79,9 +79,16 @@ VTKHASPRENDERINGSTEREO_EXPORT EyeGrid GridOfEye(
 
 /// Whose pixel is shown at `pixel` of the output, before a lens. Anaglyph, where both eyes share a
 /// pixel: the left eye. Dual windows and quad buffers: the left eye; the right one has the same
-/// pixel in its own window or buffer. `pixel` in [0, size), else throws std::invalid_argument.
+/// pixel in its own window or buffer. With swapped eyes it is the right one in all of these.
+/// `pixel` in [0, size), else throws std::invalid_argument.
 VTKHASPRENDERINGSTEREO_EXPORT EyePixel EyePixelAt(
   const StereoOutput& output, glm::ivec2 size, glm::ivec2 pixel);
+
+/// The pixel of one eye's picture at any `pixel`, as if that eye's part of the output went on
+/// beyond its borders, and below those of the other eye: what a drag that began in that eye has
+/// reached. It is EyePixelAt where the pixel is the eye's.
+VTKHASPRENDERINGSTEREO_EXPORT glm::ivec2 PixelOfEye(
+  const StereoOutput& output, glm::ivec2 size, StereoEye eye, glm::ivec2 pixel);
 
 /// Puts the eyes' RGB pictures into one: the second implementation of what the GPU does.
 ///

@@ -103,6 +103,11 @@ glm::dvec3 PointOnScreen(const EyeView& view, glm::dvec2 device)
 
 StereoRig TransformStereoRig(const StereoRig& rig, const glm::dmat4& map)
 {
+  for (int column = 0; column < 4; ++column)
+    if (!(std::abs(map[column][3] - (column == 3)) <= 1e-9))
+      throw std::invalid_argument(
+        "stereo rig: the transform's lowest row is not (0, 0, 0, 1); is it "
+        "transposed?");
   const glm::dmat3 linear(map);
   const double determinant = glm::determinant(linear);
   if (!(determinant > 0.0) || !std::isfinite(determinant))

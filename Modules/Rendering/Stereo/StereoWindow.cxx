@@ -38,6 +38,8 @@ std::array<EyeView, 2> ViewsOfEyes(
   if (window.output.layout == StereoLayout::Mono)
     roomHead.eyeSeparationMm = 0.0;
   StereoRig rig{ window.screen.value_or(StereoScreen{}), roomHead };
+  if (window.screen)
+    ValidateStereoRig(rig); // in the room: its errors tell millimetres
   rig = TransformStereoRig(rig, roomToWorld);
   if (window.hmd)
     return { ViewOfHmdEye(*window.hmd, rig.head, StereoEye::Left),

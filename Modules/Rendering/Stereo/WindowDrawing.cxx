@@ -2,8 +2,13 @@
 
 #include "BorrowedView.h"
 #include "HaspGL.h"
+#include "WindowTextures.h"
 #include "vtkHaspStereoCamera.h"
 
+#include "vtkCamera.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
@@ -36,8 +41,10 @@ void RequireQuadBuffers(vtkOpenGLRenderWindow* window)
   }
   if (!there)
     throw std::runtime_error(
-      "stereo: the window has no quad buffers; call StereoCapableWindowOn() before it is first "
-      "drawn, and where the driver has none take another layout (side-by-side, interlaced)");
+      "stereo: the window has no quad buffers: this display's driver gives none, or the program "
+      "did "
+      "not call StereoCapableWindowOn() before it was first drawn; take another layout "
+      "(side-by-side, interlaced)");
 }
 
 /// While one lives, the window's frames go to the left and right buffer.
@@ -64,6 +71,20 @@ private:
   vtkRenderWindow* window;
   int type, render;
 };
+
+/// Where the camera itself sees what its user transform, if it has one, shows at `device`. Right
+/// for what turns, moves and scales the view; one that depends on depth has no straight rays.
+glm::dvec2 BeforeUser(vtkCamera* camera, glm::dvec2 device)
+{
+  if (!camera->GetUserTransform())
+    return device;
+  vtkNew<vtkMatrix4x4> back;
+  vtkMatrix4x4::Invert(camera->GetUserTransform()->GetMatrix(), back);
+  const double shown[4] = { device.x, device.y, 0.0, 1.0 };
+  double seen[4];
+  back->MultiplyPoint(shown, seen);
+  return glm::dvec2(seen[0], seen[1]) / seen[3];
+}
 
 bool IsPlain(const hasp::StereoWindow& set)
 {
@@ -101,6 +122,12 @@ vtkRenderer* WindowDrawing::RendererFor(const ViewedScene& scene)
     this->Follower = std::make_unique<SceneFollower>(this->Shown);
   this->Follower->Follow(scene.renderer);
   return this->Follower->Renderer();
+}
+
+void WindowDrawing::Leave(const ViewedScene& scene)
+{
+  if (this->Shown)
+    ReleaseTextures(this->RendererFor(scene));
 }
 
 std::array<hasp::EyeView, 2> WindowDrawing::Views(const ViewedScene& scene, glm::ivec2 size) const
@@ -214,18 +241,20 @@ void WindowDrawing::Draw(const ViewedScene& scene)
 }
 
 std::optional<WindowDrawing::Position> WindowDrawing::FindPosition(
-  const ViewedScene& scene, glm::ivec2 pixel)
+  const ViewedScene& scene, glm::ivec2 pixel, std::optional<StereoEye> of)
 {
   vtkRenderer* renderer = this->RendererFor(scene);
   const glm::ivec2 size = ViewportSize(renderer);
   glm::ivec2 origin, unused;
   renderer->GetTiledSizeAndOrigin(&unused.x, &unused.y, &origin.x, &origin.y);
   pixel -= origin;
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
+  const hasp::StereoOutput& output = this->Set.output;
+  if (!of && (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y))
     return std::nullopt;
-  const hasp::EyePixel from = hasp::EyePixelAt(this->Set.output, size, pixel);
+  const hasp::EyePixel from = of ? hasp::EyePixel{ *of, hasp::PixelOfEye(output, size, *of, pixel) }
+                                 : hasp::EyePixelAt(output, size, pixel);
   const hasp::EyeView view = this->Views(scene, size)[from.eye == StereoEye::Right];
-  const hasp::EyeGrid grid = hasp::GridOfEye(this->Set.output, size, from.eye);
+  const hasp::EyeGrid grid = hasp::GridOfEye(output, size, from.eye);
   glm::dvec2 device = 2.0 * (glm::dvec2(from.pixel) + 0.5) / glm::dvec2(grid.size) - 1.0;
   if (this->Set.lens)
   {
@@ -235,5 +264,7 @@ std::optional<WindowDrawing::Position> WindowDrawing::FindPosition(
     if (std::abs(device.x) > 1.0 || std::abs(device.y) > 1.0)
       return std::nullopt;
   }
-  return Position{ from.eye, view, (device - grid.shift) / grid.scale };
+  device = (device - grid.shift) / grid.scale;
+  const glm::dvec2 onScreen = BeforeUser(scene.renderer->GetActiveCamera(), device);
+  return Position{ from.eye, device, view.position, hasp::PointOnScreen(view, onScreen) };
 }

@@ -40,15 +40,19 @@ public:
   void ChangeSettings(const hasp::StereoWindow& settings);
 
   void Draw(const ViewedScene& scene);
-  /// A place in an eye's view: (-1,-1) lower left, (1,1) upper right.
+  /// After Draw: lets go of what VTK would take for another window's (WindowTextures.h).
+  void Leave(const ViewedScene& scene);
+  /// A place in an eye's view.
   struct Position
   {
     hasp::StereoEye eye;
-    hasp::EyeView view;
-    glm::dvec2 device;
+    glm::dvec2 device;          ///< (-1,-1) lower left, (1,1) upper right
+    glm::dvec3 origin, through; ///< of its ray in the world: the eye, and a point seen there
   };
-  /// What a pixel shows; none where there is nothing to see.
-  std::optional<Position> FindPosition(const ViewedScene& scene, glm::ivec2 pixel);
+  /// What a pixel shows; none where there is nothing to see. of: where it is for that eye, whosever
+  /// pixel it is and even outside of the window.
+  std::optional<Position> FindPosition(
+    const ViewedScene& scene, glm::ivec2 pixel, std::optional<hasp::StereoEye> of = {});
 
   const StereoOutputPass& Pass() const { return this->Output; }
   double SecondEyeMilliseconds() const { return this->SecondEye; }

@@ -35,6 +35,10 @@ void RequirePerspective(vtkCamera* camera)
   if (camera->GetUseOffAxisProjection() || shear[0] != 0.0 || shear[1] != 0.0)
     throw std::invalid_argument("stereo: the camera has an off-axis projection or a shear already; "
                                 "give the rig itself instead");
+  if (camera->GetUseExplicitProjectionTransformMatrix() || camera->GetUseExplicitAspectRatio())
+    throw std::invalid_argument(
+      "stereo: the camera has an explicit projection or aspect, which says "
+      "nothing of eyes; give the rig itself instead");
 }
 
 /// What a perspective camera sees at its focal point. A view up along the axis gives NaN,
@@ -67,6 +71,8 @@ void SetAxes(vtkCamera* camera, const EyeView& view, StereoEye eye)
   camera->SetUseOffAxisProjection(false);
   camera->SetParallelProjection(false);
   camera->SetUseHorizontalViewAngle(false);
+  camera->SetUseExplicitProjectionTransformMatrix(false);
+  camera->SetUseExplicitAspectRatio(false);
   camera->SetViewShear(0, 0, 1);
   camera->SetPosition(view.position.x, view.position.y, view.position.z);
   camera->SetFocalPoint(view.focalPoint.x, view.focalPoint.y, view.focalPoint.z);
@@ -88,17 +94,20 @@ void SetCameraToView(vtkCamera* camera, const EyeView& view, StereoEye eye, cons
   SetAxes(camera, view, eye);
   // VTK's projection has the aspect of the viewport; x of the view is `squeeze` times its x.
   const double squeeze = grid.size.x / (grid.size.y * view.aspect);
-  const glm::dvec2 scale = grid.scale * glm::dvec2(squeeze, 1.0);
-  if (glm::length(scale - 1.0) < 1e-12 && grid.shift == glm::dvec2(0.0))
+  if (std::abs(squeeze - 1.0) < 1e-12 && glm::length(grid.scale - 1.0) < 1e-12 &&
+      grid.shift == glm::dvec2(0.0))
     return;
   camera->SetWindowCenter(view.windowCenter.x / squeeze, view.windowCenter.y);
-  vtkNew<vtkMatrix4x4> stretch;
-  stretch->SetElement(0, 0, scale.x);
-  stretch->SetElement(1, 1, scale.y);
-  stretch->SetElement(0, 3, grid.shift.x);
-  stretch->SetElement(1, 3, grid.shift.y);
+  vtkNew<vtkMatrix4x4> stretch; // the view, what the user does with it, the pixels drawn of that
+  stretch->SetElement(0, 0, squeeze);
   if (camera->GetUserTransform())
     vtkMatrix4x4::Multiply4x4(camera->GetUserTransform()->GetMatrix(), stretch, stretch);
+  vtkNew<vtkMatrix4x4> pixels;
+  pixels->SetElement(0, 0, grid.scale.x);
+  pixels->SetElement(1, 1, grid.scale.y);
+  pixels->SetElement(0, 3, grid.shift.x);
+  pixels->SetElement(1, 3, grid.shift.y);
+  vtkMatrix4x4::Multiply4x4(pixels, stretch, stretch);
   vtkNew<vtkMatrixToHomogeneousTransform> transform;
   transform->SetInput(stretch);
   camera->SetUserTransform(transform);

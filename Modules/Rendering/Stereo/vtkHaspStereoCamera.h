@@ -14,7 +14,8 @@ namespace hasp
 {
 
 /// Makes `camera` the given eye: sets position, focal point, view up, angle and window centre, and
-/// switches off what would add to them (VTK's off-axis projection, shear, parallel projection).
+/// switches off what would add to them (VTK's off-axis projection, shear, parallel projection,
+/// explicit projection and aspect).
 /// The clipping range stays: reset it afterwards. The viewport's aspect must be the screen's
 /// width / height. Throws std::invalid_argument like ValidateStereoRig, and if the eye is so near
 /// that the screen's height fills more than VTK's 179 degrees.
@@ -23,7 +24,7 @@ VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToEye(
 
 /// The same for any eye's view, drawn into the pixels of `grid`, whatever their shape: where the
 /// viewport has another aspect than the view, or the grid is shifted, the camera's user transform
-/// stretches the picture (on top of one that is there already).
+/// stretches the picture: a view that one turns or moves already is drawn so, in those pixels.
 VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToView(
   vtkCamera* camera, const EyeView& view, StereoEye eye, const EyeGrid& grid);
 
@@ -35,7 +36,7 @@ VTKHASPRENDERINGSTEREO_EXPORT void SetCameraToView(
 ///                  2 distance tan(angle / 2) apart.
 ///
 /// Throws std::invalid_argument for a parallel projection (it has no eye), VTK's off-axis
-/// projection or a shear. So do the functions below.
+/// projection, a shear, or an explicit projection or aspect. So do the functions below.
 VTKHASPRENDERINGSTEREO_EXPORT StereoRig RigFromCamera(
   vtkCamera* camera, double aspect, double eyeAngleDegrees);
 

@@ -18,6 +18,7 @@ vtkStandardNewMacro(vtkHaspStereoWindows);
 
 struct vtkHaspStereoWindows::Internals
 {
+  vtkHaspStereoWindows* owner;
   vtkSmartPointer<vtkRenderer> renderer;
   std::list<WindowDrawing> windows; // in the order they were added
   hasp::StereoHead head;
@@ -34,11 +35,11 @@ struct vtkHaspStereoWindows::Internals
     return found == this->windows.end() ? nullptr : &*found;
   }
   /// Throws what is wrong with the scene's camera.
-  ViewedScene Scene(double eyeAngle) const
+  ViewedScene Scene() const
   {
     if (!this->renderer)
       throw std::invalid_argument("stereo: no renderer; call SetRenderer");
-    ViewedScene scene{ this->renderer, this->head, glm::dmat4(1.0), eyeAngle };
+    ViewedScene scene{ this->renderer, this->head, glm::dmat4(1.0), this->owner->EyeAngle };
     const hasp::StereoWindow* placed = nullptr;
     for (const WindowDrawing& one : this->windows)
       if (!placed && (one.Settings().screen || one.Settings().hmd))
@@ -53,9 +54,31 @@ struct vtkHaspStereoWindows::Internals
         this->renderer->GetActiveCamera(), placed->screen.value_or(hasp::StereoScreen{}));
     return scene;
   }
+  /// Once until it is another one, or the window was drawn.
+  void Say(WindowDrawing& window, const std::string& error) const
+  {
+    if (window.IsNews(error))
+      vtkErrorWithObjectMacro(this->owner, << error);
+  }
+  std::optional<WindowDrawing::Position> FindPosition(
+    vtkRenderWindow* window, glm::ivec2 pixel, std::optional<hasp::StereoEye> of = {})
+  {
+    WindowDrawing* drawing = window ? this->Find(window) : nullptr;
+    if (!drawing)
+      return std::nullopt;
+    try
+    {
+      return drawing->FindPosition(this->Scene(), pixel, of);
+    }
+    catch (const std::exception& error)
+    {
+      this->Say(*drawing, error.what());
+      return std::nullopt;
+    }
+  }
 };
 
-vtkHaspStereoWindows::vtkHaspStereoWindows() : Self(std::make_unique<Internals>()) {}
+vtkHaspStereoWindows::vtkHaspStereoWindows() : Self(new Internals{ this, {}, {}, {}, {} }) {}
 vtkHaspStereoWindows::~vtkHaspStereoWindows() = default;
 
 void vtkHaspStereoWindows::SetRenderer(vtkRenderer* scene)
@@ -165,18 +188,18 @@ bool vtkHaspStereoWindows::Render()
   bool all = !self.windows.empty();
   for (WindowDrawing& one : self.windows)
   {
-    std::string message;
     try
     {
-      one.Draw(self.Scene(this->EyeAngle));
+      one.Draw(self.Scene());
+      if (self.windows.size() > 1)
+        one.Leave(self.Scene());
+      one.IsNews("");
     }
     catch (const std::exception& error)
     {
-      message = error.what();
+      self.Say(one, error.what());
       all = false;
     }
-    if (one.IsNews(message) && !message.empty())
-      vtkErrorMacro(<< message);
   }
   return all;
 }
@@ -184,55 +207,43 @@ bool vtkHaspStereoWindows::Render()
 bool vtkHaspStereoWindows::GetRay(
   vtkRenderWindow* window, int x, int y, double eye[3], double through[3])
 {
-  WindowDrawing* drawing = this->Self->Find(window);
-  if (!window || !drawing)
+  const auto at = this->Self->FindPosition(window, { x, y });
+  if (!at)
     return false;
-  try
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const auto at = drawing->FindPosition(this->Self->Scene(this->EyeAngle), { x, y });
-    if (!at)
-      return false;
-    const glm::dvec3 to = hasp::PointOnScreen(at->view, at->device);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      eye[axis] = at->view.position[axis];
-      through[axis] = to[axis];
-    }
-    return true;
+    eye[axis] = at->origin[axis];
+    through[axis] = at->through[axis];
   }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
+  return true;
 }
 
 bool vtkHaspStereoWindows::GetPositionInView(
   vtkRenderWindow* window, int x, int y, hasp::StereoEye& eye, double device[2])
 {
-  WindowDrawing* drawing = this->Self->Find(window);
-  if (!window || !drawing)
+  const auto at = this->Self->FindPosition(window, { x, y });
+  if (!at)
     return false;
-  try
-  {
-    const auto at = drawing->FindPosition(this->Self->Scene(this->EyeAngle), { x, y });
-    if (!at)
-      return false;
-    eye = at->eye;
-    device[0] = at->device.x;
-    device[1] = at->device.y;
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
+  eye = at->eye;
+  device[0] = at->device.x;
+  device[1] = at->device.y;
+  return true;
+}
+
+bool vtkHaspStereoWindows::GetPositionInViewOf(
+  hasp::StereoEye eye, vtkRenderWindow* window, int x, int y, double device[2])
+{
+  const auto at = this->Self->FindPosition(window, { x, y }, eye);
+  if (!at)
     return false;
-  }
+  device[0] = at->device.x;
+  device[1] = at->device.y;
+  return true;
 }
 
 void vtkHaspStereoWindows::ListResources(hasp::ResourceList& resources) const
 {
-  hasp::ResourceUse second{ "second eye", 0, 0.0, "no window shows two eyes" };
+  hasp::ResourceUse second{ "second eye", 0, 0.0, "no window shows both eyes" };
   hasp::ResourceUse pictures{ "eye pictures", 0, 0.0, "no window puts eyes together" };
   hasp::ResourceUse tables{ "lens tables", 0, 0.0, "no window has a lens" };
   this->Self->DropGone();

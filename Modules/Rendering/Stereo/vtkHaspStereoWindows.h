@@ -31,7 +31,8 @@ enum class StereoEye;
  * camera's LeftEye says which it is.
  *
  * The scene's renderer draws in its own window, if that is one of them; in others a renderer of
- * ours shows the same props, lights and background. Its camera and the windows' StereoRender,
+ * ours shows the same props, lights and background. In its own window, other layers of its viewport
+ * with the same camera are seen by the same eyes. Its camera and the windows' StereoRender,
  * SwapBuffers and viewports come back as they were: interactors go on moving the application's
  * camera. So that interaction draws two eyes, not one, call interactor->EnableRenderOff() and let
  * its vtkCommand::RenderEvent call Render.
@@ -39,9 +40,11 @@ enum class StereoEye;
  * Where the room lies: with SetRoomToWorld(nullptr) the first window's screen stands at the focal
  * point of the scene's camera (hasp::RoomOnScreen), else where the matrix says.
  *
- * Mono, left and right without mirror and lens have no pass and no textures.
- * VTK's own mappers keep buffers of one window: with several windows VTK 9.1 makes them anew at
- * each change of window, whether their contexts are shared or not; ours keep them a window.
+ * Mono, left and right without mirror and lens have no pass and no textures. What the pass puts
+ * together is opaque, whatever the background's alpha. Each frame draws all renderers of the
+ * window: of two scenes in viewports of one window only the last one drawn has its eyes put
+ * together. VTK's own mappers keep buffers of one window: with several windows VTK 9.1 makes them
+ * anew at each change of window, whether their contexts are shared or not; ours keep them a window.
  * With several samples a pixel, an eye's pixel is their mean.
  *
  * Threads: RENDER. Windows are held weakly: they may be deleted at any time.
@@ -104,6 +107,12 @@ public:
    * as GetRay. */
   bool GetPositionInView(
     vtkRenderWindow* window, int x, int y, hasp::StereoEye& eye, double device[2]);
+
+  /** The same for a given eye and any pixel, outside of the window too, as if the eye's part of it
+   * went on beyond its borders: where a drag is that began in that eye. Beyond what a lens shows
+   * there is nothing: false. */
+  bool GetPositionInViewOf(
+    hasp::StereoEye eye, vtkRenderWindow* window, int x, int y, double device[2]);
 
   /** "second eye", "eye pictures", "lens tables": bytes of textures of all windows; milliseconds of
    * the second eyes' last frames. All 0, with a reason, where nothing asks for them. */

@@ -126,6 +126,9 @@ TEST(CellTracerPicture, APictureThatWasUsedShowsTheNewOneOnly)
   EXPECT_EQ(plain.cells, fresh.cells);
   EXPECT_EQ(plain.gradients, fresh.gradients);
   EXPECT_TRUE(plain.places.empty() && plain.corners.empty()) << "not asked for";
+  hasp::TracedPicture lit = used;
+  scene.tracer.TracePicture(aside, lit, false);
+  EXPECT_EQ(lit.places.capacity() + lit.corners.capacity(), 0) << "not any more";
   for (std::size_t n = 0; n < fresh.cells.size(); ++n)
     if (fresh.cells[n] != hasp::TracedPicture::Nothing)
     {

@@ -3,6 +3,7 @@
 #include "Isosurface/Testing/LitScene.h"
 
 #include <algorithm>
+#include <random>
 
 namespace
 {
@@ -136,6 +137,12 @@ TEST(LightCacheEyes, TheSecondTakesNothingThatIsNotItsOwn)
     Light(cache, scene, away, sun, LightEye::First);
   };
   EXPECT_EQ(second(elsewhere, sun), 0);
+  // Nor of another isovalue's surface, which nobody told it of.
+  const TracedVolume<float> shifted(scene.samples, Grid, 0.1);
+  hasp::LightCache cache;
+  Light(cache, scene, Eye(0.0), { {}, Sun }, LightEye::First);
+  Light(cache, shifted, Eye(3.0), { {}, Sun }, LightEye::Second);
+  EXPECT_EQ(cache.SharedPixels(), 0);
 }
 
 TEST(LightCacheEyes, TheSecondMayBeAtTheOtherSideOfTheSurface)
@@ -145,6 +152,47 @@ TEST(LightCacheEyes, TheSecondMayBeAtTheOtherSideOfTheSurface)
   Light(cache, scene, Eye(0.0, { -70, 60, -55 }), { {}, Sun }, LightEye::First);
   const Lit second = Light(cache, scene, Eye(0.0), { {}, Sun }, LightEye::Second);
   EXPECT_LE(WrongShadows(scene, Eye(0.0), second), 0.002);
+}
+
+/// Rough walls in slices of 3 mm, whose sides lie a voxel or two apart: each has its own light.
+TEST(LightCacheEyes, TheSecondTakesNothingOfTheOtherSideOfAThinWall)
+{
+  const hasp::GridGeometry grid{ { 50, 45, 40 }, { -20, 5, 3 }, { 0.2, 0.2, 3.0 }, glm::dmat3(1) };
+  const glm::dvec3 middle = grid.IndexToWorld(glm::dvec3(grid.dims) * 0.5);
+  const auto wall = [&](const glm::dvec3& place)
+  {
+    const glm::dvec3 from = place - middle;
+    return 0.9 + 0.5 * std::sin(2.0 * from.y) * std::sin(2.0 * from.z) -
+           std::abs(glm::length(from) - 12.0);
+  };
+  const auto scene = FieldVolume(grid, wall);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
+  std::size_t hits = 0, wrong[2] = {};
+  for (int head = 0; head < 9; ++head)
+  {
+    const glm::dvec3 at = middle + 80.0 * vector(), to = middle + 4.0 * vector();
+    const auto left = ViewFrom(grid, at, to, { 120, 105 }),
+               right = ViewFrom(grid, at + 3.0 * vector(), to, { 120, 105 });
+    hasp::LightCache cache, alone;
+    LitPicture pictures[2];
+    for (int frame = 0; frame < 12; ++frame)
+    {
+      LightOf(cache, scene, left, { 6.0, {}, LightEye::First });
+      pictures[0] = LightOf(cache, scene, right, { 6.0, {}, LightEye::Second });
+      pictures[1] = LightOf(alone, scene, right, { 6.0, {}, LightEye::Alone });
+    }
+    for (std::size_t n = 0; n < pictures[0].hits.size(); ++n, ++hits)
+    {
+      const double truth =
+        scene.tracer.AmbientOcclusion(pictures[0].hits[n], { 64, 6.0 }, std::uint32_t(n));
+      for (int eye = 0; eye < 2; ++eye)
+        wrong[eye] += std::abs(pictures[eye].open[n] - truth) > 0.3;
+    }
+  }
+  EXPECT_GT(hits, 2000);
+  EXPECT_LE(wrong[0], wrong[1] + hits / 500) << "of " << hits; // of these slices 1 % would be
 }
 
 TEST(LightCacheEyes, OneEyeKeepsNothingForAnother)

@@ -3,9 +3,12 @@
 #include "RaycastTestScene.h"
 #include "vtkHaspStereoPair.h"
 
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
 
 #include <cstdlib>
 
@@ -126,6 +129,46 @@ TEST_P(EyesThatShare, TheFirstCastsRaysForBoth)
   EXPECT_TRUE(scene.Errors.empty());
 }
 
+/// Rays that were cast for an eye are of where it looked then, not of where it looks when it comes
+/// back.
+TEST_P(EyesThatShare, AnEyeThatComesBackHasRaysOfItsOwn)
+{
+  EyesScene scene(GetParam());
+  scene.UseCache();
+  scene.Raycaster->PredictionOff();
+  scene.DrawBoth();
+  scene.DrawBoth();
+  scene.DrawEye(true); // casts rays for a right eye that is not drawn
+  scene.DrawEye(true);
+  scene.Renderer->GetActiveCamera()->Azimuth(150.0);
+  scene.DrawEye(false);
+  EXPECT_GT(scene.Rays(), 0);
+}
+
+/// A pick draws frames of its own, of one eye.
+TEST_P(EyesThatShare, APickDoesNotPartThem)
+{
+  EyesScene scene(GetParam());
+  scene.UseCache();
+  scene.Raycaster->PredictionOff();
+  scene.DrawMono();
+  const int mono = scene.Rays();
+  scene.DrawBoth();
+  scene.DrawBoth();
+  EXPECT_TRUE(scene.Raycaster->IsRefining());
+  scene.Left = true;
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, 20, 20);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  for (int pick = 0; pick < 2; ++pick)
+    vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  scene.DrawEye(true);
+  EXPECT_EQ(scene.Rays(), mono);
+  scene.DrawEye(false);
+  EXPECT_EQ(scene.Rays(), 0);
+}
+
 TEST_P(EyesThatShare, TheCacheComesToRestWithBothPicturesComplete)
 {
   EyesScene scene(GetParam()), alone(GetParam());
@@ -165,6 +208,60 @@ TEST_P(EyesThatShare, OneChoiceHoldsForBoth)
   }
   scene.DrawEye(false); // with no left one before it, it measures for itself
   EXPECT_NE(left, times());
+}
+
+/// What the first eye was spared after a change, all active cells, the second would pay else.
+TEST_P(EyesThatShare, OneChoiceHoldsForBothAfterAChange)
+{
+  EyesScene scene(GetParam());
+  scene.Show<std::int16_t>(hasp::AnalyticGyroid(4), ObliqueGrid(120, { 0.4, 0.4, 0.4 }));
+  scene.Raycaster->SetModeToAutomatic();
+  const auto way = [&]
+  {
+    const std::string text = scene.Raycaster->GetModeChoice();
+    return text.substr(0, text.find(": "));
+  };
+  int cached = 0;
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    scene.Raycaster->SetIsoValue(frame % 2);
+    scene.DrawEye(true);
+    const std::string left = way();
+    scene.DrawEye(false);
+    if (left != "cache")
+      continue; // it is measured yet
+    ++cached;
+    EXPECT_EQ(way(), left) << frame;
+  }
+  EXPECT_GT(cached, 0) << scene.Raycaster->GetModeChoice(); // several times as fast here
+}
+
+/// Each actor shows another side of the surface: rays are cast for both, as by a mapper each.
+TEST_P(EyesThatShare, TwoActorsOfAMapperBecomeComplete)
+{
+  EyesScene one(GetParam()), two(GetParam());
+  vtkNew<vtkHaspRayCachingMapper> other;
+  other->SetInputData(two.Raycaster->GetImage());
+  other->SetIsoValue(two.Raycaster->GetIsoValue());
+  other->SetModeToCache();
+  const auto complete = [&](EyesScene& scene, vtkHaspRayCachingMapper* second)
+  {
+    scene.UseCache();
+    scene.Actor->SetPosition(30, 0, 0);
+    vtkNew<vtkActor> behind;
+    behind->SetMapper(second);
+    behind->SetPosition(-30, 20, 0);
+    behind->RotateZ(180);
+    scene.Renderer->AddActor(behind);
+    for (int frames = 0, quiet = 0; quiet < 8 && frames < 400; ++frames)
+    {
+      scene.DrawBoth();
+      quiet = scene.Raycaster->IsRefining() || second->IsRefining() ? 0 : quiet + 1;
+    }
+    return scene.Shown();
+  };
+  const auto shown = complete(one, one.Raycaster);
+  EXPECT_LT(Different(shown, complete(two, other), 2), 1e-3); // as above
 }
 
 INSTANTIATE_TEST_SUITE_P(VtksStereoAndRigs, EyesThatShare, ::testing::Bool(),
@@ -228,6 +325,41 @@ TEST_P(EyesThatShare, TheSecondTakesTheFirstOnesLight)
   EXPECT_GT(Find(scene.Raycaster, "light of the first eye").bytes, 10'000);
   // Both still have grain: an eighth of white, say. Shadows lie where they lay.
   EXPECT_LT(Different(scene.Shown(), alone.Shown(), 32), 2e-3);
+}
+
+/// Between one window's frames come the other's.
+TEST(EyesOfARig, ShareLightInEachOfTwoWindows)
+{
+  hasp::UseHeadlessWindows();
+  EyesScene first(false), second(false), alone(false);
+  for (EyesScene* scene : { &first, &second, &alone })
+    scene->UseLight();
+  second.Actor->SetMapper(first.Raycaster);
+  second.Renderer->GetActiveCamera()->Azimuth(40.0);
+  alone.Renderer->GetActiveCamera()->Azimuth(40.0);
+  for (EyesScene* scene : { &first, &second })
+    hasp::SetStereoPair(scene->Renderer->GetActiveCamera()->GetInformation(), hasp::StereoPair{});
+  const auto shared = [&] { return Find(first.Raycaster, "light of the first eye").bytes; };
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    if (frame % 2 == 0)
+    {
+      first.DrawBoth();
+      EXPECT_GT(shared(), 10'000) << frame;
+      second.DrawBoth();
+    }
+    else
+      for (const bool left : { true, false })
+        for (EyesScene* scene : { &first, &second })
+          scene->DrawEye(left);
+    EXPECT_GT(shared(), 10'000) << frame;
+    alone.DrawEye(false);
+  }
+  EXPECT_LT(Different(second.Shown(), alone.Shown(), 32), 2e-3); // as above
+  for (EyesScene* scene : { &first, &second })
+    hasp::SetStereoPair(scene->Renderer->GetActiveCamera()->GetInformation(), std::nullopt);
+  first.DrawMono();
+  EXPECT_EQ(shared(), 0);
 }
 
 #endif

@@ -32,14 +32,14 @@ TEST_F(ViewerEyesOfAMapper, AreForgottenAfter256FramesOfOthers)
     scene.Window->AddRenderer(other);
     ViewerEyes eyes;
     bool begins = false;
-    eyes.Of(other, begins).Choice.WholeTook(false, 7.0);
+    eyes.Of(other, scene.Actor, begins).Choice.WholeTook(false, 7.0);
     EXPECT_TRUE(begins);
     for (int frame = 0; frame < frames; ++frame)
     {
       scene.Renderer->InvokeEvent(vtkCommand::StartEvent);
-      eyes.Of(scene.Renderer, begins);
+      eyes.Of(scene.Renderer, scene.Actor, begins);
     }
-    return eyes.Of(other, begins).Choice.Text().find("7.0 ms") != std::string::npos;
+    return eyes.Of(other, scene.Actor, begins).Choice.Text().find("7.0 ms") != std::string::npos;
   };
   EXPECT_TRUE(isKnownAfter(1));
   EXPECT_TRUE(isKnownAfter(256));
@@ -52,7 +52,7 @@ ViewerEye& Begin(ViewerEyes& eyes, CellTestScene& scene, bool left)
   scene.Renderer->InvokeEvent(vtkCommand::StartEvent);
   scene.Renderer->GetActiveCamera()->SetLeftEye(left);
   bool begins = false;
-  ViewerEye& eye = eyes.Of(scene.Renderer, begins);
+  ViewerEye& eye = eyes.Of(scene.Renderer, scene.Actor, begins);
   EXPECT_TRUE(begins);
   return eye;
 }
@@ -176,7 +176,7 @@ TEST_F(ViewerEyesOfAMapper, ReadingDepthLeavesWhatIsReadAsItWas)
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, read.name);
-    ViewerEye eye(scene.Renderer, true, 0);
+    ViewerEye eye(scene.Renderer, scene.Actor, true, 0);
     eye.ReadDepth({ 2, 3 }, { 8, 6 });
     ASSERT_EQ(eye.Depth({ 8, 6 }).size(), 48U) << samples;
     for (const float depth : eye.Depth({ 8, 6 }))

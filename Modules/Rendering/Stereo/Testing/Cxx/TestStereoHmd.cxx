@@ -45,6 +45,9 @@ glm::dvec2 ThroughCamera(
   const hasp::EyeView& view, StereoEye eye, const hasp::EyeGrid& grid, const glm::dvec3& point)
 {
   vtkNew<vtkCamera> camera;
+  camera->SetUseExplicitProjectionTransformMatrix(true); // would be all that counts
+  camera->SetExplicitAspectRatio(7.0);
+  camera->SetUseExplicitAspectRatio(true);
   hasp::SetCameraToView(camera, view, eye, grid);
   camera->SetClippingRange(1, 5000);
   const double aspect = static_cast<double>(grid.size.x) / grid.size.y;
@@ -161,6 +164,12 @@ TEST(StereoWindow, ARoomStandsOnTheScreenOfACamera)
   camera->SetParallelProjection(true);
   EXPECT_THROW(hasp::RigOnScreen(camera, room), std::invalid_argument);
   camera->SetParallelProjection(false);
+  camera->SetUseExplicitProjectionTransformMatrix(true);
+  EXPECT_THROW(hasp::RigOnScreen(camera, room), std::invalid_argument);
+  camera->SetUseExplicitProjectionTransformMatrix(false);
+  camera->SetUseExplicitAspectRatio(true);
+  EXPECT_THROW(hasp::RigOnScreen(camera, room), std::invalid_argument);
+  camera->SetUseExplicitAspectRatio(false);
   room.screen.widthMm = -1.0;
   EXPECT_THROW(hasp::RigOnScreen(camera, room), std::invalid_argument);
   EXPECT_THROW(hasp::ShowLifeSize(camera, room.screen), std::invalid_argument);

@@ -138,6 +138,7 @@ TEST(StereoOutput, HalfResolutionShowsEachEyePixelOnce)
         for (int x = 0; x < size.x; ++x)
         {
           const hasp::EyePixel from = hasp::EyePixelAt(output, size, { x, y });
+          EXPECT_EQ(hasp::PixelOfEye(output, size, from.eye, { x, y }), from.pixel);
           const glm::ivec2 eye = hasp::GridOfEye(output, size, from.eye).size;
           EXPECT_TRUE(
             from.pixel.x >= 0 && from.pixel.y >= 0 && from.pixel.x < eye.x && from.pixel.y < eye.y);

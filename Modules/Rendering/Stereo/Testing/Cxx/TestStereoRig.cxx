@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -210,6 +211,12 @@ TEST(StereoRig, WorldAndRoomSeeTheSame)
     hasp::TransformStereoRig(room, glm::scale(map, glm::dvec3(1, 1, 2))), std::invalid_argument);
   EXPECT_THROW(
     hasp::TransformStereoRig(room, glm::scale(map, glm::dvec3(1, 1, -1))), std::invalid_argument);
+  EXPECT_THROW(
+    hasp::TransformStereoRig(room, glm::transpose(glm::translate(glm::dmat4(1.0), { 5, 0, 0 }))),
+    std::invalid_argument);
+  glm::dmat4 broken = map;
+  broken[0][3] = NAN;
+  EXPECT_THROW(hasp::TransformStereoRig(room, broken), std::invalid_argument);
 }
 
 TEST(StereoRig, AnOrdinaryCameraComesBackFromItsRig)

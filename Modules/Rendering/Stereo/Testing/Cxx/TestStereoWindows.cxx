@@ -1,7 +1,5 @@
 #include "StereoTestScene.h"
-#include "vtkHaspStereoCamera.h"
 
-#include "vtkCellPicker.h"
 #include "vtkOpenGLRenderWindow.h"
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
@@ -9,7 +7,7 @@
 #include "vtk_glew.h"
 #endif
 
-#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +16,6 @@
 namespace
 {
 
-using hasp::MirrorFlip;
 using hasp::StereoLayout;
 using hasp::StereoResolution;
 using stereotest::BallsScene;
@@ -53,7 +50,10 @@ TEST(StereoWindows, SayWhatIsWrongOnce)
   scene.Windows->SetHead({ { 0, 0, -5 } });
   for (int frame = 0; frame < 3; ++frame)
     EXPECT_FALSE(scene.Windows->Render());
-  EXPECT_EQ(scene.Errors, 7) << "once, not once a frame";
+  double eye[3], through[3];
+  for (int move = 0; move < 3; ++move)
+    EXPECT_FALSE(scene.Windows->GetRay(window, move, 10, eye, through));
+  EXPECT_EQ(scene.Errors, 7) << "once, not once a frame or a mouse's move";
   EXPECT_EQ(Picture(window), before) << "the view stays";
   scene.Windows->SetHead({ { 0, 0, NAN } });
   EXPECT_FALSE(scene.Windows->Render());
@@ -111,22 +111,6 @@ TEST(StereoWindows, ShowTheSameSceneInEach)
       EXPECT_FALSE(window->HasRenderer(scene.Renderer));
   }
   EXPECT_EQ(scene.Errors, 0);
-}
-
-TEST(StereoWindows, ShowThePropsThatComeAndGo)
-{
-  BallsScene scene;
-  const auto window = MakeWindow(Size);
-  scene.Windows->AddWindow(window, "side-by-side");
-  ASSERT_TRUE(scene.Windows->Render());
-  const Bytes before = Picture(window);
-  const auto ball = stereotest::MakeBall({ 20, -200, 20 }, 25);
-  scene.Renderer->AddActor(ball);
-  ASSERT_TRUE(scene.Windows->Render());
-  EXPECT_NE(Picture(window), before);
-  scene.Renderer->RemoveActor(ball);
-  ASSERT_TRUE(scene.Windows->Render());
-  EXPECT_EQ(Picture(window), before);
 }
 
 TEST(StereoWindows, ADualWindowIsOneEyeEach)
@@ -241,71 +225,6 @@ TEST(StereoWindows, FollowTheWindowsSize)
   EXPECT_TRUE(scene.Windows->Render());
   EXPECT_EQ(Picture(window), before);
   EXPECT_EQ(scene.Errors, 0);
-}
-
-TEST(StereoWindows, ARaySeesWhatThePixelShows)
-{
-  BallsScene scene;
-  scene.Renderer->RemoveAllViewProps();
-  const glm::dvec3 center(25, -40, 20);
-  const auto ball = stereotest::MakeBall(center, 14.0);
-  ball->GetProperty()->LightingOff();
-  scene.Renderer->AddActor(ball);
-  const auto window = MakeWindow({ 300, 200 });
-  window->AddRenderer(scene.Renderer);
-  vtkNew<vtkCellPicker> picker;
-  hasp::StereoWindow settings;
-  settings.screen.emplace();
-  for (const StereoLayout layout :
-    { StereoLayout::SideBySide, StereoLayout::Interlaced, StereoLayout::Checkerboard })
-    for (const MirrorFlip flip : { MirrorFlip::None, MirrorFlip::Both })
-      for (const bool lens : { false, true })
-      {
-        settings.output = { layout, StereoResolution::Half, flip };
-        settings.lens.reset();
-        if (lens)
-          settings.lens = hasp::LensModel{ { 0.1, 0.0, 0.0 } };
-        scene.Windows->AddWindow(window, settings);
-        scene.Windows->SetHead({ { 60, 30, 600 }, { 1, 0.2, 0 } });
-        ASSERT_TRUE(scene.Windows->Render());
-        const Bytes picture = Picture(window);
-        int wrong = 0, bright = 0;
-        for (int y = 0; y < 200; y += 3)
-          for (int x = 0; x < 300; x += 3)
-          {
-            double eye[3], through[3];
-            const bool any = scene.Windows->GetRay(window, x, y, eye, through);
-            const glm::dvec3 e(eye[0], eye[1], eye[2]), t(through[0], through[1], through[2]);
-            const double off = glm::length(glm::cross(glm::normalize(t - e), center - e));
-            const bool shown = picture[3 * (y * 300 + x) + 1] > 200;
-            bright += shown;
-            wrong += any ? shown != (off < 14.0) : shown;
-          }
-        EXPECT_GT(bright, 40);
-        EXPECT_LE(wrong, 12) << "pixels on the outline: " << bright; // fields are half a pixel off
-      }
-  double eye[3], through[3];
-  EXPECT_FALSE(scene.Windows->GetRay(window, 300, 10, eye, through));
-  EXPECT_FALSE(scene.Windows->GetRay(MakeWindow(Size), 10, 10, eye, through));
-}
-
-TEST(StereoWindows, KnowsWhereAPixelLiesInItsEyesView)
-{
-  BallsScene scene;
-  auto window = MakeWindow({ 300, 200 });
-  window->AddRenderer(scene.Renderer);
-  hasp::StereoWindow settings;
-  settings.output = { hasp::StereoLayout::SideBySide, hasp::StereoResolution::Full,
-    hasp::MirrorFlip::Horizontal };
-  ASSERT_TRUE(scene.Windows->AddWindow(window, settings));
-  hasp::StereoEye eye = hasp::StereoEye::Left;
-  double device[2];
-  ASSERT_TRUE(scene.Windows->GetPositionInView(window, 180, 50, eye, device));
-  EXPECT_EQ(eye, hasp::StereoEye::Right);
-  EXPECT_NEAR(device[0], 1.0 - 2.0 * 30.5 / 150.0, 1e-12); // turned over within its half
-  EXPECT_NEAR(device[1], 2.0 * 50.5 / 200.0 - 1.0, 1e-12);
-  EXPECT_FALSE(scene.Windows->GetPositionInView(window, 300, 50, eye, device));
-  EXPECT_FALSE(scene.Windows->GetPositionInView(nullptr, 10, 50, eye, device));
 }
 
 TEST(StereoWindows, MayBeDeletedInAnyOrder)
