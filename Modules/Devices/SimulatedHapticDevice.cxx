@@ -72,7 +72,7 @@ DeviceSample SimulatedHapticDevice::Measure() const noexcept
 {
   const DeviceProfile& profile = this->Settings.profile;
   const RigidPose& truth = this->Model.Pose();
-  DeviceSample sample{ this->Model.TimeNs() };
+  DeviceSample sample{ this->ReadNs };
   sample.pose.position = Count(truth.position, profile.positionQuantumMm);
   if (profile.poseAxes == 6)
     sample.pose.orientation =
@@ -85,11 +85,17 @@ DeviceSample SimulatedHapticDevice::Measure() const noexcept
 
 DeviceStatus SimulatedHapticDevice::Read(std::int64_t nowNs, DeviceSample& sample) noexcept
 {
-  const bool news = nowNs > this->Model.TimeNs() || this->Sent == 0;
-  this->Plugged = this->PluggedAt(Seconds(nowNs));
+  if (!this->Began)
+    this->ReadNs = nowNs;
+  const std::int64_t handNs =
+    this->Model.TimeNs() + std::clamp<std::int64_t>(nowNs - this->ReadNs, 0, LongestReadNs);
+  const bool news = nowNs > this->ReadNs || this->Sent == 0;
+  this->Began = true;
+  this->ReadNs = std::max(this->ReadNs, nowNs);
+  this->Plugged = this->PluggedAt(Seconds(handNs));
   if (!this->Plugged)
     this->Acting = {};
-  this->Model.Advance(nowNs, this->Acting);
+  this->Model.Advance(handNs, this->Acting);
   if (!this->Plugged)
     return DeviceStatus::Unplugged;
   if (news)

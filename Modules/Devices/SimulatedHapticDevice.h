@@ -12,6 +12,7 @@ namespace hasp
 /// The moving part of such a device, with its mass and damping.
 HandBody BodyOf(const DeviceProfile& profile) noexcept;
 
+// Times in s since the hand's beginning: the first Read.
 struct SimulatedButtons
 {
   double fromS = 0.0; ///< these are held until the next entry
@@ -37,12 +38,18 @@ struct SimulatedDeviceSettings
 /// lies in the loop makes no difference to its stability.) While unplugged the hand goes on and
 /// feels nothing; a wrench written before that is gone.
 ///
-/// Deterministic: the same Reads and Writes at the same times give the same bits.
+/// The hand's time begins at the first Read, whatever the clock says then (CLOCK_MONOTONIC: the
+/// machine's uptime). Where the loop paused, no more than LongestReadNs of the pause go by for the
+/// hand: it waits for the rest, so that a Read after a pause costs no more than that.
+/// Deterministic: the same Reads and Writes at the same times since the first Read give the same
+/// bits.
 /// Limit: the workspace's end is no wall.
-/// Threads: as HapticDevice. Cost: that of HandModel.
+/// Threads: as HapticDevice. Cost: that of HandModel; 1.5 ms the longest Read.
 class SimulatedHapticDevice : public HapticDevice
 {
 public:
+  static constexpr std::int64_t LongestReadNs = 100'000'000;
+
   /// Throws std::invalid_argument as HandModel and ValidateDeviceProfile do, and if times of
   /// buttons or outages are not finite or not in order.
   SimulatedHapticDevice(const SimulatedDeviceSettings& settings, HandIntention intention);
@@ -51,7 +58,7 @@ public:
   DeviceStatus Read(std::int64_t nowNs, DeviceSample& sample) noexcept override;
   DeviceStatus Write(const Wrench& wrench) noexcept override;
 
-  /// The truth behind the encoders.
+  /// The truth behind the encoders, on the hand's own time.
   const HandModel& Hand() const noexcept { return this->Model; }
   HandModel& Hand() noexcept { return this->Model; }
   /// What acts on the hand now.
@@ -65,7 +72,8 @@ private:
   SimulatedDeviceSettings Settings;
   HandModel Model;
   Wrench Acting;
-  bool Plugged = true;
+  bool Plugged = true, Began = false;
+  std::int64_t ReadNs = 0;            ///< of the newest Read
   std::array<DeviceSample, 17> Cable; ///< the last delayTicks + 1 samples, a ring
   std::size_t Sent = 0;               ///< samples that went in
 };

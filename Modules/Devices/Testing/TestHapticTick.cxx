@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace
@@ -126,6 +127,31 @@ TEST(HapticTick, WhatAThreadRecordedIsReplayedToTheLastBit)
   for (const HapticRecord& record : recording->records)
     pushed += record.wrench.force != glm::dvec3(0.0);
   EXPECT_GT(pushed, 0u) << "the ball was met, else this compared zeros";
+}
+
+/// On the machine's own clock, which stands at its uptime.
+TEST(HapticTick, ASimulatedHandRunsOnAThreadsClock)
+{
+  auto made = std::make_unique<SimulatedHapticDevice>(
+    SimulatedDeviceSettings{}, HandIntention({}, { ImpactMotion{ { 50, 0, 0 }, 100.0 } }));
+  const SimulatedHapticDevice& simulated = *made;
+  GuardedHapticDevice device(std::move(made));
+  DeviceSample sample;
+  std::uint64_t good = 0;
+  LoopThread loop;
+  loop.Start({},
+    [&](const LoopTick& tick) noexcept
+    {
+      good += device.Read(tick.nowNs, sample) == DeviceStatus::Ok;
+      device.Write({ -0.1 * sample.pose.position });
+      return tick.number + 1 < 50;
+    });
+  while (loop.Running())
+    std::this_thread::yield();
+  loop.Stop();
+  EXPECT_EQ(loop.Rates().ticks, 50u);
+  EXPECT_EQ(good, 50u);
+  EXPECT_GT(simulated.Hand().Pose().position.x, 0.1) << "the hand moved";
 }
 
 /// A step that gives NaN for a while, then dies; a hand that is pressed meanwhile.

@@ -153,6 +153,57 @@ TEST(SimulatedHapticDevice, TheSameTimeAgainIsNothingNew)
   EXPECT_EQ(again.timeNs, sample.timeNs) << "the cable does not move on";
 }
 
+/// Poses and times of 200 ms, from this first Read on.
+std::vector<DeviceSample> TwoHundredMs(std::int64_t firstNs)
+{
+  SimulatedDeviceSettings settings;
+  settings.buttons = { { 0.05, 1 } };
+  settings.outages = { { 0.1, 0.11 } };
+  SimulatedHapticDevice device(
+    settings, HandIntention({}, { ImpactMotion{ { 50, 3, 0 }, 0.2 } }, { .reachMm = 0.1 }));
+  std::vector<DeviceSample> samples(200);
+  for (int ms = 0; ms < 200; ++ms)
+  {
+    device.Read(firstNs + ms * Ms, samples[ms]);
+    device.Write({ -0.2 * samples[ms].pose.position });
+  }
+  EXPECT_EQ(device.Hand().TimeNs(), 199 * Ms);
+  return samples;
+}
+
+TEST(SimulatedHapticDevice, TheHandBeginsWithTheFirstReadWhateverTheClockSays)
+{
+  // 10^15 ns: a machine that has been up for 11 days.
+  const std::vector<DeviceSample> early = TwoHundredMs(0),
+                                  late = TwoHundredMs(1'000'000'000'000'000);
+  for (std::size_t ms = 0; ms < early.size(); ++ms)
+  {
+    EXPECT_EQ(late[ms].pose.position, early[ms].pose.position) << ms;
+    EXPECT_EQ(late[ms].pose.orientation, early[ms].pose.orientation) << ms;
+    EXPECT_EQ(late[ms].buttons, early[ms].buttons) << ms;
+    const bool out = ms >= 100 && ms < 110;
+    EXPECT_EQ(late[ms].timeNs, out ? 0 : early[ms].timeNs + 1'000'000'000'000'000) << ms;
+  }
+  EXPECT_GT(early[199].pose.position.x, 1.0) << "it moved";
+  EXPECT_EQ(early[99].buttons, 1u);
+}
+
+TEST(SimulatedHapticDevice, APauseIsNoLongerThanTheLongestReadForTheHand)
+{
+  SimulatedHapticDevice device(Exact(), HandIntention({}, { ImpactMotion{ { 50, 0, 0 }, 1.0 } }));
+  constexpr std::int64_t Longest = SimulatedHapticDevice::LongestReadNs;
+  DeviceSample sample;
+  device.Read(0, sample);
+  device.Read(Longest, sample);
+  EXPECT_EQ(device.Hand().TimeNs(), Longest) << "so long a tick is one";
+  constexpr std::int64_t Hour = 3'600'000'000'000;
+  ASSERT_EQ(device.Read(Hour, sample), DeviceStatus::Ok);
+  EXPECT_EQ(sample.timeNs, Hour);
+  EXPECT_EQ(device.Hand().TimeNs(), 2 * Longest);
+  device.Read(Hour + Ms, sample);
+  EXPECT_EQ(device.Hand().TimeNs(), 2 * Longest + Ms) << "and goes on from there";
+}
+
 TEST(SimulatedHapticDevice, AForceActsUntilTheNextAndWithinTheProfile)
 {
   SimulatedDeviceSettings settings = Exact();
@@ -192,6 +243,8 @@ TEST(SimulatedHapticDevice, ButtonsAndOutagesComeWhenTheyAreSaid)
   settings.buttons = { { 0.010, 1 }, { 0.020, 3 }, { 0.030, 0 } };
   settings.outages = { { 0.025, 0.035 } };
   SimulatedHapticDevice device(settings, HandIntention());
+  DeviceSample first;
+  device.Read(0, first);
   for (int ms = 1; ms <= 50; ++ms)
   {
     DeviceSample sample{ .buttons = 77 };
