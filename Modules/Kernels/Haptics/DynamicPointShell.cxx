@@ -385,6 +385,14 @@ void DynamicPointShell::Update(const RigidPose& bodyInMap, double reachMm) noexc
   }
 }
 
+double DynamicPointShell::ClearanceMm(const RigidPose& bodyInMap) const noexcept
+{
+  const MapClearance& clearance = this->Inside->clearance;
+  const double free = this->Inside->nearBlocks.NoneUntil() - clearance.Travelled();
+  const double left = free - clearance.WayTo(bodyInMap);
+  return left > 0.0 ? left : 0.0; // not a number: 0
+}
+
 ContactPoints DynamicPointShell::Points() const noexcept
 {
   return this->Inside->points.Ring().Points();

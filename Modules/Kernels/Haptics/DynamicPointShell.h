@@ -32,6 +32,14 @@ struct DynamicPointShellSettings
   std::uint32_t seed = 1;
 };
 
+/// All of it that does not depend on what it meets: immutable, shared by all scenes that it is in.
+struct DynamicShellSource
+{
+  ShellVolume volume;
+  glm::dvec3 origin{ 0.0 }; ///< of the body's own axes, world, as the volume lies
+  DynamicPointShellSettings settings;
+};
+
 /// Points on a body's isosurface only where it may touch, drawn while it moves, without any
 /// preparation (thesis 3.3.1, Paper VII; the paper's algorithm is not published, this is ours).
 ///
@@ -68,6 +76,11 @@ public:
   ///            changes
   /// reachMm    distances that matter: 0 for contact; with the margin, within the map's range
   void Update(const RigidPose& bodyInMap, double reachMm) noexcept;
+
+  /// As far as every point of the body may go from there, any way, before one touches that does not
+  /// touch now, mm; 0 within reach and margin of the other body, and before the first Update. It
+  /// holds for poses to which the body comes between this Update and the next.
+  double ClearanceMm(const RigidPose& bodyInMap) const noexcept;
 
   /// All of the ring, dead points far away, each point with an area of its own; none if none lives.
   /// Body axes, mm. Until the next Update.

@@ -30,6 +30,25 @@ double AreaShare(const PointShell& shell, int level, double finest) noexcept
   return mine / area(level);
 }
 
+/// What is shown of a pair that has grown so far.
+double Weight(double grown) noexcept
+{
+  return grown * grown * grown;
+}
+
+/// Of the ball around the body's origin that holds the whole volume, mm.
+double RadiusOf(const DynamicShellSource& source)
+{
+  const GridGeometry& grid = GeometryOf(source.volume.grid);
+  double radius = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::ivec3 at = glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2) * grid.Cells();
+    radius = std::max(radius, glm::distance(grid.IndexToWorld(at), source.origin));
+  }
+  return radius;
+}
+
 /// [R 0; [p]x R  R]: how a force and its torque are seen from elsewhere.
 std::array<std::array<double, 6>, 6> Transform(const glm::dquat& turn, const glm::dvec3& p) noexcept
 {
@@ -88,11 +107,14 @@ HapticScene::HapticScene(
   int levels = 0;
   for (const HapticShell& shell : this->Shells)
   {
-    if (!shell.shell || !IsPose(shell.shellInTool))
-      throw std::invalid_argument("A shell of a haptic scene is null or has no pose");
-    levels = std::max(levels, shell.shell->Levels());
-    this->FarthestMm =
-      std::max(this->FarthestMm, glm::length(shell.shellInTool.position) + shell.shell->Radius());
+    if (!IsPose(shell.shellInTool))
+      throw std::invalid_argument("A shell of a haptic scene has no pose");
+    if ((shell.shell == nullptr) == (shell.dynamic == nullptr))
+      throw std::invalid_argument(
+        "A shell of a haptic scene is neither static nor dynamic, or both; set one of them");
+    levels = std::max(levels, shell.shell ? shell.shell->Levels() : 1);
+    const double radius = shell.shell ? shell.shell->Radius() : RadiusOf(*shell.dynamic);
+    this->FarthestMm = std::max(this->FarthestMm, glm::length(shell.shellInTool.position) + radius);
   }
   for (const HapticBody& body : this->Bodies)
   {
@@ -103,8 +125,56 @@ HapticScene::HapticScene(
   this->Near.resize(static_cast<std::size_t>(levels));
   for (std::size_t s = 0; s < this->Shells.size(); ++s)
     for (std::size_t b = 0; b < this->Bodies.size(); ++b)
-      this->Pairs.push_back({ s, b, CoarsePhase(this->Shells[s].shell, this->Bodies[b].map),
-        this->Bodies[b].map->View(), 1.0 });
+    {
+      const HapticShell& shell = this->Shells[s];
+      const auto& map = this->Bodies[b].map;
+      Pair& pair = this->Pairs.emplace_back(Pair{ s, b, map->View(), 1.0, {}, {} });
+      if (shell.shell)
+        pair.coarse.emplace(shell.shell, map);
+      else
+        pair.dynamic = std::make_unique<DynamicPointShell>(
+          shell.dynamic->volume, map, shell.dynamic->origin, shell.dynamic->settings);
+    }
+}
+
+RigidPose HapticScene::ShellInMap(const Pair& pair, const RigidPose& tool) const noexcept
+{
+  return this->Bodies[pair.body].mapInWorld.Inverse() * tool * this->Shells[pair.shell].shellInTool;
+}
+
+void HapticScene::Update(const RigidPose& tool) noexcept
+{
+  const double reachMm = this->Attracts() ? this->Now.contact.captureMm : 0.0;
+  for (Pair& pair : this->Pairs)
+    if (pair.dynamic)
+      pair.dynamic->Update(this->ShellInMap(pair, tool), reachMm);
+}
+
+void HapticScene::SetIsovalue(std::size_t shell, double isovalue) noexcept
+{
+  for (Pair& pair : this->Pairs)
+    if (pair.shell == shell && pair.dynamic)
+      pair.dynamic->SetIsovalue(isovalue);
+}
+
+std::uint32_t HapticScene::CopyDynamicDiscs(std::span<ShellDisc> out) const noexcept
+{
+  std::uint32_t copied = 0;
+  for (const Pair& pair : this->Pairs)
+  {
+    if (!pair.dynamic)
+      continue;
+    const RigidPose& inTool = this->Shells[pair.shell].shellInTool;
+    const std::span<ShellDisc> rest = out.subspan(copied);
+    const std::uint32_t count = CopyDiscs(pair.dynamic->Points(), 0, rest);
+    for (ShellDisc& disc : rest.first(count))
+    {
+      disc.center = inTool.Place(disc.center);
+      disc.normal = inTool.Turn(disc.normal);
+    }
+    copied += count;
+  }
+  return copied;
 }
 
 ToolContact::Answer HapticScene::At(const RigidPose& tool) noexcept
@@ -113,29 +183,52 @@ ToolContact::Answer HapticScene::At(const RigidPose& tool) noexcept
   answer.clearanceMm = std::numeric_limits<double>::infinity();
   std::fill(this->Near.begin(), this->Near.end(), 0U);
   this->Done = 0;
-  const bool attracts = this->Now.contact.attraction * this->Now.contact.fade > 0.0F;
   for (Pair& pair : this->Pairs)
-    this->AddPair(pair, tool, attracts ? ContactTerms::Snap : ContactTerms::Matrix, answer);
+    this->AddPair(pair, tool, this->Attracts() ? ContactTerms::Snap : ContactTerms::Matrix, answer);
   return answer;
 }
 
 void HapticScene::AddPair(
   Pair& pair, const RigidPose& tool, ContactTerms terms, Answer& answer) noexcept
 {
-  const HapticShell& shell = this->Shells[pair.shell];
-  const HapticBody& body = this->Bodies[pair.body];
-  const RigidPose shellInWorld = tool * shell.shellInTool;
-  const ContactPlacement placement{ body.mapInWorld.Inverse() * shellInWorld };
-  pair.coarse.Begin(
-    placement.shellInMap, terms == ContactTerms::Snap ? this->Now.contact.captureMm : 0.0);
-  const int levels =
-    std::min(shell.shell->Levels(), static_cast<int>(std::ceil(this->Now.finest)) + 1);
-  const double weight = pair.grown * pair.grown * pair.grown;
+  const ContactPlacement at{ this->ShellInMap(pair, tool) };
   ContactSums sums;
+  const double clearanceMm =
+    pair.dynamic ? this->AddDynamic(pair, at, terms, sums) : this->AddStatic(pair, at, terms, sums);
+  answer.clearanceMm = std::min(answer.clearanceMm, clearanceMm);
+  const glm::dvec3 arm = tool.Turn(this->Shells[pair.shell].shellInTool.position);
+  answer.sums += Moved(sums, this->Bodies[pair.body].mapInWorld.orientation, arm);
+}
+
+/// Returns the clearance, mm.
+double HapticScene::AddDynamic(
+  Pair& pair, const ContactPlacement& at, ContactTerms terms, ContactSums& sums) noexcept
+{
+  const std::uint32_t points = pair.dynamic->LastTick().points;
+  this->Near[0] += points;
+  if (points > 0)
+  {
+    ContactSettings settings = this->Now.contact;
+    settings.stiffness *= static_cast<float>(Weight(pair.grown));
+    settings.attraction *= static_cast<float>(Weight(pair.grown));
+    this->Kernels[terms](pair.dynamic->Points(), at, pair.view, settings, sums);
+    this->Done += points;
+  }
+  return pair.dynamic->ClearanceMm(at.shellInMap);
+}
+
+double HapticScene::AddStatic(
+  Pair& pair, const ContactPlacement& at, ContactTerms terms, ContactSums& sums) noexcept
+{
+  const PointShell& shell = *this->Shells[pair.shell].shell;
+  pair.coarse->Begin(
+    at.shellInMap, terms == ContactTerms::Snap ? this->Now.contact.captureMm : 0.0);
+  const int levels = std::min(shell.Levels(), static_cast<int>(std::ceil(this->Now.finest)) + 1);
+  const double weight = Weight(pair.grown);
   double nearBefore = 0.0;
   for (int level = 0; level < levels; ++level)
   {
-    const std::span<const ContactPoints> runs = pair.coarse.Near(level);
+    const std::span<const ContactPoints> runs = pair.coarse->Near(level);
     std::uint32_t points = 0;
     for (const ContactPoints& run : runs)
       points += run.count;
@@ -144,30 +237,29 @@ void HapticScene::AddPair(
     if (points == 0)
       continue;
     // Forces are linear in the area: blending levels is a stiffness per level.
-    const double area = AreaShare(*shell.shell, level, this->Now.finest);
+    const double area = AreaShare(shell, level, this->Now.finest);
     ContactSettings settings = this->Now.contact;
     settings.stiffness *= static_cast<float>(weight * area);
     settings.attraction *= static_cast<float>(weight * area);
     ContactSums part;
-    this->Kernels[terms](runs, placement, pair.view, settings, part);
+    this->Kernels[terms](runs, at, pair.view, settings, part);
     part.contactArea *= area;
     part.attractedArea *= area;
     sums += part;
     this->Done += points;
   }
   // Levels that were not asked about: as dense near the body as the one before.
-  for (int level = levels; level < shell.shell->Levels() && level > 0; ++level)
+  for (int level = levels; level < shell.Levels() && level > 0; ++level)
   {
     const double denser =
-      static_cast<double>(shell.shell->Level(level).count) / shell.shell->Level(level - 1).count;
+      static_cast<double>(shell.Level(level).count) / shell.Level(level - 1).count;
     nearBefore *= denser;
     this->Near[static_cast<std::size_t>(level)] += static_cast<std::uint32_t>(nearBefore);
   }
-  answer.clearanceMm = std::min(answer.clearanceMm, pair.coarse.Asked().clearanceMm);
-  answer.sums += Moved(sums, body.mapInWorld.orientation, shellInWorld.position - tool.position);
+  return pair.coarse->Asked().clearanceMm;
 }
 
-void HapticScene::TakeGrowth(const HapticScene* before) noexcept
+void HapticScene::TakeGrowth(HapticScene* before) noexcept
 {
   const auto same = [](const RigidPose& a, const RigidPose& b)
   { return a.position == b.position && a.orientation == b.orientation; };
@@ -178,13 +270,17 @@ void HapticScene::TakeGrowth(const HapticScene* before) noexcept
     const HapticBody& body = this->Bodies[pair.body];
     if (before == nullptr)
       continue;
-    for (const Pair& old : before->Pairs)
+    for (Pair& old : before->Pairs)
     {
       const HapticShell& oldShell = before->Shells[old.shell];
       const HapticBody& oldBody = before->Bodies[old.body];
-      if (oldShell.shell == shell.shell && same(oldShell.shellInTool, shell.shellInTool) &&
-          oldBody.map == body.map && same(oldBody.mapInWorld, body.mapInWorld))
-        pair.grown = old.grown;
+      if (oldShell.shell != shell.shell || oldShell.dynamic != shell.dynamic ||
+          !same(oldShell.shellInTool, shell.shellInTool) || oldBody.map != body.map ||
+          !same(oldBody.mapInWorld, body.mapInWorld))
+        continue;
+      pair.grown = old.grown;
+      std::swap(pair.dynamic, old.dynamic);
+      break;
     }
   }
 }
@@ -193,6 +289,18 @@ void HapticScene::Grow(double share) noexcept
 {
   for (Pair& pair : this->Pairs)
     pair.grown = std::min(1.0, pair.grown + share);
+}
+
+void HapticScene::ListResources(ResourceList& list) const
+{
+  std::size_t bytes = 0;
+  for (const Pair& pair : this->Pairs)
+    if (pair.dynamic)
+      pair.dynamic->ListResources(list);
+    else
+      bytes += pair.coarse->Bytes();
+  if (bytes > 0)
+    list.push_back({ "haptic coarse phases", bytes, 0.0, "which points may touch" });
 }
 
 } // namespace hasp

@@ -1,20 +1,25 @@
 #pragma once
 #include "Haptics/CoarsePhase.h"
 #include "Haptics/ContactForce.h"
-#include "Haptics/CostModel.h"
+#include "Haptics/DynamicPointShell.h"
+#include "Haptics/ShellDisc.h"
 #include "Haptics/ToolContact.h"
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace hasp
 {
 
-/// A surface that is moved with the tool: a fragment of the group in hand.
+/// A surface that is moved with the tool: a fragment of the group in hand. Exactly one of both
+/// shells is set.
 struct HapticShell
 {
   std::shared_ptr<const PointShell> shell;
   RigidPose shellInTool; ///< the shell's body axes, seen from the tool's
+  std::shared_ptr<const DynamicShellSource> dynamic{}; ///< points are drawn where it touches
 };
 
 /// A body that stands still: what can be touched.
@@ -26,11 +31,14 @@ struct HapticBody
 
 /// What the tool is made of and what it meets: every shell before every body, as one ToolContact.
 /// Working memory of the HAPTIC thread: made by a WORKER, given to the step, given back by it.
+///
+/// A dynamic shell has a DynamicPointShell for each body; without dynamic shells none is made. Its
+/// points have no levels: they count with the coarsest, which is always summed.
 class HapticScene : public ToolContact
 {
 public:
-  /// Throws std::invalid_argument if something is null or a pose is none. kernels: the fastest here
-  /// unless given.
+  /// Throws std::invalid_argument if a body is null, a shell is none or both, a pose is none, or as
+  /// DynamicPointShell does. kernels: the fastest here unless given.
   HapticScene(std::vector<HapticShell> shells, std::vector<HapticBody> bodies,
     const ContactKernels& kernels = FastestContactKernels());
 
@@ -43,7 +51,16 @@ public:
     double finest = 0.0;
   };
   void Set(const Plan& plan) noexcept { this->Now = plan; }
+  /// The dynamic shells' tick, where the tool is now: HAPTIC, once a tick, after Set and before At.
+  void Update(const RigidPose& tool) noexcept;
   Answer At(const RigidPose& tool) noexcept override;
+
+  /// Of a dynamic shell, felt from the next Update on; others have none. Scenes that follow and
+  /// have the same shell keep it (TakeGrowth). Not finite: nothing is felt of the shell. HAPTIC.
+  void SetIsovalue(std::size_t shell, double isovalue) noexcept;
+  /// The dynamic shells' living points, TOOL axes; as many as there is room for. Returns how many.
+  /// HAPTIC: takes no memory. A shell that meets several bodies has points for each.
+  std::uint32_t CopyDynamicDiscs(std::span<ShellDisc> out) const noexcept;
 
   /// Points in contact range, by level, as the last At has found them: what a level would cost.
   const std::vector<std::uint32_t>& NearPoints() const noexcept { return this->Near; }
@@ -55,20 +72,33 @@ public:
   /// Pairs of shell and body that `before` had as well, at the same places, are as grown as they
   /// are there; new ones begin at 0, as all do after null: HAPTIC. Stiffness and attraction are
   /// scaled by its cube: contact is far stiffer than a coupling, and a small share of it is felt
-  /// already. 1 when a scene is made.
-  void TakeGrowth(const HapticScene* before) noexcept;
+  /// already. 1 when a scene is made. Points of dynamic shells, and their isovalues, come over,
+  /// too: `before` is left with the new scene's, which has none yet.
+  void TakeGrowth(HapticScene* before) noexcept;
   /// By `share`, to 1 at most.
   void Grow(double share) noexcept;
+  /// The working memory; shells, maps and volumes list themselves.
+  void ListResources(ResourceList& list) const;
 
 private:
   struct Pair
   {
     std::size_t shell, body;
-    CoarsePhase coarse;
     DistanceMapView<std::int16_t> view;
-    double grown; ///< in [0, 1]
+    double grown = 1.0;                         ///< in [0, 1]
+    std::optional<CoarsePhase> coarse;          ///< of a static shell
+    std::unique_ptr<DynamicPointShell> dynamic; ///< of a dynamic one
   };
+  bool Attracts() const noexcept
+  {
+    return this->Now.contact.attraction * this->Now.contact.fade > 0.0F;
+  }
+  RigidPose ShellInMap(const Pair& pair, const RigidPose& tool) const noexcept;
   void AddPair(Pair& pair, const RigidPose& tool, ContactTerms terms, Answer& answer) noexcept;
+  double AddStatic(
+    Pair& pair, const ContactPlacement& at, ContactTerms terms, ContactSums& sums) noexcept;
+  double AddDynamic(
+    Pair& pair, const ContactPlacement& at, ContactTerms terms, ContactSums& sums) noexcept;
 
   std::vector<HapticShell> Shells;
   std::vector<HapticBody> Bodies;

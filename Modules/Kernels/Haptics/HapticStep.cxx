@@ -13,6 +13,8 @@ namespace hasp
 namespace
 {
 
+constexpr double UpdateShare = 0.05; ///< of a tick in the mean of what updates take
+
 void RequirePositive(double value, const char* name)
 {
   if (!(value > 0.0))
@@ -45,10 +47,10 @@ public:
   {
     Answer answer;
     const double before = NowUs();
-    if (this->Step.Scene)
+    if (this->Step.Held)
     {
-      answer = this->Step.Scene->At(tool);
-      this->Points += this->Step.Scene->PointsDone();
+      answer = this->Step.Held->At(tool);
+      this->Points += this->Step.Held->PointsDone();
     }
     else
       answer.clearanceMm = std::numeric_limits<double>::infinity();
@@ -104,23 +106,29 @@ void HapticStep::Place(const RigidPose& tool) noexcept
   this->Limiter.Restart();
   this->Passivity.Restart();
   this->Fade = 0.0;
-  if (this->Scene)
-    this->Scene->Grow(1.0);
+  if (this->Held)
+    this->Held->Grow(1.0);
 }
 
 void HapticStep::Swap(std::unique_ptr<HapticScene>& scene) noexcept
 {
   if (scene)
-    scene->TakeGrowth(this->Scene.get());
-  std::swap(this->Scene, scene);
+    scene->TakeGrowth(this->Held.get());
+  std::swap(this->Held, scene);
   this->Friction.Restart();
   this->AttractedMm2 = 0.0;
-  if (!this->Scene)
+  if (!this->Held)
     return;
-  this->Plan.finest = std::min(this->Plan.finest, std::max(0.0, this->Scene->Levels() - 1.0));
-  const double voxel = this->Scene->SmallestSpacing();
-  const double radius = this->Scene->RadiusMm();
+  this->Plan.finest = std::min(this->Plan.finest, std::max(0.0, this->Held->Levels() - 1.0));
+  const double voxel = this->Held->SmallestSpacing();
+  const double radius = this->Held->RadiusMm();
   this->Coupling.SetTravel(std::isfinite(voxel) ? 0.25 * voxel : 1.0, radius > 0.0 ? radius : 1.0);
+}
+
+void HapticStep::SetIsovalue(std::size_t shell, double isovalue) noexcept
+{
+  if (this->Held)
+    this->Held->SetIsovalue(shell, isovalue);
 }
 
 void HapticStep::Slew() noexcept
@@ -141,8 +149,8 @@ void HapticStep::Slew() noexcept
   spring.forceLimit = Nearer(spring.forceLimit, this->WantedSpring.forceLimit, share);
   spring.torqueLimit = Nearer(spring.torqueLimit, this->WantedSpring.torqueLimit, share);
   this->Coupling.SetSpring(spring);
-  if (this->Scene)
-    this->Scene->Grow(this->Settings.tickS / this->Settings.slewS);
+  if (this->Held)
+    this->Held->Grow(this->Settings.tickS / this->Settings.slewS);
   this->SlewAttraction();
   this->SlewLevels();
 }
@@ -170,24 +178,34 @@ void HapticStep::SlewAttraction() noexcept
 
 void HapticStep::SlewLevels() noexcept
 {
-  if (!this->Scene || this->Scene->Levels() == 0)
+  if (!this->Held || this->Held->Levels() == 0)
     return;
-  int levels = std::min(this->Scene->Levels(), this->MostLevels);
-  // An evaluation is to fit twice, for the second step.
-  if (std::isfinite(this->Settings.budgetUs))
-    levels =
-      std::min(levels, this->Cost.Levels(this->Scene->NearPoints(), 0.5 * this->Settings.budgetUs));
+  int levels = std::min(this->Held->Levels(), this->MostLevels);
+  // An evaluation is to fit twice, for the second step, after the dynamic shells.
+  const double leftUs = std::max(0.0, this->Settings.budgetUs - this->UpdateUs);
+  if (std::isfinite(leftUs))
+    levels = std::min(levels, this->Cost.Levels(this->Held->NearPoints(), 0.5 * leftUs));
   const double wanted = std::max(0, levels - 1);
   const double most = 1.0 / this->Settings.blendTicks;
   this->Plan.finest += std::clamp(wanted - this->Plan.finest, -most, most);
 }
 
+void HapticStep::UpdateScene() noexcept
+{
+  this->Held->Set(this->Plan);
+  const double before = NowUs();
+  this->Held->Update(this->Coupling.Tool());
+  // A tick in which the core was taken away does not count for more than a whole budget.
+  const double us = std::min(NowUs() - before, this->Settings.budgetUs);
+  this->UpdateUs += UpdateShare * (us - this->UpdateUs);
+}
+
 HapticTick HapticStep::Tick(const RigidPose& device) noexcept
 {
   this->Slew();
-  if (this->Scene)
-    this->Scene->Set(this->Plan);
   TimedContact contact(*this);
+  if (this->Held)
+    this->UpdateScene();
   const CouplingTick coupled = this->Coupling.Tick(device, contact);
   this->Friction.Settle(this->Coupling.Tool());
   this->Cost.Measure(contact.Points, contact.SpentUs);

@@ -1,5 +1,6 @@
 #pragma once
 #include "Haptics/ContactFriction.h"
+#include "Haptics/CostModel.h"
 #include "Haptics/ForceLimiter.h"
 #include "Haptics/HapticScene.h"
 #include "Haptics/PassivityObserver.h"
@@ -31,13 +32,14 @@ struct HapticTick
   RigidPose tool;
   ContactSums sums;         ///< on the tool; world axes, about its origin
   double levels = 0.0;      ///< finest level that counts, from 0, blended
-  std::uint32_t points = 0; ///< evaluated, in all steps
+  std::uint32_t points = 0; ///< evaluated, in all steps; a dynamic shell's living ones
   int evaluations = 0;
   std::uint32_t status = 0; ///< CouplingTick::Status
 };
 
 /// One tick of haptics: a device's pose in, a wrench for its motors out. Contact of a group of
-/// shells before several maps, quasi-static coupling, limits.
+/// shells before several maps, quasi-static coupling, limits. Dynamic shells draw their points
+/// first, where the last tick has left the tool; levels of static ones share the time that is left.
 ///
 /// What changes is slewed inside the tick: a new stiffness or spring over slewS, bodies that are
 /// new in a scene grow from nothing over the same time, attraction fades over fadeS, levels are
@@ -59,6 +61,10 @@ public:
   /// Takes the scene and gives back the one before, which somebody else is to free. Null: nothing
   /// can be touched. What both have in common stays as it is felt.
   void Swap(std::unique_ptr<HapticScene>& scene) noexcept;
+  /// The one that it has; null: none.
+  const HapticScene* Scene() const noexcept { return this->Held.get(); }
+  /// Of a dynamic shell of the scene it has, felt in the next tick.
+  void SetIsovalue(std::size_t shell, double isovalue) noexcept;
   /// Slewed from the next tick on. Not checked: in the ranges that the settings' headers tell.
   void Aim(const ContactSettings& contact) noexcept { this->WantedContact = contact; }
   void Aim(const CouplingSpring& spring) noexcept { this->WantedSpring = spring; }
@@ -77,6 +83,7 @@ private:
   void SlewAttraction() noexcept;
   double AllowedFade(double attractedMm2) const noexcept;
   void SlewLevels() noexcept;
+  void UpdateScene() noexcept;
 
   HapticStepSettings Settings;
   VirtualCoupling Coupling;
@@ -84,7 +91,8 @@ private:
   ForceLimiter Limiter;
   PassivityController Passivity;
   CostModel Cost;
-  std::unique_ptr<HapticScene> Scene;
+  double UpdateUs = 0.0; ///< what dynamic shells take of a tick, about
+  std::unique_ptr<HapticScene> Held;
   ContactSettings WantedContact;
   CouplingSpring WantedSpring;
   HapticScene::Plan Plan;

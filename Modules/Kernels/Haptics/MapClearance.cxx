@@ -53,14 +53,18 @@ MapClearance::MapClearance(std::shared_ptr<const DistanceMap> map, double radius
   this->MarginMm = 0.01 * this->Map->SmallestSpacing() + this->View.mmPerStep;
 }
 
-bool MapClearance::Begin(const RigidPose& bodyInMap, double reachMm) noexcept
+double MapClearance::WayTo(const RigidPose& bodyInMap) const noexcept
 {
   // A turn by an angle moves a point at radius r by 2 r sin(angle / 2).
   const glm::dquat turn = bodyInMap.orientation * glm::conjugate(this->Pose.orientation);
-  const double moved = glm::length(bodyInMap.position - this->Pose.position) +
-                       2.0 * this->Radius * glm::length(glm::dvec3(turn.x, turn.y, turn.z));
+  return glm::length(bodyInMap.position - this->Pose.position) +
+         2.0 * this->Radius * glm::length(glm::dvec3(turn.x, turn.y, turn.z));
+}
+
+bool MapClearance::Begin(const RigidPose& bodyInMap, double reachMm) noexcept
+{
   // Another reach is as if all had come nearer, or gone farther.
-  this->Way += moved + std::abs(reachMm - this->ReachMm) * this->PerSlope;
+  this->Way += this->WayTo(bodyInMap) + std::abs(reachMm - this->ReachMm) * this->PerSlope;
   const bool holds = this->Way < 1e12; // false for NaN; and beyond digits get short
   if (!holds)
     this->Forget();

@@ -30,6 +30,8 @@ public:
   /// How far no point of the body has moved more than, mm; since all that was known was void.
   double Travelled() const noexcept { return this->Way; }
   void Forget() noexcept { this->Way = 0.0; }
+  /// How far no point of the body is moved more than on the way from Begin's pose to this one, mm.
+  double WayTo(const RigidPose& bodyInMap) const noexcept;
 
   /// A ball in the moving body's axes, mm; the reach less `shorter`. 40 ns.
   State Look(const glm::dvec3& center, double radius, double shorter = 0.0) const noexcept

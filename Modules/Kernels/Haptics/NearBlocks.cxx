@@ -26,7 +26,7 @@ NearBlocks::NearBlocks(std::shared_ptr<const MinMaxBlocks> blocks, const GridGeo
 
 void NearBlocks::Forget() noexcept
 {
-  this->AllFarUntil = 0.0;
+  this->AllFarUntil = this->NoneNearUntil = 0.0;
   std::fill(this->GroupStates.begin(), this->GroupStates.end(), MapClearance::State());
   std::fill(this->BlockStates.begin(), this->BlockStates.end(), MapClearance::State());
 }

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -29,6 +30,9 @@ public:
   }
   /// When MapClearance::Begin says that nothing holds.
   void Forget() noexcept;
+  /// In terms of Travelled: until then no block with a surface is near. 0 if one was, as the last
+  /// ForEach has found.
+  double NoneUntil() const noexcept { return this->NoneNearUntil; }
 
   struct Ball
   {
@@ -49,7 +53,7 @@ public:
   {
     if (clearance.Travelled() < this->AllFarUntil)
       return;
-    this->AllFarUntil = std::numeric_limits<double>::infinity();
+    this->AllFarUntil = this->NoneNearUntil = std::numeric_limits<double>::infinity();
     MapClearance::State* state = this->GroupStates.data();
     for (int z = 0; z < this->Groups.z; ++z)
       for (int y = 0; y < this->Groups.y; ++y)
@@ -58,8 +62,9 @@ public:
           const glm::ivec3 first = glm::ivec3(x, y, z) * GroupSide;
           if (this->IsNear(clearance, first, GroupSide, *state))
             this->ForEachIn(first, clearance, holds, visit);
-          const double until = state->near ? 0.0 : state->until;
-          this->AllFarUntil = until < this->AllFarUntil ? until : this->AllFarUntil;
+          else
+            this->NoneNearUntil = std::min(this->NoneNearUntil, state->until);
+          this->AllFarUntil = std::min(this->AllFarUntil, state->near ? 0.0 : state->until);
         }
   }
 
@@ -86,16 +91,19 @@ private:
         for (int x = first.x; x < end.x; ++x)
         {
           const std::size_t b = this->IndexOf({ x, y, z });
-          if (holds(this->Blocks->Data()[b]) &&
-              this->IsNear(clearance, { x, y, z }, 1, this->BlockStates[b]))
+          if (!holds(this->Blocks->Data()[b]))
+            continue;
+          MapClearance::State& state = this->BlockStates[b];
+          if (this->IsNear(clearance, { x, y, z }, 1, state))
             visit(glm::ivec3(x, y, z));
+          this->NoneNearUntil = std::min(this->NoneNearUntil, state.near ? 0.0 : state.until);
         }
   }
 
   std::shared_ptr<const MinMaxBlocks> Blocks;
   GridGeometry Geometry;
   glm::dvec3 Origin;
-  double Far = 0.0, AllFarUntil = 0.0;
+  double Far = 0.0, AllFarUntil = 0.0, NoneNearUntil = 0.0;
   glm::ivec3 Groups{ 0 };
   std::vector<MapClearance::State> GroupStates, BlockStates;
 };
