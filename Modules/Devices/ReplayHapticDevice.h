@@ -31,7 +31,8 @@ public:
 
   const DeviceProfile& Profile() const noexcept override { return this->Is; }
 
-  /// `nowNs` is not looked at. After the last tick: Ended, and `sample` stays as it is.
+  /// `nowNs` is not looked at. After the last tick: Ended, and `sample` stays as it is; what is
+  /// written from then on is not compared.
   DeviceStatus Read(std::int64_t nowNs, DeviceSample& sample) noexcept override;
   DeviceStatus Write(const Wrench& wrench) noexcept override;
 
@@ -45,6 +46,7 @@ private:
   std::shared_ptr<const HapticRecording> Recording;
   DeviceProfile Is;
   std::size_t Next = 0; ///< of the next Read
+  bool Over = false;    ///< the last Read found none
   ReplayDifferences Found;
 };
 
