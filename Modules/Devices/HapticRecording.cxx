@@ -1,5 +1,6 @@
 #include "Devices/HapticRecording.h"
 
+#include "Devices/SettingsCheck.h"
 #include "Devices/TextFile.h"
 
 #include <array>
@@ -119,20 +120,14 @@ HapticRecording ParseHeader(std::span<const std::byte> bytes)
     Refuse("header and records have " + std::to_string(headerBytes) + " and " +
            std::to_string(recordBytes) + " bytes, must be " + std::to_string(HapticHeaderBytes) +
            " and " + std::to_string(HapticRecordBytes));
-  const auto poseAxes = in.Take<std::uint32_t>(), forceAxes = in.Take<std::uint32_t>();
-  in.Take<std::uint32_t>();
   HapticRecording recording;
+  recording.poseAxes = static_cast<int>(in.Take<std::uint32_t>());
+  recording.forceAxes = static_cast<int>(in.Take<std::uint32_t>());
+  in.Take<std::uint32_t>();
   recording.periodNs = in.Take<std::int64_t>();
   recording.peakForceN = in.Take<double>();
   recording.peakTorqueNmm = in.Take<double>();
-  if ((poseAxes != 3 && poseAxes != 6) || (forceAxes != 0 && forceAxes != 3 && forceAxes != 6))
-    Refuse("axes of pose and force are " + std::to_string(poseAxes) + " and " +
-           std::to_string(forceAxes) + ", must be 3 or 6, and 0, 3 or 6");
-  if (recording.periodNs < 1 || !(recording.peakForceN >= 0.0 && recording.peakForceN <= 1000.0) ||
-      !(recording.peakTorqueNmm >= 0.0 && recording.peakTorqueNmm <= 1e6))
-    Refuse("period, largest force or largest torque are none");
-  recording.poseAxes = static_cast<int>(poseAxes);
-  recording.forceAxes = static_cast<int>(forceAxes);
+  ValidateHapticHeader(recording);
   return recording;
 }
 
@@ -157,6 +152,18 @@ HapticRecord ParseRecord(std::span<const std::byte> bytes)
   return r;
 }
 } // namespace
+
+void ValidateHapticHeader(const HapticRecording& of)
+{
+  const int poses = of.poseAxes, forces = of.forceAxes;
+  if ((poses != 3 && poses != 6) || (forces != 0 && forces != 3 && forces != 6))
+    Refuse("axes of pose and force are " + std::to_string(poses) + " and " +
+           std::to_string(forces) + ", must be 3 or 6, and 0, 3 or 6");
+  if (of.periodNs < 1)
+    Refuse("the period is " + std::to_string(of.periodNs) + " ns, must be 1 or more");
+  CheckRange(What, "the largest force in N", of.peakForceN, 0.0, 1000.0);
+  CheckRange(What, "the largest torque in N mm", of.peakTorqueNmm, 0.0, 1e6);
+}
 
 void PackHapticHeader(const HapticRecording& of, std::span<std::byte, HapticHeaderBytes> bytes)
 {

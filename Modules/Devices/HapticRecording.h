@@ -54,6 +54,10 @@ constexpr std::size_t HapticHeaderBytes = 64, HapticRecordBytes = 152;
 // A file that was cut off (power, a full disk) is good up to the last record that is whole: what
 // follows is counted in bytesLost. Nothing in it says who or what was recorded.
 
+/// Throws std::invalid_argument unless a reader takes such a header: axes, period >= 1 ns, force in
+/// [0, 1000] N, torque in [0, 1e6] N mm. The records are not looked at. Any thread.
+void ValidateHapticHeader(const HapticRecording& of);
+
 /// One header or record as bytes, for who writes while it goes on. HAPTIC could; WORKER does.
 void PackHapticHeader(const HapticRecording& of, std::span<std::byte, HapticHeaderBytes> bytes);
 void PackHapticRecord(const HapticRecord& record, std::span<std::byte, HapticRecordBytes> bytes);
