@@ -1,9 +1,8 @@
 #include "Grid/AnalyticVolumes.h"
 #include "Haptics/HapticStep.h"
+#include "Studies/BenchBodies.h"
 #include "Studies/HapticSoak.h"
 #include "Studies/SoakParts.h"
-
-#include <glm/gtc/quaternion.hpp>
 
 #include <array>
 #include <cmath>
@@ -18,20 +17,6 @@ namespace
 
 constexpr double TickS = 0.001;
 
-GridGeometry CenteredGrid(bool skewed)
-{
-  GridGeometry grid{ glm::ivec3(36), glm::dvec3(-17.5), glm::dvec3(1.0), glm::dmat3(1.0) };
-  if (skewed)
-  {
-    grid.spacing = { 0.7, 1.1, 1.6 };
-    grid.direction =
-      glm::mat3_cast(glm::angleAxis(0.8, glm::normalize(glm::dvec3(1.0, -2.0, 0.5))));
-    grid.origin = glm::dvec3(0.0);
-    grid.origin = -grid.IndexToWorld(0.5 * glm::dvec3(grid.dims - 1));
-  }
-  return grid;
-}
-
 /// Signed distances, NEGATIVE INSIDE, of a form that is told positive inside.
 std::vector<float> Distances(const AnalyticVolume& form, const GridGeometry& grid)
 {
@@ -40,14 +25,14 @@ std::vector<float> Distances(const AnalyticVolume& form, const GridGeometry& gri
 
 std::shared_ptr<const DistanceMap> Map(const AnalyticVolume& form, bool skewed)
 {
-  const GridGeometry grid = CenteredGrid(skewed);
+  const GridGeometry grid = MapGrid(skewed);
   const std::vector<float> distances = Distances(form, grid);
   return std::make_shared<DistanceMap>(GridView<const float>{ distances.data(), grid });
 }
 
 std::shared_ptr<const PointShell> BallShell(double radius, int points)
 {
-  const GridGeometry grid = CenteredGrid(false);
+  const GridGeometry grid = MapGrid(false);
   const std::vector<float> distances = Distances(AnalyticSphere(glm::dvec3(0.0), radius), grid);
   return PointShell::OfSurface(
     { distances.data(), grid }, glm::dvec3(0.0), { .points = points, .coarsest = 16 });
