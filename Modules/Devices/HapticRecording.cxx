@@ -3,6 +3,7 @@
 #include "Devices/SettingsCheck.h"
 #include "Devices/TextFile.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -101,6 +102,23 @@ bool IsWhole(std::span<const std::byte> bytes)
   return Unpacker(bytes.last(CrcBytes)).Take<std::uint32_t>() == Crc32(bytes.first(body));
 }
 
+/// Four characters from `at` on as one number, zeros where there are none; and back.
+std::uint32_t Letters(const std::string& name, std::size_t at)
+{
+  std::uint32_t bits = 0;
+  for (std::size_t n = 0; n < 4 && at + n < name.size(); ++n)
+    bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(name[at + n])) << 8 * n;
+  return bits;
+}
+
+std::string LettersOf(std::uint32_t bits)
+{
+  std::string name;
+  for (; bits != 0; bits >>= 8)
+    name += static_cast<char>(bits & 255);
+  return name;
+}
+
 HapticRecording ParseHeader(std::span<const std::byte> bytes)
 {
   if (bytes.size() < HapticHeaderBytes)
@@ -123,10 +141,11 @@ HapticRecording ParseHeader(std::span<const std::byte> bytes)
   HapticRecording recording;
   recording.poseAxes = static_cast<int>(in.Take<std::uint32_t>());
   recording.forceAxes = static_cast<int>(in.Take<std::uint32_t>());
-  in.Take<std::uint32_t>();
+  const auto firstLetters = in.Take<std::uint32_t>();
   recording.periodNs = in.Take<std::int64_t>();
   recording.peakForceN = in.Take<double>();
   recording.peakTorqueNmm = in.Take<double>();
+  recording.kernels = LettersOf(firstLetters) + LettersOf(in.Take<std::uint32_t>());
   ValidateHapticHeader(recording);
   return recording;
 }
@@ -161,6 +180,12 @@ void ValidateHapticHeader(const HapticRecording& of)
            std::to_string(forces) + ", must be 3 or 6, and 0, 3 or 6");
   if (of.periodNs < 1)
     Refuse("the period is " + std::to_string(of.periodNs) + " ns, must be 1 or more");
+  const bool named = std::all_of(of.kernels.begin(), of.kernels.end(),
+    [](char c) {
+      return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+    });
+  if (!named)
+    Refuse("the kernels' name is none: it must be letters, digits and _");
   CheckRange(What, "the largest force in N", of.peakForceN, 0.0, 1000.0);
   CheckRange(What, "the largest torque in N mm", of.peakTorqueNmm, 0.0, 1e6);
 }
@@ -174,11 +199,11 @@ void PackHapticHeader(const HapticRecording& of, std::span<std::byte, HapticHead
   out.Put(static_cast<std::uint32_t>(HapticRecordBytes));
   out.Put(static_cast<std::uint32_t>(of.poseAxes));
   out.Put(static_cast<std::uint32_t>(of.forceAxes));
-  out.Put(0u);
+  out.Put(Letters(of.kernels, 0));
   out.Put(of.periodNs);
   out.Put(of.peakForceN);
   out.Put(of.peakTorqueNmm);
-  out.Put(0u);
+  out.Put(Letters(of.kernels, 4));
   Packer(bytes.last(CrcBytes)).Put(Crc32(bytes.first(HapticHeaderBytes - CrcBytes)));
 }
 

@@ -84,6 +84,16 @@ std::optional<std::int64_t> ReplayHapticDevice::NextNs() const noexcept
   return this->Recording->records[this->Next].nowNs;
 }
 
+std::string WhyBitsDiffer(const HapticRecording& recording, std::string_view kernelsNow)
+{
+  constexpr std::size_t Kept = 8; // characters of a name, in a recording
+  const std::string_view then = recording.kernels;
+  if (then.empty() || then.substr(0, Kept) == kernelsNow.substr(0, Kept))
+    return {};
+  return "the recording was made with other contact kernels than those here (" +
+         std::string(kernelsNow) + "): sums differ by rounding";
+}
+
 void ReplayHapticDevice::Rewind() noexcept
 {
   this->Next = 0;

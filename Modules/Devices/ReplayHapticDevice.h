@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace hasp
 {
@@ -20,7 +22,8 @@ struct ReplayDifferences
 /// A recording as a device: each Read gives the next tick's sample and status, to the last bit, and
 /// each Write is compared with what was written then. Run with NextNs as the time, a deterministic
 /// step gives the same wrenches again, in virtual time: a fault seen once is seen as often as it
-/// takes.
+/// takes. That is so with the same contact kernels (others sum in another order: WhyBitsDiffer) and
+/// on a thread that flushes denormal numbers if the recorded one did (RealTimeScheduling).
 ///
 /// Threads: as HapticDevice; NextNs and Differences on the same thread. Shares the recording.
 class ReplayHapticDevice : public HapticDevice
@@ -49,5 +52,9 @@ private:
   bool Over = false;    ///< the last Read found none
   ReplayDifferences Found;
 };
+
+/// A sentence for who finds differences, where other contact kernels than `kernelsNow` ran when it
+/// was recorded; empty where they are the same, or not said. Holds nothing of the recording's text.
+std::string WhyBitsDiffer(const HapticRecording& recording, std::string_view kernelsNow);
 
 } // namespace hasp

@@ -187,6 +187,27 @@ TEST(HapticRecording, AnythingComesBackToTheLastBit)
     EXPECT_EQ(Packed(back.records[n]), Packed(records[n]));
 }
 
+TEST(HapticRecording, SaysWhichKernelsRan)
+{
+  for (const char* name : { "", "AVX2", "scalar", "AVX3_DL", "12345678" })
+  {
+    const HapticRecording back = ParseHapticRecording(FileOf({}, { .kernels = name }));
+    EXPECT_EQ(back.kernels, name);
+    EXPECT_EQ(WhyBitsDiffer(back, name), "");
+    EXPECT_EQ(WhyBitsDiffer(back, "SSE4").empty(), back.kernels.empty()) << name;
+  }
+  const HapticRecording longer =
+    ParseHapticRecording(FileOf({}, { .kernels = "NEON_WITHOUT_AES" }));
+  EXPECT_EQ(longer.kernels, "NEON_WIT");
+  EXPECT_EQ(WhyBitsDiffer(longer, "NEON_WITHOUT_AES"), "");
+  EXPECT_EQ(WhyBitsDiffer({ .kernels = "SECRET" }, "AVX2").find("SECRET"), std::string::npos);
+  // What a file says is text of anybody's.
+  for (const char* name : { "AVX 2", "<b>", "a\nb" })
+    EXPECT_NE(
+      Refusal([&] { ParseHapticRecording(FileOf({}, { .kernels = name })); }).find("name is none"),
+      std::string::npos);
+}
+
 TEST(HapticRecording, AFileCutOffAnywhereIsGoodToTheLastWholeRecord)
 {
   const auto records = SomeRecords(3);
