@@ -35,11 +35,18 @@ GuardedHapticDevice::GuardedHapticDevice(
     throw std::invalid_argument("haptic device: there is none to guard");
 }
 
+GuardedHapticDevice::~GuardedHapticDevice()
+{
+  this->Device->Write({});
+}
+
 DeviceStatus GuardedHapticDevice::Read(std::int64_t nowNs, DeviceSample& sample) noexcept
 {
   DeviceSample read = this->Good;
   this->Status = this->Device->Read(nowNs, read);
   this->NowNs = nowNs;
+  if (!this->AnyGood || !Has(this->Status, DeviceStatus::Stale))
+    this->PoseNs = nowNs;
   if (!IsPose(read.pose))
   {
     this->Status = this->Status | DeviceStatus::Fault;
@@ -62,7 +69,7 @@ DeviceStatus GuardedHapticDevice::Read(std::int64_t nowNs, DeviceSample& sample)
 
 DeviceStatus GuardedHapticDevice::Write(const Wrench& wrench) noexcept
 {
-  this->Dog.Feed(this->NowNs, Numbers(wrench));
+  this->Dog.Feed(this->PoseNs, Numbers(wrench));
   this->Written = true;
   return this->Send();
 }

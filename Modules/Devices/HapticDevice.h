@@ -64,7 +64,8 @@ constexpr bool Has(DeviceStatus status, DeviceStatus bits) noexcept
 {
   return (static_cast<std::uint32_t>(status) & static_cast<std::uint32_t>(bits)) != 0;
 }
-/// Whether forces may go out: there, homed and sane. A stale pose alone may keep them.
+/// Whether forces may go out: there, homed and sane. A stale pose alone may keep them, for as long
+/// as GuardedHapticDevice allows.
 constexpr bool TakesForce(DeviceStatus status) noexcept
 {
   return !Has(status,

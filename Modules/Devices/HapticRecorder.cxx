@@ -17,6 +17,12 @@ namespace
 constexpr std::size_t BatchTicks = 256;
 constexpr auto relaxed = std::memory_order_relaxed;
 
+std::size_t Checked(std::size_t ringTicks)
+{
+  CheckRange("haptic recording", "ringTicks", static_cast<double>(ringTicks), 64.0, 1e6);
+  return ringTicks;
+}
+
 void Grow(std::atomic<std::uint64_t>& count, std::uint64_t by) noexcept
 {
   count.store(count.load(relaxed) + by, relaxed); // one thread each
@@ -25,16 +31,16 @@ void Grow(std::atomic<std::uint64_t>& count, std::uint64_t by) noexcept
 
 HapticRecorder::HapticRecorder(
   const std::string& file, const HapticRecording& of, std::size_t ringTicks)
-  : Ring(ringTicks),
+  : Ring(Checked(ringTicks)),
     Batch(BatchTicks * HapticRecordBytes)
 {
-  CheckRange("haptic recording", "ringTicks", static_cast<double>(ringTicks), 64.0, 1e6);
+  ValidateHapticHeader(of);
   this->Handle = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   std::array<std::byte, HapticHeaderBytes> header{};
   PackHapticHeader(of, header);
   try
   {
-    if (this->Handle < 0 || !this->WriteAll(header.data(), header.size()))
+    if (this->Handle < 0 || this->WriteAll(header.data(), header.size()) < header.size())
       throw std::runtime_error("haptic recording: the file cannot be written");
     LoopSettings settings{ .periodNs = 20'000'000 };
     settings.scheduling = {
@@ -76,19 +82,19 @@ void HapticRecorder::Finish() noexcept
   this->Handle = -1;
 }
 
-bool HapticRecorder::WriteAll(const std::byte* bytes, std::size_t count) noexcept
+std::size_t HapticRecorder::WriteAll(const std::byte* bytes, std::size_t count) noexcept
 {
-  while (count > 0)
+  std::size_t done = 0;
+  while (done < count)
   {
-    const ssize_t done = write(this->Handle, bytes, count);
-    if (done < 0 && errno == EINTR)
+    const ssize_t more = write(this->Handle, bytes + done, count - done);
+    if (more < 0 && errno == EINTR)
       continue;
-    if (done <= 0)
-      return false;
-    bytes += done;
-    count -= static_cast<std::size_t>(done);
+    if (more <= 0)
+      break;
+    done += static_cast<std::size_t>(more);
   }
-  return true;
+  return done;
 }
 
 void HapticRecorder::WriteWhatCame() noexcept
@@ -103,21 +109,29 @@ void HapticRecorder::WriteWhatCame() noexcept
         Grow(this->Failed, 1);
       else if (this->Written.load(relaxed) + ticks == MostHapticRecords)
         Grow(this->Late, 1);
+      else if (record.number < this->NextNumber)
+        Grow(this->Disordered, 1);
       else
+      {
         PackHapticRecord(
           record, std::span<std::byte, HapticRecordBytes>(
                     this->Batch.data() + ticks++ * HapticRecordBytes, HapticRecordBytes));
+        this->NextNumber = record.number + 1;
+      }
     }
     // Half a record may be in the file where it fails: that is what its reader skips.
-    this->Broken = this->Broken || !this->WriteAll(this->Batch.data(), ticks * HapticRecordBytes);
-    Grow(this->Broken ? this->Failed : this->Written, ticks);
+    const std::size_t whole =
+      this->WriteAll(this->Batch.data(), ticks * HapticRecordBytes) / HapticRecordBytes;
+    this->Broken = this->Broken || whole < ticks;
+    Grow(this->Written, whole);
+    Grow(this->Failed, ticks - whole);
   }
 }
 
 HapticRecorderCounts HapticRecorder::Counts() const noexcept
 {
   return { this->Written.load(relaxed), this->Full.load(relaxed), this->Late.load(relaxed),
-    this->Failed.load(relaxed) };
+    this->Failed.load(relaxed), this->Disordered.load(relaxed) };
 }
 
 std::vector<std::string> HapticRecorder::Losses() const
@@ -131,6 +145,7 @@ std::vector<std::string> HapticRecorder::Losses() const
     { counts.full, "ticks that came faster than the disk took them" },
     { counts.late, "ticks after the most that a recording holds" },
     { counts.failed, "ticks that could not be written; is the disk full?" },
+    { counts.disordered, "ticks whose numbers had not grown: a loop that starts again counts on" },
   };
   std::vector<std::string> losses;
   for (const auto& [count, what] : kinds)

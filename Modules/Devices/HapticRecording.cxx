@@ -1,7 +1,9 @@
 #include "Devices/HapticRecording.h"
 
+#include "Devices/SettingsCheck.h"
 #include "Devices/TextFile.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -100,6 +102,23 @@ bool IsWhole(std::span<const std::byte> bytes)
   return Unpacker(bytes.last(CrcBytes)).Take<std::uint32_t>() == Crc32(bytes.first(body));
 }
 
+/// Four characters from `at` on as one number, zeros where there are none; and back.
+std::uint32_t Letters(const std::string& name, std::size_t at)
+{
+  std::uint32_t bits = 0;
+  for (std::size_t n = 0; n < 4 && at + n < name.size(); ++n)
+    bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(name[at + n])) << 8 * n;
+  return bits;
+}
+
+std::string LettersOf(std::uint32_t bits)
+{
+  std::string name;
+  for (; bits != 0; bits >>= 8)
+    name += static_cast<char>(bits & 255);
+  return name;
+}
+
 HapticRecording ParseHeader(std::span<const std::byte> bytes)
 {
   if (bytes.size() < HapticHeaderBytes)
@@ -119,20 +138,15 @@ HapticRecording ParseHeader(std::span<const std::byte> bytes)
     Refuse("header and records have " + std::to_string(headerBytes) + " and " +
            std::to_string(recordBytes) + " bytes, must be " + std::to_string(HapticHeaderBytes) +
            " and " + std::to_string(HapticRecordBytes));
-  const auto poseAxes = in.Take<std::uint32_t>(), forceAxes = in.Take<std::uint32_t>();
-  in.Take<std::uint32_t>();
   HapticRecording recording;
+  recording.poseAxes = static_cast<int>(in.Take<std::uint32_t>());
+  recording.forceAxes = static_cast<int>(in.Take<std::uint32_t>());
+  const auto firstLetters = in.Take<std::uint32_t>();
   recording.periodNs = in.Take<std::int64_t>();
   recording.peakForceN = in.Take<double>();
   recording.peakTorqueNmm = in.Take<double>();
-  if ((poseAxes != 3 && poseAxes != 6) || (forceAxes != 0 && forceAxes != 3 && forceAxes != 6))
-    Refuse("axes of pose and force are " + std::to_string(poseAxes) + " and " +
-           std::to_string(forceAxes) + ", must be 3 or 6, and 0, 3 or 6");
-  if (recording.periodNs < 1 || !(recording.peakForceN >= 0.0 && recording.peakForceN <= 1000.0) ||
-      !(recording.peakTorqueNmm >= 0.0 && recording.peakTorqueNmm <= 1e6))
-    Refuse("period, largest force or largest torque are none");
-  recording.poseAxes = static_cast<int>(poseAxes);
-  recording.forceAxes = static_cast<int>(forceAxes);
+  recording.kernels = LettersOf(firstLetters) + LettersOf(in.Take<std::uint32_t>());
+  ValidateHapticHeader(recording);
   return recording;
 }
 
@@ -158,6 +172,24 @@ HapticRecord ParseRecord(std::span<const std::byte> bytes)
 }
 } // namespace
 
+void ValidateHapticHeader(const HapticRecording& of)
+{
+  const int poses = of.poseAxes, forces = of.forceAxes;
+  if ((poses != 3 && poses != 6) || (forces != 0 && forces != 3 && forces != 6))
+    Refuse("axes of pose and force are " + std::to_string(poses) + " and " +
+           std::to_string(forces) + ", must be 3 or 6, and 0, 3 or 6");
+  if (of.periodNs < 1)
+    Refuse("the period is " + std::to_string(of.periodNs) + " ns, must be 1 or more");
+  const bool named = std::all_of(of.kernels.begin(), of.kernels.end(),
+    [](char c) {
+      return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+    });
+  if (!named)
+    Refuse("the kernels' name is none: it must be letters, digits and _");
+  CheckRange(What, "the largest force in N", of.peakForceN, 0.0, 1000.0);
+  CheckRange(What, "the largest torque in N mm", of.peakTorqueNmm, 0.0, 1e6);
+}
+
 void PackHapticHeader(const HapticRecording& of, std::span<std::byte, HapticHeaderBytes> bytes)
 {
   std::memcpy(bytes.data(), Magic.data(), Magic.size());
@@ -167,11 +199,11 @@ void PackHapticHeader(const HapticRecording& of, std::span<std::byte, HapticHead
   out.Put(static_cast<std::uint32_t>(HapticRecordBytes));
   out.Put(static_cast<std::uint32_t>(of.poseAxes));
   out.Put(static_cast<std::uint32_t>(of.forceAxes));
-  out.Put(0u);
+  out.Put(Letters(of.kernels, 0));
   out.Put(of.periodNs);
   out.Put(of.peakForceN);
   out.Put(of.peakTorqueNmm);
-  out.Put(0u);
+  out.Put(Letters(of.kernels, 4));
   Packer(bytes.last(CrcBytes)).Put(Crc32(bytes.first(HapticHeaderBytes - CrcBytes)));
 }
 

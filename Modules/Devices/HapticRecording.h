@@ -28,6 +28,9 @@ struct HapticRecording
   std::int64_t periodNs = 1'000'000;
   int poseAxes = 6, forceAxes = 6;
   double peakForceN = 3.3, peakTorqueNmm = 0.0;
+  /// Of the contact kernels that ran (ContactKernels::name): letters, digits and _; only the first
+  /// 8 are kept. Empty: not said.
+  std::string kernels{};
   std::vector<HapticRecord> records{};
   std::uint64_t bytesLost = 0; ///< behind the last whole record, where a file was cut off
 };
@@ -44,15 +47,21 @@ constexpr std::size_t HapticHeaderBytes = 64, HapticRecordBytes = 152;
 //   16  u32 bytes of a record, 152           24  3 f64 position, mm
 //   20  u32 poseAxes, 3 or 6                 48  4 f64 orientation, w x y z
 //   24  u32 forceAxes, 0, 3 or 6             80  3 f64 force, N
-//   28  u32 0                               104  3 f64 torque, N mm
+//   28  kernels, characters 1 to 4, or 0    104  3 f64 torque, N mm
 //   32  i64 periodNs                        128  u32 buttons, u32 status
 //   40  f64 peakForceN                      136  u32 costNs, u32 contacts
 //   48  f64 peakTorqueNmm                   144  u32 0
-//   56  u32 0                               148  u32 CRC of the 148 bytes before
+//   56  kernels, 5 to 8, or 0               148  u32 CRC of the 148 bytes before
 //   60  u32 CRC of the 60 bytes before
 //
+// Files of before kernels were said have zeros there, and read as ever.
 // A file that was cut off (power, a full disk) is good up to the last record that is whole: what
 // follows is counted in bytesLost. Nothing in it says who or what was recorded.
+
+/// Throws std::invalid_argument unless a reader takes such a header: axes, period >= 1 ns, force in
+/// [0, 1000] N, torque in [0, 1e6] N mm, the kernels' name. The records are not looked at. Any
+/// thread.
+void ValidateHapticHeader(const HapticRecording& of);
 
 /// One header or record as bytes, for who writes while it goes on. HAPTIC could; WORKER does.
 void PackHapticHeader(const HapticRecording& of, std::span<std::byte, HapticHeaderBytes> bytes);

@@ -15,6 +15,12 @@ namespace
 {
 constexpr const char* What = "input device";
 constexpr double LongestTickS = 0.1; // after a pause nothing leaps
+constexpr double Farthest = 1e6;     // a kilometre: sums of such steps keep their micrometres
+
+bool IsStep(const glm::dvec3& v) noexcept
+{
+  return std::abs(v.x) <= Farthest && std::abs(v.y) <= Farthest && std::abs(v.z) <= Farthest;
+}
 } // namespace
 
 InputHapticDevice::InputHapticDevice(const InputDeviceSettings& settings) : Settings(settings)
@@ -33,7 +39,7 @@ InputHapticDevice::InputHapticDevice(const InputDeviceSettings& settings) : Sett
 
 void InputHapticDevice::MoveBy(const glm::dvec3& mm) noexcept
 {
-  if (!IsFinite(mm))
+  if (!IsStep(mm))
     return;
   this->Said.moved += mm;
   this->Exchange.Write(this->Said);
@@ -41,7 +47,7 @@ void InputHapticDevice::MoveBy(const glm::dvec3& mm) noexcept
 
 void InputHapticDevice::TurnBy(const glm::dvec3& radians) noexcept
 {
-  if (!IsFinite(radians))
+  if (!IsStep(radians))
     return;
   this->Said.turned = glm::normalize(hasp::TurnBy(radians) * this->Said.turned);
   this->Exchange.Write(this->Said);
@@ -50,7 +56,7 @@ void InputHapticDevice::TurnBy(const glm::dvec3& radians) noexcept
 void InputHapticDevice::MoveTo(const RigidPose& pose) noexcept
 {
   const double length = glm::length(pose.orientation);
-  if (!IsFinite(pose) || !(std::abs(length - 1.0) <= 1e-3))
+  if (!IsStep(pose.position) || !(std::abs(length - 1.0) <= 1e-3))
     return;
   this->Said.place = { pose.position, pose.orientation / length };
   ++this->Said.placed;
@@ -62,7 +68,7 @@ void InputHapticDevice::MoveTo(const RigidPose& pose) noexcept
 void InputHapticDevice::SetRates(
   const glm::dvec3& mmPerS, const glm::dvec3& radPerS, std::int64_t nowNs) noexcept
 {
-  if (!IsFinite(mmPerS) || !IsFinite(radPerS))
+  if (!IsStep(mmPerS) || !IsStep(radPerS))
     return;
   this->Said.mmPerS = mmPerS;
   this->Said.radPerS = radPerS;

@@ -29,12 +29,14 @@ public:
   /// Throws std::invalid_argument if a setting is out of its range.
   explicit InputHapticDevice(const InputDeviceSettings& settings = {});
 
-  // RENDER. Device axes, mm, radians. What is not finite is ignored.
+  // RENDER. Device axes, mm, radians. What has a number that is not finite, or beyond 1e6, is
+  // ignored.
   void MoveBy(const glm::dvec3& mm) noexcept;
   void TurnBy(const glm::dvec3& radians) noexcept; ///< about fixed axes
   void MoveTo(const RigidPose& pose) noexcept;     ///< and forgets all steps before
   /// `nowNs`: on the loop's clock (MonotonicClock). Say rates again as long as they hold.
   void SetRates(const glm::dvec3& mmPerS, const glm::dvec3& radPerS, std::int64_t nowNs) noexcept;
+  /// A button that is let go before the next tick was not pressed.
   void SetButtons(std::uint32_t held) noexcept;
 
   // HAPTIC.

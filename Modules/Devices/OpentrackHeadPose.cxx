@@ -1,11 +1,10 @@
 #include "Devices/OpentrackHeadPose.h"
 
 #include "Devices/UdpSocket.h"
+#include "Realtime/SignalsBlocked.h"
 #include "Realtime/TripleBuffer.h"
 
 #include <poll.h>
-#include <pthread.h>
-#include <signal.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
@@ -39,24 +38,6 @@ public:
 
 private:
   int Handle;
-};
-
-/// Signals go to the threads of the program, not to ours.
-class SignalsBlocked
-{
-public:
-  SignalsBlocked()
-  {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &this->Before);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &this->Before, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
-private:
-  sigset_t Before;
 };
 
 /// All that RENDER hears of the thread.

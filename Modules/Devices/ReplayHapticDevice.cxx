@@ -49,7 +49,8 @@ ReplayHapticDevice::ReplayHapticDevice(std::shared_ptr<const HapticRecording> re
 
 DeviceStatus ReplayHapticDevice::Read(std::int64_t, DeviceSample& sample) noexcept
 {
-  if (this->Next >= this->Recording->records.size())
+  this->Over = this->Next >= this->Recording->records.size();
+  if (this->Over)
     return DeviceStatus::Ended;
   const HapticRecord& record = this->Recording->records[this->Next++];
   sample = record.sample;
@@ -58,6 +59,8 @@ DeviceStatus ReplayHapticDevice::Read(std::int64_t, DeviceSample& sample) noexce
 
 DeviceStatus ReplayHapticDevice::Write(const Wrench& wrench) noexcept
 {
+  if (this->Over)
+    return DeviceStatus::Ended;
   if (this->Next == 0)
     return DeviceStatus::Ok; // before the first tick: there is nothing to compare with
   const HapticRecord& record = this->Recording->records[this->Next - 1];
@@ -81,9 +84,20 @@ std::optional<std::int64_t> ReplayHapticDevice::NextNs() const noexcept
   return this->Recording->records[this->Next].nowNs;
 }
 
+std::string WhyBitsDiffer(const HapticRecording& recording, std::string_view kernelsNow)
+{
+  constexpr std::size_t Kept = 8; // characters of a name, in a recording
+  const std::string_view then = recording.kernels;
+  if (then.empty() || then.substr(0, Kept) == kernelsNow.substr(0, Kept))
+    return {};
+  return "the recording was made with other contact kernels than those here (" +
+         std::string(kernelsNow) + "): sums differ by rounding";
+}
+
 void ReplayHapticDevice::Rewind() noexcept
 {
   this->Next = 0;
+  this->Over = false;
   this->Found = {};
 }
 

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace hasp
 {
@@ -20,7 +22,8 @@ struct ReplayDifferences
 /// A recording as a device: each Read gives the next tick's sample and status, to the last bit, and
 /// each Write is compared with what was written then. Run with NextNs as the time, a deterministic
 /// step gives the same wrenches again, in virtual time: a fault seen once is seen as often as it
-/// takes.
+/// takes. That is so with the same contact kernels (others sum in another order: WhyBitsDiffer) and
+/// on a thread that flushes denormal numbers if the recorded one did (RealTimeScheduling).
 ///
 /// Threads: as HapticDevice; NextNs and Differences on the same thread. Shares the recording.
 class ReplayHapticDevice : public HapticDevice
@@ -31,7 +34,8 @@ public:
 
   const DeviceProfile& Profile() const noexcept override { return this->Is; }
 
-  /// `nowNs` is not looked at. After the last tick: Ended, and `sample` stays as it is.
+  /// `nowNs` is not looked at. After the last tick: Ended, and `sample` stays as it is; what is
+  /// written from then on is not compared.
   DeviceStatus Read(std::int64_t nowNs, DeviceSample& sample) noexcept override;
   DeviceStatus Write(const Wrench& wrench) noexcept override;
 
@@ -45,7 +49,12 @@ private:
   std::shared_ptr<const HapticRecording> Recording;
   DeviceProfile Is;
   std::size_t Next = 0; ///< of the next Read
+  bool Over = false;    ///< the last Read found none
   ReplayDifferences Found;
 };
+
+/// A sentence for who finds differences, where other contact kernels than `kernelsNow` ran when it
+/// was recorded; empty where they are the same, or not said. Holds nothing of the recording's text.
+std::string WhyBitsDiffer(const HapticRecording& recording, std::string_view kernelsNow);
 
 } // namespace hasp

@@ -2,7 +2,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,23 +28,6 @@ void CheckPose(const char* what, const RigidPose& pose)
 {
   CheckVector(what, "a position in mm", pose.position, 10'000.0);
   CheckRange(what, "a quaternion's length", glm::length(pose.orientation), 1.0 - 1e-6, 1.0 + 1e-6);
-}
-
-bool IsFinite(const glm::dvec3& v) noexcept
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool IsFinite(const RigidPose& pose) noexcept
-{
-  const glm::dquat& q = pose.orientation;
-  return IsFinite(pose.position) && std::isfinite(q.w) && std::isfinite(q.x) &&
-         std::isfinite(q.y) && std::isfinite(q.z);
-}
-
-bool IsFinite(const Wrench& wrench) noexcept
-{
-  return IsFinite(wrench.force) && IsFinite(wrench.torque);
 }
 
 } // namespace hasp

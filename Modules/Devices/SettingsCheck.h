@@ -1,5 +1,5 @@
 #pragma once
-#include "Grid/RigidPose.h"
+#include "Grid/FinitePose.h"
 
 namespace hasp
 {
@@ -14,10 +14,5 @@ void CheckVector(const char* what, const char* name, const glm::dvec3& value, do
 
 /// Within 10 m, and its quaternion unit within 1e-6.
 void CheckPose(const char* what, const RigidPose& pose);
-
-/// Whether all numbers of it are finite. Never throws; no memory: for ticks.
-bool IsFinite(const glm::dvec3& v) noexcept;
-bool IsFinite(const RigidPose& pose) noexcept;
-bool IsFinite(const Wrench& wrench) noexcept;
 
 } // namespace hasp

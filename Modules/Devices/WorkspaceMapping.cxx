@@ -76,8 +76,14 @@ const RigidPose& WorkspaceMapping::Update(
   RigidPose now = device;
   if (!IsFinite(now) || !MakeUnit(now.orientation))
     return this->World;
-  const double step = this->Settings.fadeS > 0.0 ? std::max(dtS, 0.0) / this->Settings.fadeS : 1.0;
+  const double step =
+    this->Settings.fadeS > 0.0 ? (dtS > 0.0 ? dtS : 0.0) / this->Settings.fadeS : 1.0;
   this->Share = std::clamp(this->Share + (clutchHeld ? -step : step), 0.0, 1.0);
+  const RigidPose &from = this->DeviceAnchor, &to = this->WorldAnchor;
+  const glm::dvec3 position =
+    to.position + this->Settings.scale * (this->Axes * (now.position - from.position));
+  if (!IsFinite(position))
+    return this->World;
   this->Device = now;
   if (clutchHeld || this->Held)
   {
@@ -85,9 +91,7 @@ const RigidPose& WorkspaceMapping::Update(
     this->Held = clutchHeld;
     return this->World;
   }
-  const RigidPose &from = this->DeviceAnchor, &to = this->WorldAnchor;
-  this->World.position =
-    to.position + this->Settings.scale * (this->Axes * (now.position - from.position));
+  this->World.position = position;
   this->World.orientation =
     glm::normalize(this->Axes * (now.orientation * glm::conjugate(from.orientation)) *
                    glm::conjugate(this->Axes) * to.orientation);

@@ -48,7 +48,8 @@ public:
   bool SetScale(double scale) noexcept;
 
   /// Once a tick: where the tool is, for where the device is. A pose with a number that is not
-  /// finite leaves it where it is. `dtS`: since the tick before, >= 0.
+  /// finite, or that would be too far for finite numbers, leaves it where it is. `dtS`: since the
+  /// tick before; not above 0: none.
   const RigidPose& Update(const RigidPose& device, bool clutchHeld, double dtS) noexcept;
 
   /// The last Update's.

@@ -1,6 +1,7 @@
 #include "Studies/BenchBodies.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -71,6 +72,20 @@ std::vector<glm::dvec3> PegPoints(double radiusMm, double heightMm, int rings, i
         radiusMm * std::cos(angle), radiusMm * std::sin(angle), heightMm * ring / (rings - 1.0));
     }
   return points;
+}
+
+GridGeometry MapGrid(bool skewed)
+{
+  GridGeometry grid{ glm::ivec3(36), glm::dvec3(-17.5), glm::dvec3(1.0), glm::dmat3(1.0) };
+  if (skewed)
+  {
+    grid.spacing = { 0.7, 1.1, 1.6 };
+    grid.direction =
+      glm::mat3_cast(glm::angleAxis(0.8, glm::normalize(glm::dvec3(1.0, -2.0, 0.5))));
+    grid.origin = glm::dvec3(0.0);
+    grid.origin = -grid.IndexToWorld(0.5 * glm::dvec3(grid.dims - 1));
+  }
+  return grid;
 }
 
 std::vector<glm::dvec3> LinePoints(int count, double lengthMm)

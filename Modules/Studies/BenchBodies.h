@@ -1,4 +1,5 @@
 #pragma once
+#include "Grid/GridView.h"
 #include "Haptics/ImplicitField.h"
 
 #include <vector>
@@ -57,5 +58,8 @@ std::vector<glm::dvec3> TipPoints();
 std::vector<glm::dvec3> FootPoints(int perSide, double sideMm);
 std::vector<glm::dvec3> PegPoints(double radiusMm, double heightMm, int rings, int perRing);
 std::vector<glm::dvec3> LinePoints(int count, double lengthMm);
+
+/// 36 samples an axis about the origin: of 1 mm, or of the spacings and turns that scanners give.
+GridGeometry MapGrid(bool skewed);
 
 } // namespace hasp

@@ -28,7 +28,8 @@ public:
   CoupledRenderer(Coupling coupling, FieldContact contact, const BenchDevice& device, double tickS)
     : Held(std::move(coupling)),
       Touch(std::move(contact)),
-      Limiter({ .force = device.forceLimitN, .torque = device.torqueLimitNmm, .rampInS = 0.0 }),
+      Device(device),
+      Limiter(Limits(0.0)),
       TickS(tickS)
   {
   }

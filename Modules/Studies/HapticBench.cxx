@@ -206,7 +206,7 @@ BenchFigures RunBench(const BenchScene& scene, BenchRenderer& renderer)
       const bool lost = clock.dropped > 0.0 && share(random) < clock.dropped;
       ++tick;
       next = static_cast<double>(tick) * perTick;
-      if (clock.jitter > 0.0) // each tick's own, about its nominal time: they do not add up
+      if (clock.jitter > 0.0) // half of it each, about its nominal time: they do not add up
         next = std::max(static_cast<double>(step + 1),
           next + clock.jitter * (2.0 * share(random) - 1.0) * 0.5 * perTick);
       const bool paused = t >= clock.pauseAtS && t < clock.pauseAtS + clock.pauseS;

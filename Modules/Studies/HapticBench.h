@@ -54,7 +54,7 @@ struct BenchClock
   double tickS = 0.001;
   int delayTicks = 1;     ///< of a wrench, on its way to the motors
   double dropped = 0.0;   ///< share of ticks whose wrench gets lost: the last one is held
-  double jitter = 0.0;    ///< share of a tick by which each comes early or late
+  double jitter = 0.0;    ///< share of a tick by which the time between two of them varies, at most
   double pauseAtS = -1.0; ///< the renderer stalls then
   double pauseS = 0.0;
   std::uint32_t seed = 1;

@@ -74,8 +74,8 @@ void AddClockRows(std::vector<StabilityRow>& rows)
   };
   const Trouble troubles[] = { { "drop10", "10 % of ticks dropped", with(0.1, 0, 0), 0.11 },
     { "drop30", "30 % of ticks dropped", with(0.3, 0, 0), 0.43 },
-    { "jitter50", "ticks +-50 % early or late", with(0, 0.5, 0), 0.5 },
-    { "jitter90", "ticks +-90 % early or late", with(0, 0.9, 0), 0.9 },
+    { "jitter50", "times between ticks +-50 %", with(0, 0.5, 0), 0.5 },
+    { "jitter90", "times between ticks +-90 %", with(0, 0.9, 0), 0.9 },
     { "pause50", "a pause of 50 ms", with(0, 0, 0.05), 0.0 } };
   for (const Trouble& trouble : troubles)
     for (const BenchHand& hand : { NoHand(), LooseHand(), FirmHand() })

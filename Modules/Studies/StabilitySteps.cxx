@@ -3,8 +3,6 @@
 #include "Studies/StabilityCases.h"
 #include "Studies/StepRenderer.h"
 
-#include <glm/gtc/quaternion.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -13,19 +11,10 @@ namespace hasp
 namespace
 {
 
-/// z < height is solid; 24 samples of 1 mm, or as many of the spacings and turns that scanners
-/// give.
+/// z < height is solid.
 std::shared_ptr<const DistanceMap> GroundMap(bool skewed, double height = 0.0)
 {
-  GridGeometry grid{ glm::ivec3(36), glm::dvec3(-17.5), glm::dvec3(1.0), glm::dmat3(1.0) };
-  if (skewed)
-  {
-    grid.spacing = { 0.7, 1.1, 1.6 };
-    grid.direction =
-      glm::mat3_cast(glm::angleAxis(0.8, glm::normalize(glm::dvec3(1.0, -2.0, 0.5))));
-    grid.origin = glm::dvec3(0.0);
-    grid.origin = -grid.IndexToWorld(0.5 * glm::dvec3(grid.dims - 1));
-  }
+  const GridGeometry grid = MapGrid(skewed);
   const std::vector<float> samples = SampleAnalytic<float>(
     { "ground", [=](const glm::dvec3& p) { return p.z - height; }, 1.0 }, grid, 1.0, 0.0);
   return std::make_shared<DistanceMap>(GridView<const float>{ samples.data(), grid });

@@ -34,7 +34,10 @@ public:
     return this->Last.onDevice;
   }
   double DeepestMm() override { return this->Last.sums.deepestMm; }
-  double Residual() override { return 0.0; }
+  double Residual() override
+  {
+    return (this->Last.status & CouplingTick::Travelling) != 0 ? 1.0 : 0.0; // on its way, or there
+  }
   RigidPose Tool() const override { return this->Last.tool; }
 
 private:

@@ -175,6 +175,47 @@ TEST(GuardedHapticDevice, AStalledLoopLetsGoOfTheHand)
   EXPECT_LT(std::abs(run(guarded, inside)), 0.5);
 }
 
+/// A cable that hangs: the driver has no new pose, and the loop goes on computing from the old one.
+/// A wrench is as old as the pose that it is made of.
+TEST(GuardedHapticDevice, RampsToZeroWhereThePoseGrowsOld)
+{
+  Bench bench;
+  bench.Read(100);
+  bench.guard->Write(Push);
+  bench.puppet->says = DeviceStatus::Stale;
+  for (int ms = 101; ms <= 200; ++ms)
+  {
+    bench.Read(ms);
+    bench.guard->Write(Push);
+    const double share = std::clamp(1.0 - (ms - 100 - 20) / 20.0, 0.0, 1.0);
+    EXPECT_LT(glm::length(bench.puppet->felt.force - share * Push.force), 1e-12) << ms;
+  }
+  EXPECT_EQ(bench.guard->Counts().ramps, 1u);
+  bench.puppet->says = DeviceStatus::Ok;
+  bench.Read(201);
+  bench.guard->Write(Push);
+  EXPECT_EQ(bench.puppet->felt.force, Push.force);
+}
+
+TEST(GuardedHapticDevice, LeavesADeviceWithoutForce)
+{
+  Wrench left{ { 99, 99, 99 } };
+  struct Witness : Puppet
+  {
+    explicit Witness(Wrench& last) : Last(last) {}
+    ~Witness() override { this->Last = this->felt; }
+    Wrench& Last;
+  };
+  {
+    GuardedHapticDevice guard(std::make_unique<Witness>(left));
+    DeviceSample sample;
+    guard.Read(Ms, sample);
+    guard.Write(Push);
+  }
+  EXPECT_EQ(left.force, glm::dvec3(0.0));
+  EXPECT_EQ(left.torque, glm::dvec3(0.0));
+}
+
 TEST(GuardedHapticDevice, ATickTakesNoMemory)
 {
   Bench bench;

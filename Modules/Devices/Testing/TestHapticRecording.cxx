@@ -187,6 +187,27 @@ TEST(HapticRecording, AnythingComesBackToTheLastBit)
     EXPECT_EQ(Packed(back.records[n]), Packed(records[n]));
 }
 
+TEST(HapticRecording, SaysWhichKernelsRan)
+{
+  for (const char* name : { "", "AVX2", "scalar", "AVX3_DL", "12345678" })
+  {
+    const HapticRecording back = ParseHapticRecording(FileOf({}, { .kernels = name }));
+    EXPECT_EQ(back.kernels, name);
+    EXPECT_EQ(WhyBitsDiffer(back, name), "");
+    EXPECT_EQ(WhyBitsDiffer(back, "SSE4").empty(), back.kernels.empty()) << name;
+  }
+  const HapticRecording longer =
+    ParseHapticRecording(FileOf({}, { .kernels = "NEON_WITHOUT_AES" }));
+  EXPECT_EQ(longer.kernels, "NEON_WIT");
+  EXPECT_EQ(WhyBitsDiffer(longer, "NEON_WITHOUT_AES"), "");
+  EXPECT_EQ(WhyBitsDiffer({ .kernels = "SECRET" }, "AVX2").find("SECRET"), std::string::npos);
+  // What a file says is text of anybody's.
+  for (const char* name : { "AVX 2", "<b>", "a\nb" })
+    EXPECT_NE(
+      Refusal([&] { ParseHapticRecording(FileOf({}, { .kernels = name })); }).find("name is none"),
+      std::string::npos);
+}
+
 TEST(HapticRecording, AFileCutOffAnywhereIsGoodToTheLastWholeRecord)
 {
   const auto records = SomeRecords(3);
@@ -297,13 +318,62 @@ TEST(HapticRecorder, ADiskThatIsFullLeavesAReadableFile)
   recorder.Finish();
   setrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, handler);
-  EXPECT_EQ(recorder.Counts().failed + recorder.Counts().written, 40u);
-  EXPECT_GE(recorder.Counts().failed, 30u);
+  EXPECT_EQ(recorder.Counts().written, 10u) << "as many as are in the file";
+  EXPECT_EQ(recorder.Counts().failed, 30u);
   ASSERT_EQ(recorder.Losses().size(), 1u);
   EXPECT_NE(recorder.Losses()[0].find("disk"), std::string::npos);
   const HapticRecording read = ReadHapticRecording(file.Path);
   EXPECT_EQ(read.records.size(), 10u);
   EXPECT_EQ(read.bytesLost, 50u);
+}
+
+TEST(HapticRecorder, ARingThatIsTooLongIsRefusedBeforeMemoryIsTaken)
+{
+  const TemporaryFile file;
+  const auto mostKiB = []
+  {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = mostKiB();
+  EXPECT_NE(Refusal([&] { HapticRecorder(file.Path, {}, 2'000'000); }).find("ringTicks"),
+    std::string::npos);
+  EXPECT_LT(mostKiB() - before, 100'000) << "2^21 ticks are 340 MB";
+  EXPECT_FALSE(std::filesystem::exists(file.Path));
+}
+
+/// A session's ticks in a file that nobody can read are lost at the beginning, not at the end.
+TEST(HapticRecorder, WhatItsReaderRefusesIsNotBegun)
+{
+  const TemporaryFile file;
+  for (const HapticRecording& of :
+    { HapticRecording{ .periodNs = 0 }, HapticRecording{ .poseAxes = 5 },
+      HapticRecording{ .forceAxes = 1 }, HapticRecording{ .peakForceN = 2000.0 },
+      HapticRecording{ .peakTorqueNmm = std::nan("") } })
+  {
+    EXPECT_NE(Refusal([&] { HapticRecorder(file.Path, of); }).find("must be"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(file.Path)) << "nor is a file emptied";
+  }
+}
+
+/// A loop that was started again counts from 0 again.
+TEST(HapticRecorder, TicksThatAreNotYoungerAreLostAloneAndCounted)
+{
+  const TemporaryFile file;
+  auto records = SomeRecords(20);
+  records[10].number = 0;
+  records[11].number = records[9].number;
+  HapticRecorder recorder(file.Path, {});
+  for (const HapticRecord& record : records)
+    recorder.Push(record);
+  recorder.Finish();
+  const HapticRecording read = ReadHapticRecording(file.Path);
+  EXPECT_EQ(read.records.size(), 18u);
+  EXPECT_EQ(recorder.Counts().written, 18u);
+  EXPECT_EQ(recorder.Counts().disordered, 2u);
+  ASSERT_EQ(recorder.Losses().size(), 1u);
+  EXPECT_NE(recorder.Losses()[0].find("2 ticks"), std::string::npos);
 }
 
 /// A wall of 1 N/mm at x = 0: what a haptic step is, made small.
@@ -365,6 +435,9 @@ TEST(ReplayHapticDevice, TheSameStepGivesTheSameBitsAgain)
     EXPECT_EQ(replay.Differences().compared, 300u);
     EXPECT_EQ(replay.Differences().different, 0u);
     EXPECT_EQ(replay.Read(0, sample), DeviceStatus::Ended);
+    EXPECT_EQ(replay.Write({ { 1, 2, 3 } }), DeviceStatus::Ended);
+    EXPECT_EQ(replay.Differences().compared, 300u) << "there is no tick to compare with any more";
+    EXPECT_EQ(replay.Differences().different, 0u);
     replay.Rewind();
   }
 }

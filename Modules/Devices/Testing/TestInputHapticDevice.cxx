@@ -195,4 +195,23 @@ TEST(InputHapticDevice, MayBeFedWhileItIsRead)
   EXPECT_EQ(apart, 0u);
 }
 
+/// Finite numbers whose sums or squares are not: one event must not spoil all that come after.
+TEST(InputHapticDevice, WhatIsAbsurdlyFarIsIgnoredAsWhatIsNotFinite)
+{
+  InputHapticDevice device({ .followS = 0.0 });
+  DeviceSample sample;
+  for (int n = 0; n < 3; ++n)
+  {
+    device.MoveBy(glm::dvec3(1e308));
+    device.TurnBy(glm::dvec3(1e200));
+    device.MoveTo({ glm::dvec3(1e308) });
+    device.SetRates(glm::dvec3(1e308), glm::dvec3(1e200), 0);
+    device.Read(n, sample);
+  }
+  device.MoveBy({ 1, 2, 3 });
+  device.Read(1'000'000, sample);
+  EXPECT_EQ(sample.pose.position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(sample.pose.orientation, glm::dquat(1, 0, 0, 0));
+}
+
 } // namespace

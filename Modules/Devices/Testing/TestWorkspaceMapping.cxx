@@ -206,4 +206,20 @@ TEST(WorkspaceMapping, ATickTakesNoMemory)
   EXPECT_EQ(CountedAllocations(), before);
 }
 
+/// A time or place that is none must not stay: forces come back, and the tool does.
+TEST(WorkspaceMapping, ABadTickIsForgotten)
+{
+  WorkspaceMapping mapping({ .scale = 1000.0 });
+  mapping.Update({}, false, std::nan(""));
+  EXPECT_EQ(mapping.ToDevice({ { 1, 0, 0 } }).force, glm::dvec3(1, 0, 0));
+  mapping.Update({ glm::dvec3(0.001, 0, 0) }, false, 0.001);
+  EXPECT_EQ(mapping.Update({ glm::dvec3(1e306) }, false, 0.001).position, glm::dvec3(1, 0, 0))
+    << "too far for doubles: the tool stays";
+  mapping.Update({ glm::dvec3(1e306) }, true, 0.001); // and the anchor is not there either
+  mapping.Update({}, true, 0.001);
+  mapping.Update({}, false, 0.001);
+  EXPECT_EQ(
+    mapping.Update({ glm::dvec3(0.001, 0, 0) }, false, 0.001).position, glm::dvec3(2, 0, 0));
+}
+
 } // namespace

@@ -39,13 +39,6 @@ glm::dvec3 Slewed(const glm::dvec3& last, const glm::dvec3& wanted, double reach
 
 } // namespace
 
-bool IsFinite(const Wrench& wrench) noexcept
-{
-  const glm::dvec3 &f = wrench.force, &t = wrench.torque;
-  return std::isfinite(f.x) && std::isfinite(f.y) && std::isfinite(f.z) && std::isfinite(t.x) &&
-         std::isfinite(t.y) && std::isfinite(t.z);
-}
-
 ForceLimiter::ForceLimiter(const ForceLimits& limits) : Settings(limits)
 {
   for (const double value : { limits.force, limits.torque, limits.rampInS })

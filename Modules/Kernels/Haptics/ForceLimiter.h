@@ -1,5 +1,5 @@
 #pragma once
-#include "Grid/RigidPose.h"
+#include "Grid/FinitePose.h"
 
 namespace hasp
 {
@@ -36,7 +36,5 @@ private:
   Wrench Last;
   double SinceS = 0.0;
 };
-
-bool IsFinite(const Wrench& wrench) noexcept;
 
 } // namespace hasp

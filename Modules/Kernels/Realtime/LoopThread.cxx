@@ -1,7 +1,7 @@
 #include "Realtime/LoopThread.h"
 
-#include <pthread.h>
-#include <signal.h>
+#include "Realtime/SignalsBlocked.h"
+
 #include <time.h>
 
 #include <cerrno>
@@ -23,24 +23,6 @@ std::int64_t Read(clockid_t clock) noexcept
   clock_gettime(clock, &time);
   return time.tv_sec * SecondNs + time.tv_nsec;
 }
-
-/// Signals go to the threads of the program, not to ours.
-class SignalsBlocked
-{
-public:
-  SignalsBlocked()
-  {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &this->Before);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &this->Before, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
-private:
-  sigset_t Before;
-};
 
 template <class Value>
 void Check(const char* what, Value value, Value least, Value most)

@@ -14,9 +14,9 @@ struct LoopSettings
 {
   std::int64_t periodNs = 1'000'000; ///< in [100'000, 100'000'000]
   double overrunShare =
-    0.8; ///< of a period: a tick that costs more CPU time is an overrun; in (0, 1)
+    0.8; ///< of a period: a tick that costs more CPU time is an overrun; in [0.01, 0.99]
   int mostExcessPeriods = 50; ///< so many periods of CPU time beyond that share, and real-time
-                              ///< scheduling ends; >= 1
+                              ///< scheduling ends; in [1, 1'000'000]
   SchedulingRequest scheduling{};
 };
 

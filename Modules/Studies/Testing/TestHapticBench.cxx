@@ -123,6 +123,29 @@ TEST_P(HapticBenchTable, RippleGrowsFromTheExactLimitOn)
   }
 }
 
+// Pressed far beyond any limit: what leaves is the device's, with a ramp and without.
+TEST(CoupledRenderer, LimitsAreThoseOfItsDevice)
+{
+  for (const hasp::BenchDevice& device :
+    { hasp::TouchLike(), hasp::FalconLike(), hasp::PremiumLike() })
+    for (const double rampInS : { -1.0, 0.0, 0.1 })
+    {
+      hasp::VirtualCouplingSettings settings;
+      settings.spring = { 1.0, 900.0, 1e3, 1e5 };
+      hasp::QuasiStaticRenderer renderer(
+        hasp::VirtualCoupling(settings), { hasp::TipPoints(), 100.0, Wall }, device, 0.001);
+      if (rampInS >= 0.0)
+        renderer.RampIn(rampInS);
+      renderer.Place({});
+      hasp::RigidPose pressed;
+      pressed.position.z = -50.0;
+      hasp::Wrench out;
+      for (int tick = 0; tick < 500; ++tick)
+        out = renderer.Tick(pressed, 0.001 * tick);
+      EXPECT_NEAR(out.force.z, device.forceLimitN, 1e-9) << device.name << " " << rampInS;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Facts, HapticBenchTable,
   testing::Values(Measured{ "Falcon-like, loose", hasp::FalconLike(), hasp::LooseHand(),
                     { 5.68, 1.24, 0.72 }, { 5.80, 1.25, 0.72 } },
