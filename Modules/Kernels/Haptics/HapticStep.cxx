@@ -22,6 +22,10 @@ void RequirePositive(double value, const char* name)
                                 std::to_string(value) + "; it must be positive");
 }
 
+constexpr double HardAt = 0.5;           // voxels: as deep as a tool is ever to be
+constexpr double HardShare = 0.5;        // of the pressure there, that the force limit is
+constexpr double MostHardening = 1000.0; // a contact that is meant to be soft stays softer
+
 double NowUs() noexcept
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -90,6 +94,10 @@ HapticStep::HapticStep(const HapticStepSettings& settings)
   RequirePositive(settings.fadeS, "The fade");
   RequirePositive(settings.slewS, "The slew");
   RequirePositive(settings.contact.captureMm, "The capture distance");
+  if (!(settings.leastContactMm2 >= 0.0) || !std::isfinite(settings.leastContactMm2))
+    throw std::invalid_argument("The least contact of a haptic step is " +
+                                std::to_string(settings.leastContactMm2) +
+                                " mm^2; it must be finite and not negative");
   if (settings.blendTicks < 5)
     throw std::invalid_argument("Levels of a haptic step are blended in " +
                                 std::to_string(settings.blendTicks) + " ticks; it takes 5 or more");
@@ -151,8 +159,23 @@ void HapticStep::Slew() noexcept
   this->Coupling.SetSpring(spring);
   if (this->Held)
     this->Held->Grow(this->Settings.tickS / this->Settings.slewS);
+  this->Harden();
   this->SlewAttraction();
   this->SlewLevels();
+}
+
+void HapticStep::Harden() noexcept
+{
+  ContactSettings& contact = this->Plan.contact;
+  contact.hardening = 0.0F;
+  const double voxel = this->Held ? this->Held->SmallestSpacing() : 0.0;
+  const double linear =
+    contact.stiffness * this->Settings.leastContactMm2 * HardAt * voxel; // N, that deep
+  if (!(linear > 0.0) || !std::isfinite(linear))
+    return;
+  contact.hardMm = static_cast<float>(HardAt * voxel);
+  const double wanted = this->Coupling.GetSettings().spring.forceLimit / (HardShare * linear) - 1.0;
+  contact.hardening = static_cast<float>(std::clamp(wanted, 0.0, MostHardening));
 }
 
 double HapticStep::AllowedFade(double attractedMm2) const noexcept

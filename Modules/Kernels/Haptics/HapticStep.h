@@ -14,7 +14,11 @@ namespace hasp
 struct HapticStepSettings
 {
   VirtualCouplingSettings coupling; ///< its travel and radius come from the scene
-  ContactSettings contact;
+  ContactSettings contact;          ///< its hardening comes from leastContactMm2
+  /// A contact of this area or more bears the spring's force limit before it is half a voxel in,
+  /// however fine the tool: contact hardens as much as that takes, to a thousand times its
+  /// stiffness at most. 0: it does not harden, and sinks in by F / (k A). mm^2; >= 0.
+  double leastContactMm2 = 1.0;
   FrictionSettings friction;
   ForceLimits limits;
   double tickS = 0.001;    ///< > 0
@@ -80,6 +84,7 @@ public:
 private:
   class TimedContact;
   void Slew() noexcept;
+  void Harden() noexcept;
   void SlewAttraction() noexcept;
   double AllowedFade(double attractedMm2) const noexcept;
   void SlewLevels() noexcept;
