@@ -27,7 +27,7 @@ struct HapticStepSettings
   double slewS = 0.05;     ///< stiffness, spring and scenes, from one value to another; > 0
   int blendTicks = 8;      ///< from one level to the next; >= 5
   bool control = false;    ///< the passivity controller, as a last resort
-  PassivityControllerSettings passivity;
+  PassivityControllerSettings passivity; ///< its tick is tickS
 };
 
 struct HapticTick
@@ -78,6 +78,7 @@ public:
 
   HapticTick Tick(const RigidPose& device) noexcept;
 
+  /// Of what the device held, behind all limits. Reads 0 unless the settings ask for control.
   const PassivityObserver& Observer() const noexcept { return this->Passivity.Observer(); }
   std::uint64_t Controlled() const noexcept { return this->Passivity.Activations(); }
 
