@@ -71,8 +71,16 @@ struct ContactSums
 };
 
 /// Adds what `points` feel of `map` to `sums`. On the border of the grid nothing is felt, as beyond
-/// it; nor is anything if the placement is not finite. Float errors of one part in a million of the
-/// depth of a voxel.
+/// it; nor is anything if the placement is not finite.
+///
+/// Against float distances int16, q = range / 32767 a step, is off by
+///   force   at most k (q/2 sum A |g| + q |1/s| sum A |d|), s the spacings; without the last term
+///           along the points' normals (Force). Torque: times the farthest point.
+///   energy  at most k q/2 sum A |d|
+/// and by terms in q^2; with hardening k is its slope. That is q / (2 d) + q |1/s| of the force at
+/// a mean depth d: 1e-3 for a contact in one cell, a quarter voxel deep in a map of the default
+/// range. Cells round independently, and the more a contact covers the less is left: 1e-4 from some
+/// dozens on. Float adds the last digit of the index, 1e-5 of a voxel at 256 samples.
 ///
 /// HAPTIC: takes no memory, no lock, and does not throw. Settings must be in their ranges. A call
 /// costs 0.1 us (Matrix 0.2 us) besides its points: give it all runs of a level at once.
