@@ -1,6 +1,7 @@
 #include "Haptics/ContactForce.h"
 
 #include "Haptics/ContactFrame.h"
+#include "Haptics/Solve6.h"
 
 #include <algorithm>
 
@@ -15,12 +16,6 @@ void AddWrench(const std::array<double, 6>& sum, const glm::dmat3& turn, double 
   to.torque += factor * (turn * glm::dvec3(sum[3], sum[4], sum[5]));
 }
 
-/// Place of row r, column c >= r, in the upper triangle of a 6x6 matrix.
-constexpr int Triangle(int r, int c)
-{
-  return 6 * r - r * (r - 1) / 2 + c - r;
-}
-
 /// Turns each 3x3 block: T B T^t.
 void AddMatrix(const std::array<double, 21>& sum, const glm::dmat3& turn, double factor,
   std::array<double, 21>& to)
@@ -33,11 +28,11 @@ void AddMatrix(const std::array<double, 21>& sum, const glm::dmat3& turn, double
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
           block[c][r] =
-            sum[Triangle(std::min(rows + r, columns + c), std::max(rows + r, columns + c))];
+            sum[UpperIndex(std::min(rows + r, columns + c), std::max(rows + r, columns + c))];
       block = turn * block * back;
       for (int r = 0; r < 3; ++r)
         for (int c = rows == columns ? r : 0; c < 3; ++c)
-          to[Triangle(rows + r, columns + c)] += factor * block[c][r];
+          to[UpperIndex(rows + r, columns + c)] += factor * block[c][r];
     }
 }
 

@@ -23,7 +23,22 @@ struct Kernel
 
   const MapView& map;
   const ContactFrame<float>& frame;
+  HardeningLaw<float> law;
   float capture, perCapture;
+
+  /// HardeningLaw::At side by side.
+  HWY_INLINE void Harden(Floats depth, Floats& pressed, Floats& slope, Floats& squares) const
+  {
+    const Floats one = Splat(1.0F);
+    const Floats until = hn::Max(depth, Splat(-this->law.hard)), beyond = hn::Sub(depth, until);
+    const Floats u = hn::Mul(until, Splat(this->law.perHard)), uu = hn::Mul(u, u);
+    const Floats more = hn::Mul(Splat(this->law.c), hn::Mul(uu, uu));
+    const Floats atUntil = hn::MulAdd(until, more, until);
+    slope = hn::MulAdd(Splat(5.0F), more, one);
+    pressed = hn::MulAdd(slope, beyond, atUntil);
+    squares = hn::MulAdd(hn::Mul(until, until), hn::MulAdd(more, Splat(1.0F / 3.0F), one),
+      hn::Mul(beyond, hn::Add(atUntil, pressed)));
+  }
 
   HWY_INLINE void Press(const ContactPoints& points, std::size_t first, const Vectors3& p,
     Floats depth, Mask contact, const Vectors3& gradient, GroupSums& sums) const
@@ -31,14 +46,19 @@ struct Kernel
     depth = hn::IfThenElseZero(contact, depth);
     sums.contacts += hn::CountTrue(floats, contact);
     sums.deepest = hn::Min(sums.deepest, depth);
-    Floats weighted = depth, area = hn::Zero(floats);
+    const bool hardens = this->law.c > 0.0F;
+    Floats weighted = depth, squares = hn::Mul(depth, depth), weight = Splat(1.0F);
+    if (hardens)
+      this->Harden(depth, weighted, weight, squares);
     if constexpr (OwnAreas)
     {
-      area = hn::IfThenElseZero(contact, hn::Load(floats, points.areas + first));
+      const Floats area = hn::IfThenElseZero(contact, hn::Load(floats, points.areas + first));
       sums.area.sum[0] = hn::Add(sums.area.sum[0], area);
-      weighted = hn::Mul(depth, area);
+      weighted = hn::Mul(weighted, area);
+      squares = hn::Mul(squares, area);
+      weight = hn::Mul(weight, area);
     }
-    sums.squares.sum[0] = hn::MulAdd(weighted, depth, sums.squares.sum[0]);
+    sums.squares.sum[0] = hn::Add(sums.squares.sum[0], squares);
     if constexpr (!Gradient)
     {
       const Vectors3 n = Load3(points.nx, points.ny, points.nz, first);
@@ -52,9 +72,9 @@ struct Kernel
       AddLever(weighted, g, t, sums.push);
       const Floats j[6] = { g.x, g.y, g.z, t.x, t.y, t.z };
       Floats scaled[6] = { g.x, g.y, g.z, t.x, t.y, t.z };
-      if constexpr (OwnAreas)
+      if (OwnAreas || hardens)
         for (Floats& part : scaled)
-          part = hn::Mul(area, part);
+          part = hn::Mul(weight, part);
       sums.matrix.Add(j, scaled);
     }
   }
@@ -116,9 +136,12 @@ struct Kernel
 /// Of runs that are alike in their areas.
 template <ContactTerms Terms, bool OwnAreas>
 HWY_NOINLINE void Sum(const ContactPoints* run, const ContactPoints* end,
-  const ContactFrame<float>& frame, const MapView& map, float capture, ShellSums& total) noexcept
+  const ContactFrame<float>& frame, const MapView& map, const ContactSettings& settings,
+  float perMm, ShellSums& total) noexcept
 {
-  const Kernel<Terms, OwnAreas> kernel{ map, frame, capture, 1.0F / capture };
+  const float capture = settings.captureMm * perMm;
+  const Kernel<Terms, OwnAreas> kernel{ map, frame, HardeningLaw<float>(settings, perMm), capture,
+    1.0F / capture };
   constexpr std::uint32_t most = GroupSize * Lanes;
   std::uint32_t first = 0;
   while (run != end)
@@ -161,9 +184,9 @@ void SideBySide(ContactRuns runs, const ContactPlacement& placement, const MapVi
       });
     ShellSums total;
     if (one.areas)
-      Sum<Terms, true>(run, end, frame, map, settings.captureMm / mm, total);
+      Sum<Terms, true>(run, end, frame, map, settings, 1.0F / mm, total);
     else
-      Sum<Terms, false>(run, end, frame, map, settings.captureMm / mm, total);
+      Sum<Terms, false>(run, end, frame, map, settings, 1.0F / mm, total);
     // Without a gradient the push is along the normal, which is against it.
     total.Scale(one.areas ? 1.0 : one.area, mm, Terms == ContactTerms::Force ? -mm : mm);
     total.AddTo(Terms, frame.shellToMap, settings, sums);

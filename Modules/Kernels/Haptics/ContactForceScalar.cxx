@@ -85,20 +85,21 @@ struct Point
 
 template <ContactTerms Terms, typename Real>
 void Press(const Point<Real>& point, const Cell<Real>& cell, const ContactFrame<Real>& frame,
-  Real mm, ShellSums& sums) noexcept
+  const HardeningLaw<Real>& law, Real mm, ShellSums& sums) noexcept
 {
   const double area = point.area;
+  const typename HardeningLaw<Real>::Pressure pressure = law.At(mm);
   if constexpr (Terms == ContactTerms::Force)
-    Add(Lever(-point.normal, point.position), area * mm, sums.push);
+    Add(Lever(-point.normal, point.position), area * pressure.depth, sums.push);
   else
   {
     const auto lever = Lever(frame.gradientToShell * cell.Gradient(), point.position);
-    Add(lever, area * mm, sums.push);
+    Add(lever, area * pressure.depth, sums.push);
     for (int r = 0, n = 0; r < 6; ++r)
       for (int c = r; c < 6; ++c, ++n)
-        sums.matrix[n] += area * lever[r] * lever[c];
+        sums.matrix[n] += area * pressure.slope * lever[r] * lever[c];
   }
-  sums.squares += area * mm * mm;
+  sums.squares += area * pressure.squares;
   sums.area += area;
   sums.deepestMm = std::min<double>(sums.deepestMm, mm);
   ++sums.contacts;
@@ -120,8 +121,10 @@ void Attract(const Point<Real>& point, const Cell<Real>& cell, const ContactFram
 
 template <ContactTerms Terms, typename T, typename Real>
 void Feel(const ContactPoints& points, const ContactFrame<Real>& frame,
-  const DistanceMapView<T>& map, Real capture, ShellSums& sums) noexcept
+  const DistanceMapView<T>& map, const ContactSettings& settings, ShellSums& sums) noexcept
 {
+  const HardeningLaw<Real> law(settings, Real(1));
+  const Real capture = settings.captureMm;
   for (std::uint32_t n = 0; n < points.count; ++n)
   {
     const Point<Real> point{ { points.x[n], points.y[n], points.z[n] },
@@ -131,7 +134,7 @@ void Feel(const ContactPoints& points, const ContactFrame<Real>& frame,
       continue;
     const Real mm = cell.Value() * static_cast<Real>(map.mmPerStep);
     if (mm < Real(0))
-      Press<Terms>(point, cell, frame, mm, sums);
+      Press<Terms>(point, cell, frame, law, mm, sums);
     else if (Terms == ContactTerms::Snap && mm > Real(0) && mm < capture)
       Attract(point, cell, frame, mm / capture, sums);
   }
@@ -146,7 +149,7 @@ void OneByOne(ContactRuns runs, const ContactPlacement& placement, const Distanc
     return;
   ShellSums shell;
   for (const ContactPoints& points : runs)
-    Feel<Terms>(points, frame, map, static_cast<Real>(settings.captureMm), shell);
+    Feel<Terms>(points, frame, map, settings, shell);
   shell.AddTo(Terms, frame.shellToMap, settings, sums);
 }
 

@@ -42,13 +42,42 @@ struct ContactFrame
   }
 };
 
+/// How contact hardens (ContactSettings), of depths in any unit.
+template <typename Real>
+struct HardeningLaw
+{
+  Real c, hard, perHard; ///< hard and 1 / hard in the depths' unit
+
+  HardeningLaw(const ContactSettings& settings, Real perMm) noexcept
+    : c(settings.hardening),
+      hard(settings.hardMm * perMm),
+      perHard(Real(1) / this->hard)
+  {
+  }
+  struct Pressure
+  {
+    Real depth;   ///< that a linear law would take for this pressure; < 0 as the depth is
+    Real slope;   ///< in k
+    Real squares; ///< twice the energy, in k
+  };
+  Pressure At(Real depth) const noexcept
+  {
+    const Real until = depth < -this->hard ? -this->hard : depth, beyond = depth - until;
+    const Real u = until * this->perHard, more = this->c * u * u * u * u;
+    const Real pressed = until * (Real(1) + more), slope = Real(1) + Real(5) * more;
+    return { pressed + slope * beyond, slope,
+      until * until * (Real(1) + more / Real(3)) + beyond * (Real(2) * pressed + slope * beyond) };
+  }
+};
+
 /// Sums over points in the shell's body axes, j = [g; p x g], without the factors that all share.
 struct ShellSums
 {
-  std::array<double, 6> push{};    ///< of A d j: the wrench is -k times it
+  std::array<double, 6>
+    push{}; ///< of A d j, d as a linear law would take it: the wrench is -k times it
   std::array<double, 6> pull{};    ///< of A (d / R) (1 - (d / R)^2)^2 f j: -s a times it
-  std::array<double, 21> matrix{}; ///< of A j j^T
-  double squares = 0.0;            ///< of A d^2
+  std::array<double, 21> matrix{}; ///< of A j j^T, times the hardening's slope
+  double squares = 0.0;            ///< of A d^2: twice the energy, in k
   double area = 0.0;
   double attractedArea = 0.0;
   double deepestMm = 0.0;

@@ -22,9 +22,12 @@ FieldContact::FieldContact(
     throw std::invalid_argument("A point's stiffness of " + std::to_string(stiffness) +
                                 " N/mm; it must be finite and not negative");
   for (const glm::dvec3& point : this->Points)
-    this->FarthestMm = std::max(this->FarthestMm, glm::length(point));
-  if (!std::isfinite(this->FarthestMm))
-    throw std::invalid_argument("A point of the tool is not finite");
+  {
+    const double far = glm::length(point);
+    if (!std::isfinite(far))
+      throw std::invalid_argument("A point of the tool is not finite");
+    this->FarthestMm = std::max(this->FarthestMm, far);
+  }
 }
 
 ToolContact::Answer FieldContact::At(const RigidPose& tool) noexcept

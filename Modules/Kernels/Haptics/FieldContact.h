@@ -9,9 +9,9 @@ namespace hasp
 {
 
 /// Points of a tool against a signed distance given as a function, one after the other in double:
-/// the same law as the contact kernels' (Matrix), for bodies in closed form, and what those kernels
-/// and the couplings are held against. No attraction.
-/// Threads: one. Cost: the field's, and 50 flops a point in contact.
+/// the same law as the contact kernels' (Matrix, without hardening), for bodies in closed form, and
+/// what those kernels and the couplings are held against. No attraction. Threads: one. Cost: the
+/// field's, and 50 flops a point in contact.
 class FieldContact : public ToolContact
 {
 public:

@@ -24,9 +24,11 @@ glm::dvec3 Shortened(const glm::dvec3& v, double longest) noexcept
   return length > longest ? longest * unit : v;
 }
 
-/// From last towards wanted: shrinks freely, else by `reach`.
-glm::dvec3 Slewed(const glm::dvec3& last, const glm::dvec3& wanted, double reach) noexcept
+/// From last towards wanted: shrinks freely, else by the slew.
+glm::dvec3 Slewed(
+  const glm::dvec3& last, const glm::dvec3& wanted, double seconds, double slew) noexcept
 {
+  const double reach = seconds > 0.0 ? seconds * slew : 0.0; // a slew may be infinite
   const double length = glm::length(last);
   glm::dvec3 base = last;
   if (length > 0.0)
@@ -64,9 +66,9 @@ Wrench ForceLimiter::Limit(const Wrench& wanted, double seconds) noexcept
   this->SinceS = std::min(this->SinceS + passed, s.rampInS);
   const double ramp = s.rampInS > 0.0 ? this->SinceS / s.rampInS : 1.0;
   const Wrench asked = IsFinite(wanted) ? wanted : Wrench{};
-  const Wrench slewed{ Slewed(this->Last.force, Shortened(asked.force, ramp * s.force),
-                         passed * s.forceSlew),
-    Slewed(this->Last.torque, Shortened(asked.torque, ramp * s.torque), passed * s.torqueSlew) };
+  const Wrench slewed{ Slewed(this->Last.force, Shortened(asked.force, ramp * s.force), passed,
+                         s.forceSlew),
+    Slewed(this->Last.torque, Shortened(asked.torque, ramp * s.torque), passed, s.torqueSlew) };
   // Both ends of a slew are within the ball; rounding is not.
   this->Last = { Shortened(slewed.force, s.force), Shortened(slewed.torque, s.torque) };
   return this->Last;

@@ -30,10 +30,15 @@ double AreaShare(const PointShell& shell, int level, double finest) noexcept
   return mine / area(level);
 }
 
-/// What is shown of a pair that has grown so far.
-double Weight(double grown) noexcept
+/// What a share of a pair's contact feels: its stiffness by the cube of how grown it is. Hardening
+/// comes last of all, for a little of it is felt more than much of the stiffness.
+ContactSettings Grown(ContactSettings settings, double grown, double share = 1.0) noexcept
 {
-  return grown * grown * grown;
+  const double weight = grown * grown * grown;
+  settings.stiffness *= static_cast<float>(weight * share);
+  settings.attraction *= static_cast<float>(weight * share);
+  settings.hardening *= static_cast<float>(weight * weight);
+  return settings;
 }
 
 /// Of the ball around the body's origin that holds the whole volume, mm.
@@ -208,9 +213,7 @@ double HapticScene::AddDynamic(
   this->Near[0] += points;
   if (points > 0)
   {
-    ContactSettings settings = this->Now.contact;
-    settings.stiffness *= static_cast<float>(Weight(pair.grown));
-    settings.attraction *= static_cast<float>(Weight(pair.grown));
+    const ContactSettings settings = Grown(this->Now.contact, pair.grown);
     this->Kernels[terms](pair.dynamic->Points(), at, pair.view, settings, sums);
     this->Done += points;
   }
@@ -224,7 +227,6 @@ double HapticScene::AddStatic(
   pair.coarse->Begin(
     at.shellInMap, terms == ContactTerms::Snap ? this->Now.contact.captureMm : 0.0);
   const int levels = std::min(shell.Levels(), static_cast<int>(std::ceil(this->Now.finest)) + 1);
-  const double weight = Weight(pair.grown);
   double nearBefore = 0.0;
   for (int level = 0; level < levels; ++level)
   {
@@ -238,9 +240,7 @@ double HapticScene::AddStatic(
       continue;
     // Forces are linear in the area: blending levels is a stiffness per level.
     const double area = AreaShare(shell, level, this->Now.finest);
-    ContactSettings settings = this->Now.contact;
-    settings.stiffness *= static_cast<float>(weight * area);
-    settings.attraction *= static_cast<float>(weight * area);
+    const ContactSettings settings = Grown(this->Now.contact, pair.grown, area);
     ContactSums part;
     this->Kernels[terms](runs, at, pair.view, settings, part);
     part.contactArea *= area;

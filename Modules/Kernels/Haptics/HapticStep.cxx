@@ -13,14 +13,35 @@ namespace hasp
 namespace
 {
 
-constexpr double UpdateShare = 0.05; ///< of a tick in the mean of what updates take
+void Require(bool holds, double value, const char* name, const char* range)
+{
+  if (!holds)
+    throw std::invalid_argument(std::string(name) + " of a haptic step is " +
+                                std::to_string(value) + "; it must be " + range);
+}
 
 void RequirePositive(double value, const char* name)
 {
-  if (!(value > 0.0))
-    throw std::invalid_argument(std::string(name) + " of a haptic step is " +
-                                std::to_string(value) + "; it must be positive");
+  Require(value > 0.0 && std::isfinite(value), value, name, "positive and finite");
 }
+
+void RequireNotNegative(double value, const char* name)
+{
+  Require(value >= 0.0 && std::isfinite(value), value, name, "finite and not negative");
+}
+
+/// The controller's tick is the step's.
+PassivityControllerSettings Ticking(PassivityControllerSettings passivity, double tickS)
+{
+  RequirePositive(tickS, "The tick");
+  passivity.tickS = tickS;
+  return passivity;
+}
+
+constexpr double UpdateShare = 0.05;     // of a tick in the mean of what updates take
+constexpr double HardAt = 0.5;           // voxels: as deep as a tool is ever to be
+constexpr double HardShare = 0.5;        // of the pressure there, that the force limit is
+constexpr double MostHardening = 1000.0; // a contact that is meant to be soft stays softer
 
 double NowUs() noexcept
 {
@@ -81,20 +102,20 @@ HapticStep::HapticStep(const HapticStepSettings& settings)
     Coupling(settings.coupling),
     Friction(settings.friction),
     Limiter(settings.limits),
-    Passivity(settings.passivity),
+    Passivity(Ticking(settings.passivity, settings.tickS)),
     WantedContact(settings.contact),
     WantedSpring(settings.coupling.spring)
 {
-  RequirePositive(settings.tickS, "The tick");
-  RequirePositive(settings.budgetUs, "The budget");
+  Require(settings.budgetUs > 0.0, settings.budgetUs, "The budget", "positive");
   RequirePositive(settings.fadeS, "The fade");
   RequirePositive(settings.slewS, "The slew");
   RequirePositive(settings.contact.captureMm, "The capture distance");
+  RequireNotNegative(settings.leastContactMm2, "The least contact");
+  RequireNotNegative(settings.contact.stiffness, "The stiffness of contact");
+  RequireNotNegative(settings.contact.attraction, "The attraction");
   if (settings.blendTicks < 5)
     throw std::invalid_argument("Levels of a haptic step are blended in " +
                                 std::to_string(settings.blendTicks) + " ticks; it takes 5 or more");
-  if (!(settings.contact.stiffness >= 0.0F) || !(settings.contact.attraction >= 0.0F))
-    throw std::invalid_argument("Stiffness and attraction of a haptic step must not be negative");
   this->Plan.contact = settings.contact;
   this->Plan.contact.fade = 0.0F;
 }
@@ -151,8 +172,23 @@ void HapticStep::Slew() noexcept
   this->Coupling.SetSpring(spring);
   if (this->Held)
     this->Held->Grow(this->Settings.tickS / this->Settings.slewS);
+  this->Harden();
   this->SlewAttraction();
   this->SlewLevels();
+}
+
+void HapticStep::Harden() noexcept
+{
+  ContactSettings& contact = this->Plan.contact;
+  contact.hardening = 0.0F;
+  const double voxel = this->Held ? this->Held->SmallestSpacing() : 0.0;
+  const double linear =
+    contact.stiffness * this->Settings.leastContactMm2 * HardAt * voxel; // N, that deep
+  if (!(linear > 0.0) || !std::isfinite(linear))
+    return;
+  contact.hardMm = static_cast<float>(HardAt * voxel);
+  const double wanted = this->Coupling.GetSettings().spring.forceLimit / (HardShare * linear) - 1.0;
+  contact.hardening = static_cast<float>(std::clamp(wanted, 0.0, MostHardening));
 }
 
 double HapticStep::AllowedFade(double attractedMm2) const noexcept
@@ -216,6 +252,7 @@ HapticTick HapticStep::Tick(const RigidPose& device) noexcept
   if (this->Settings.control)
     wanted = this->Passivity.Tick(device, wanted);
   tick.onDevice = this->Limiter.Limit(wanted, this->Settings.tickS);
+  this->Passivity.Hold(tick.onDevice);
   tick.tool = this->Coupling.Tool();
   tick.sums = coupled.sums;
   tick.levels = this->Plan.finest;

@@ -14,7 +14,11 @@ namespace hasp
 struct HapticStepSettings
 {
   VirtualCouplingSettings coupling; ///< its travel and radius come from the scene
-  ContactSettings contact;
+  ContactSettings contact;          ///< its hardening comes from leastContactMm2
+  /// A contact of this area or more bears the spring's force limit before it is half a voxel in,
+  /// however fine the tool: contact hardens as much as that takes, to a thousand times its
+  /// stiffness at most. 0: it does not harden, and sinks in by F / (k A). mm^2; >= 0.
+  double leastContactMm2 = 1.0;
   FrictionSettings friction;
   ForceLimits limits;
   double tickS = 0.001;    ///< > 0
@@ -23,7 +27,7 @@ struct HapticStepSettings
   double slewS = 0.05;     ///< stiffness, spring and scenes, from one value to another; > 0
   int blendTicks = 8;      ///< from one level to the next; >= 5
   bool control = false;    ///< the passivity controller, as a last resort
-  PassivityControllerSettings passivity;
+  PassivityControllerSettings passivity; ///< its tick is tickS
 };
 
 struct HapticTick
@@ -74,12 +78,14 @@ public:
 
   HapticTick Tick(const RigidPose& device) noexcept;
 
+  /// Of what the device held, behind all limits. Reads 0 unless the settings ask for control.
   const PassivityObserver& Observer() const noexcept { return this->Passivity.Observer(); }
   std::uint64_t Controlled() const noexcept { return this->Passivity.Activations(); }
 
 private:
   class TimedContact;
   void Slew() noexcept;
+  void Harden() noexcept;
   void SlewAttraction() noexcept;
   double AllowedFade(double attractedMm2) const noexcept;
   void SlewLevels() noexcept;

@@ -26,7 +26,10 @@ glm::dvec3 TurnBetween(const RigidPose& from, const RigidPose& to) noexcept
 void PassivityObserver::Tick(const RigidPose& device, const Wrench& held) noexcept
 {
   if (!IsPose(device))
+  {
+    this->Hold(held); // of the way until the next pose nobody knows when it changed: all with this
     return;
+  }
   if (this->HasLast)
   {
     this->Sum -= glm::dot(this->Held.force, device.position - this->Last.position) +
@@ -69,7 +72,10 @@ Wrench PassivityController::Tick(const RigidPose& device, const Wrench& wanted) 
 {
   const PassivityControllerSettings& s = this->Settings;
   if (!IsPose(device))
+  {
+    this->Watch.Hold(wanted);
     return wanted;
+  }
   if (!this->HasLast)
     this->Last = device;
   const double turn = 2.0 * std::numbers::pi * s.cutoffHz * s.tickS, share = turn / (1.0 + turn);

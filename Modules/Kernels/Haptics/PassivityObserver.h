@@ -13,7 +13,8 @@ class PassivityObserver
 {
 public:
   /// Once a tick: the pose read, and then the wrench that the device holds until the next one.
-  /// Poses or wrenches that are not finite are passed over.
+  /// Wrenches that are not finite are passed over. Where a pose is none, the way to the next one
+  /// counts with the wrench that was held last.
   void Tick(const RigidPose& device, const Wrench& held) noexcept;
   /// Replaces what Tick was told, before the next one.
   void Hold(const Wrench& held) noexcept;
@@ -47,6 +48,8 @@ public:
   explicit PassivityController(const PassivityControllerSettings& settings = {});
   /// The wrench to hold: `wanted`, damped where needed. Observes what it returns.
   Wrench Tick(const RigidPose& device, const Wrench& wanted) noexcept;
+  /// What is held instead of what Tick has returned, where limits come after it.
+  void Hold(const Wrench& held) noexcept { this->Watch.Hold(held); }
   const PassivityObserver& Observer() const noexcept { return this->Watch; }
   std::uint64_t Activations() const noexcept { return this->Count; }
   void Restart() noexcept;

@@ -6,11 +6,12 @@
 namespace
 {
 
-thread_local std::size_t Count = 0;
+thread_local std::size_t Count = 0, Bytes = 0;
 
 void* Take(std::size_t bytes, std::size_t alignment)
 {
   ++Count;
+  Bytes += bytes;
   void* taken = nullptr;
   if (posix_memalign(&taken, alignment, bytes ? bytes : 1) != 0)
     throw std::bad_alloc();
@@ -22,6 +23,11 @@ void* Take(std::size_t bytes, std::size_t alignment)
 std::size_t hasp::test::NewCount() noexcept
 {
   return Count;
+}
+
+std::size_t hasp::test::NewBytes() noexcept
+{
+  return Bytes;
 }
 
 void* operator new(std::size_t bytes)

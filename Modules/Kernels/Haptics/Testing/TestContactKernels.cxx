@@ -152,6 +152,47 @@ TEST_F(Poses, ShortsAreCloseToFloatsInASmallContact)
     }
 }
 
+/// What ContactForce.h says of int16, for contact: of the wrench and of the energy, with what the
+/// scene's sums tell of sum A and sum A d. And nothing of it is large: the rest is float's.
+TEST_F(Poses, ShortsKeepToTheirBoundInASmallContact)
+{
+  for (const double range : { 3.0, 6.0, 12.0 })
+  {
+    const ContactMap map(Grid, range, Bumpy);
+    const ContactPoints points = this->Shell.Get(0.06F);
+    const double step = range / 32767.0, k = this->Settings.stiffness, lever = 5.0;
+    const double perSpacing = glm::length(1.0 / Grid.spacing), steepest = map.Shorts().steepest;
+    double closest = 0.0;
+    for (const RigidPose& pose : this->All)
+      for (const ContactTerms terms : { ContactTerms::Force, ContactTerms::Matrix })
+      {
+        ContactSums truth;
+        ContactForceReference(terms, points, { pose }, map.Floats(), this->Settings, truth);
+        for (const ContactKernels& kernels : AllContactKernels())
+        {
+          ContactSums sums;
+          kernels[terms](points, { pose }, map.Shorts(), this->Settings, sums);
+          const double area = std::max(truth.contactArea, sums.contactArea);
+          const double depths = std::sqrt(area * 2.0 * truth.energy / k); // >= sum A d
+          const bool gradient = terms != ContactTerms::Force;
+          const double bound = k * 0.5 * step * area * (gradient ? steepest : 1.0) +
+                               k * (gradient ? step * perSpacing * (depths + step * area) : 0.0);
+          const double rounding = 1e-5 * k * depths;
+          const double off = glm::length(sums.contact.force - truth.contact.force);
+          EXPECT_LE(off, bound + rounding) << kernels.name << range;
+          EXPECT_LE(
+            glm::length(sums.contact.torque - truth.contact.torque), lever * (bound + rounding))
+            << kernels.name << range;
+          EXPECT_LE(std::abs(sums.energy - truth.energy),
+            k * 0.5 * step * (depths + step * area) + 1e-5 * truth.energy)
+            << kernels.name << range;
+          closest = std::max(closest, off / bound);
+        }
+      }
+    EXPECT_GT(closest, 0.05) << "of another order than what it bounds";
+  }
+}
+
 TEST(ContactKernels, FeelAllOfItInWhatTheCoarsePhaseLeaves)
 {
   const hasp::testing::SampledDistance body(Bumpy, Grid);

@@ -89,6 +89,46 @@ TEST(ForceLimiter, GrowsByTheSlewAndShrinksAtOnce)
   EXPECT_EQ(limiter.Limit({ { NaN, 0, 0 }, {} }, Tick).force.x, 0.0);
 }
 
+// A slew without a bound is allowed; without time nothing grows all the same.
+TEST(ForceLimiter, WithoutTimeNothingGrowsHoweverFastItMay)
+{
+  hasp::ForceLimits limits = NoRamp();
+  limits.forceSlew = limits.torqueSlew = std::numeric_limits<double>::infinity();
+  hasp::ForceLimiter limiter(limits);
+  for (const double seconds : { 0.0, NaN, -1.0 })
+  {
+    const hasp::Wrench out = limiter.Limit({ { 5, 0, 0 }, { 0, 50, 0 } }, seconds);
+    EXPECT_EQ(out.force, glm::dvec3(0.0)) << seconds;
+    EXPECT_EQ(out.torque, glm::dvec3(0.0)) << seconds;
+  }
+  EXPECT_EQ(limiter.Limit({ { 5, 0, 0 }, {} }, Tick).force.x, 5.0);
+}
+
+// Torque has a slew, a limit and a ramp of its own.
+TEST(ForceLimiter, TorqueIsLimitedAsForceIs)
+{
+  hasp::ForceLimiter slewed(NoRamp());
+  EXPECT_NEAR(slewed.Limit({ {}, { 0, 0, 180 } }, Tick).torque.z, 60.0, 1e-12);
+  EXPECT_NEAR(slewed.Limit({ {}, { 0, 0, 180 } }, Tick).torque.z, 120.0, 1e-12);
+  EXPECT_NEAR(slewed.Limit({ {}, { 0, 0, 10 } }, Tick).torque.z, 10.0, 1e-12);
+  hasp::ForceLimits limits;
+  limits.torqueSlew = 1e9;
+  hasp::ForceLimiter ramped(limits);
+  for (int n = 1; n <= 500; ++n)
+    ASSERT_NEAR(ramped.Limit({ {}, { 0, 900, 0 } }, Tick).torque.y, 180.0 * n / 500.0, 1e-9);
+}
+
+TEST(ForceLimiter, AfterARestartForceGrowsFromZero)
+{
+  hasp::ForceLimiter limiter(NoRamp());
+  for (int n = 0; n < 10; ++n)
+    limiter.Limit({ { 8, 0, 0 }, { 0, 0, 180 } }, Tick);
+  limiter.Restart();
+  const hasp::Wrench out = limiter.Limit({ { 8, 0, 0 }, { 0, 0, 180 } }, Tick);
+  EXPECT_NEAR(out.force.x, 2.0, 1e-12);
+  EXPECT_NEAR(out.torque.z, 60.0, 1e-12);
+}
+
 TEST(ForceLimiter, RampsInAfterTheStart)
 {
   hasp::ForceLimits limits;
@@ -138,6 +178,26 @@ TEST(PassivityObserver, SeesTheEnergyOfALateForce)
   EXPECT_TRUE(std::isfinite(observer.Energy()));
 }
 
+// While no pose is known the device holds what it was told then, not what it held before.
+TEST(PassivityObserver, CountsWhatIsHeldWhileNoPoseIsKnown)
+{
+  const auto at = [](double x) { return hasp::RigidPose{ { x, 0, 0 }, { 1, 0, 0, 0 } }; };
+  hasp::PassivityObserver observer;
+  hasp::PassivityController controller;
+  const auto tick = [&](double x, double force)
+  {
+    observer.Tick(at(x), { { force, 0, 0 }, {} });
+    controller.Tick(at(x), { { force, 0, 0 }, {} });
+  };
+  tick(0.0, -5.0);
+  tick(1.0, -5.0); // 5 mJ in
+  for (int n = 0; n < 100; ++n)
+    tick(NaN, 0.0);
+  tick(-9.0, 0.0); // 10 mm back, with nothing held
+  EXPECT_NEAR(observer.Energy(), 5.0, 1e-12);
+  EXPECT_NEAR(controller.Observer().Energy(), 5.0, 1e-12);
+}
+
 TEST(PassivityObserver, CountsTurns)
 {
   hasp::PassivityObserver observer;
@@ -151,6 +211,7 @@ TEST(PassivityController, ActsOnALateSpringWithBoundedDamping)
   const auto run = [](int delay)
   {
     hasp::PassivityController controller;
+    hasp::PassivityObserver observer; // of what the device holds
     std::array<double, 4> late{};
     double worst = 0.0;
     for (int n = 0; n <= 2000; ++n)
@@ -161,6 +222,8 @@ TEST(PassivityController, ActsOnALateSpringWithBoundedDamping)
       const hasp::Wrench out =
         controller.Tick({ { x, 0, 0 }, { 1, 0, 0, 0 } }, { { wanted, 0, 0 }, {} });
       worst = std::max(worst, std::abs(out.force.x - wanted));
+      observer.Tick({ { x, 0, 0 }, { 1, 0, 0, 0 } }, out);
+      EXPECT_NEAR(controller.Observer().Energy(), observer.Energy(), 1e-9) << n;
     }
     EXPECT_EQ(controller.Activations() > 0, worst > 0.0);
     EXPECT_LE(worst, 0.005 * 2.0 * std::acos(-1.0) * 20.0 * 1.05) << "damping is bounded";
@@ -171,6 +234,43 @@ TEST(PassivityController, ActsOnALateSpringWithBoundedDamping)
   EXPECT_GT(run(3), 100U);
   EXPECT_THROW(hasp::PassivityController({ .damping = 0.0 }), std::invalid_argument);
   EXPECT_THROW(hasp::PassivityController({ .allowance = NaN }), std::invalid_argument);
+}
+
+// A force F along a motion at v gives F v T a tick. Once the allowance is spent, damping is F / v,
+// which leaves no force; a device that rests is left alone. The same of turns, at the lever.
+TEST(PassivityController, TakesAsMuchAsIsMissingAndNothingFromWhatRests)
+{
+  for (const bool turns : { false, true })
+  {
+    const hasp::PassivityControllerSettings settings;
+    hasp::PassivityController controller(settings);
+    const double way = 0.01, force = 0.01; // 10 mm/s
+    const double turn = way / settings.leverMm, torque = force * settings.leverMm;
+    const auto tick = [&](int n)
+    {
+      if (!turns)
+        return controller.Tick({ { way * n, 0, 0 }, { 1, 0, 0, 0 } }, { { force, 0, 0 }, {} })
+          .force.x;
+      return controller
+               .Tick(
+                 { glm::dvec3(0.0), hasp::TurnBy({ turn * n, 0, 0 }) }, { {}, { torque, 0, 0 } })
+               .torque.x /
+             settings.leverMm;
+    };
+    EXPECT_EQ(tick(0), force);
+    for (int n = 1; n < 10'000; ++n)
+      ASSERT_EQ(tick(n), force) << "1 mJ is borne";
+    double left = force;
+    for (int n = 10'000; n < 11'000; ++n)
+      left = tick(n);
+    EXPECT_NEAR(left, 0.0, 1e-6);
+    for (int n = 0; n < 200; ++n)
+      tick(11'000); // the filter forgets the motion
+    const std::uint64_t until = controller.Activations();
+    for (int n = 0; n < 200; ++n)
+      EXPECT_EQ(tick(11'000), force);
+    EXPECT_EQ(controller.Activations(), until);
+  }
 }
 
 // Pressed and let go at the pace of a hand: nothing to control.

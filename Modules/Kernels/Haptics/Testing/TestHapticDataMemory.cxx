@@ -2,60 +2,18 @@
 #include "Haptics/BlockOctree.h"
 #include "Haptics/CoarsePhase.h"
 #include "Haptics/DynamicPointShell.h"
+#include "Haptics/Testing/CountNew.h"
 #include "Haptics/Testing/SampledDistance.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <new>
-
-namespace
-{
-
-thread_local std::size_t taken = 0, takenBytes = 0;
-
-void* Take(std::size_t bytes, std::size_t alignment)
-{
-  ++taken;
-  takenBytes += bytes;
-  void* memory = nullptr;
-  if (posix_memalign(&memory, alignment, bytes == 0 ? 1 : bytes) != 0)
-    throw std::bad_alloc();
-  return memory;
-}
-
-} // namespace
-
-void* operator new(std::size_t bytes)
-{
-  return Take(bytes, alignof(std::max_align_t));
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment)
-{
-  return Take(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace
 {
 
 using namespace hasp::testing;
 using hasp::RigidPose;
+using hasp::test::NewBytes;
+using hasp::test::NewCount;
 
 TEST(HapticDataMemory, ATickTakesNone)
 {
@@ -73,7 +31,7 @@ TEST(HapticDataMemory, ATickTakesNone)
   volume.insideAbove = false;
   hasp::DynamicPointShell dynamic(volume, map, {});
 
-  const std::size_t before = taken;
+  const std::size_t before = NewCount();
   EXPECT_GT(before, 0U); // it does count
   std::size_t near = 0, points = 0;
   for (int tick = 0; tick < 300; ++tick)
@@ -95,7 +53,7 @@ TEST(HapticDataMemory, ATickTakesNone)
     points += dynamic.Points().count;
     (void)map->At(pose.position);
   }
-  EXPECT_EQ(taken, before);
+  EXPECT_EQ(NewCount(), before);
   EXPECT_GT(near, 0U);
   EXPECT_GT(points, 0U);
 }
@@ -115,10 +73,10 @@ TEST(HapticDataMemory, WhatIsListedIsWhatIsTaken)
   auto field = std::make_shared<SampledDistance>(BumpyBall(20.0, 1.5), CubeGrid(64));
   for (const bool reference : { false, true })
   {
-    const std::size_t before = takenBytes;
+    const std::size_t before = NewBytes();
     const hasp::DistanceMap map(field->View(), { 0.0, {}, reference });
     // And what it is made of: a geometry, vectors' heads, the tasks of threads.
-    EXPECT_NEAR(static_cast<double>(takenBytes - before), Listed(map), 20'000.0);
+    EXPECT_NEAR(static_cast<double>(NewBytes() - before), Listed(map), 20'000.0);
   }
   const auto map = std::make_shared<hasp::DistanceMap>(field->View());
   hasp::ShellVolume volume;
@@ -130,9 +88,9 @@ TEST(HapticDataMemory, WhatIsListedIsWhatIsTaken)
   {
     hasp::DynamicPointShellSettings settings;
     settings.points = points;
-    const std::size_t before = takenBytes;
+    const std::size_t before = NewBytes();
     const hasp::DynamicPointShell shell(volume, map, {}, settings);
-    EXPECT_NEAR(static_cast<double>(takenBytes - before), Listed(shell), 2'000.0);
+    EXPECT_NEAR(static_cast<double>(NewBytes() - before), Listed(shell), 2'000.0);
   }
 }
 

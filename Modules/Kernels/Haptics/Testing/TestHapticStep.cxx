@@ -34,6 +34,17 @@ TEST(HapticStep, WhatIsNoSettingIsRefused)
   refused([](auto& s) { s.blendTicks = 4; });
   refused([](auto& s) { s.contact.stiffness = -0.1F; });
   refused([](auto& s) { s.contact.captureMm = 0.0F; });
+  refused([](auto& s) { s.leastContactMm2 = -1.0; });
+  for (const double bad : { NaN, HUGE_VAL })
+  {
+    refused([=](auto& s) { s.tickS = bad; });
+    refused([=](auto& s) { s.fadeS = bad; });
+    refused([=](auto& s) { s.slewS = bad; });
+    refused([=](auto& s) { s.contact.stiffness = static_cast<float>(bad); });
+    refused([=](auto& s) { s.contact.attraction = static_cast<float>(bad); });
+    refused([=](auto& s) { s.contact.captureMm = static_cast<float>(bad); });
+    refused([=](auto& s) { s.leastContactMm2 = bad; });
+  }
   refused([](auto& s) { s.friction.coefficient = -1.0; });
   refused([](auto& s) { s.friction.stiffness = NaN; });
   refused([](auto& s) { s.coupling.steps = 0; });
@@ -189,9 +200,11 @@ TEST(HapticStep, LevelsAreBlendedWithoutAJump)
 
 TEST(HapticStep, StiffnessChangesGraduallyInContact)
 {
-  HapticStep step = Ready(Settings(), GroundScene());
+  auto settings = Settings();
+  settings.leastContactMm2 = 0.0; // springs in series are the linear law's
+  HapticStep step = Ready(settings, GroundScene());
   double last = Ticks(step, At(0, 0, -2), 300).onDevice.force.z;
-  auto contact = Settings().contact;
+  auto contact = settings.contact;
   contact.stiffness = 0.002F; // 0.8 N/mm from 40
   step.Aim(contact);
   hasp::CouplingSpring spring;
@@ -306,6 +319,56 @@ TEST(HapticStep, FrictionHoldsUnderMuTimesTheNormalForce)
     tick = Ticks(step, At(3.5, 0, 3), 50);
     EXPECT_LT(glm::length(tick.onDevice.force), 1e-9);
   }
+}
+
+/// On the ground and off it, 20 times a second: what a late force makes energy of.
+template <typename Visit>
+void Shake(HapticStep& step, int ticks, const Visit& visit)
+{
+  for (int n = 0; n < ticks; ++n)
+  {
+    const RigidPose device = At(0, 0, -2.0 + 1.5 * std::cos(2.0 * std::acos(-1.0) * 0.02 * n));
+    visit(device, step.Tick(device));
+  }
+}
+
+// Behind ramp, slew and limit: what they take away is no energy that the device gave.
+TEST(HapticStep, ObservesWhatTheDeviceHolds)
+{
+  auto settings = Settings();
+  settings.control = true;
+  settings.limits.force = 0.8;
+  settings.limits.rampInS = 0.3;
+  HapticStep step = Ready(settings, GroundScene());
+  step.Place(At(0, 0, 5));
+  hasp::PassivityObserver observer;
+  Shake(step, 600,
+    [&](const RigidPose& device, const hasp::HapticTick& tick)
+    {
+      observer.Tick(device, tick.onDevice);
+      ASSERT_NEAR(step.Observer().Energy(), observer.Energy(), 1e-9);
+    });
+  EXPECT_GT(std::abs(observer.Energy()), 0.01);
+}
+
+// One tick, not two: the controller's own is the step's.
+TEST(HapticStep, TheControllerTicksAsTheStepDoes)
+{
+  std::vector<double> forces[2];
+  for (const int which : { 0, 1 })
+  {
+    auto settings = Settings();
+    settings.control = true;
+    settings.coupling.spring.stiffness = 5.0;
+    settings.coupling.spring.forceLimit = 8.0;
+    settings.passivity.tickS = which == 0 ? settings.tickS : 0.02;
+    HapticStep step = Ready(settings, GroundScene());
+    Shake(step, 600,
+      [&](const RigidPose&, const hasp::HapticTick& tick)
+      { forces[which].push_back(tick.onDevice.force.z); });
+    EXPECT_GT(step.Controlled(), 10U);
+  }
+  EXPECT_EQ(forces[0], forces[1]);
 }
 
 // A budget that allows nothing but the coarsest level gets it; one that allows all gets all.

@@ -63,6 +63,20 @@ TEST(VirtualCoupling, WhatIsNoSettingIsRefused)
   EXPECT_THROW(hasp::ExplicitCoupling({ .turnDamping = -1.0 }), std::invalid_argument);
 }
 
+TEST(FieldContact, PointsThatAreNoNumbersAreRefused)
+{
+  const hasp::test::HalfSpace ground;
+  for (const double bad : { NaN, HUGE_VAL })
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::vector<glm::dvec3> points = Foot;
+      points[1][axis] = bad;
+      EXPECT_THROW(hasp::FieldContact(points, 1.0, ground), std::invalid_argument) << bad << axis;
+    }
+  EXPECT_THROW(hasp::FieldContact(Foot, NaN, ground), std::invalid_argument);
+  EXPECT_THROW(hasp::FieldContact(Foot, -1.0, ground), std::invalid_argument);
+}
+
 TEST(VirtualCoupling, APoseThatIsNoneGivesNoWrenchAndLeavesTheTool)
 {
   const hasp::test::HalfSpace ground;
