@@ -209,6 +209,28 @@ TEST(CoarsePhase, WithinTheClearanceNothingTouches)
   EXPECT_GT(clear, 50);
 }
 
+// A level that sleeps is as far off as it was, less what it was moved by.
+TEST(CoarsePhase, WhatSleepsTellsItsClearance)
+{
+  const SampledDistance tool(BumpyBall(6.0, 0.6), CubeGrid(20));
+  const SampledDistance body(BumpyBall(9.0, 1.0), SkewGrid({ 48, 34, 26 }));
+  const Pair pair(tool, body, 1000);
+  CoarsePhase coarse(pair.shell, pair.map);
+  RigidPose pose{ { 30.0, 0.0, 0.0 }, { 1, 0, 0, 0 } };
+  coarse.Begin(pose, 0.0);
+  Count(pair, coarse, pose, 0.0);
+  const double first = coarse.Asked().clearanceMm;
+  ASSERT_GT(first, 2.0); // 1 mm of it is used up below
+  for (int n = 1; n <= 10; ++n)
+  {
+    pose.position.y = 0.1 * n;
+    coarse.Begin(pose, 0.0);
+    Count(pair, coarse, pose, 0.0);
+    EXPECT_EQ(coarse.Asked().looked, 0U) << n;
+    EXPECT_NEAR(coarse.Asked().clearanceMm, first - 0.1 * n, 1e-9) << n;
+  }
+}
+
 TEST(CoarsePhase, JumpsAndNewReachesWakeWhomTheyMust)
 {
   const SampledDistance tool(BumpyBall(6.0, 0.6), CubeGrid(20));

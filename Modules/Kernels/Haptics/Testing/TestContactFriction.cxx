@@ -125,6 +125,47 @@ TEST(ContactFriction, TakesEnergyAndGivesNone)
   EXPECT_LT(energy, Mu * normal * way);
 }
 
+/// 10 N upwards that press at (3, 4, 0) from the tool's origin, world.
+hasp::ToolContact::Answer PressedAt(double x, double y)
+{
+  hasp::ToolContact::Answer answer;
+  answer.sums.contact.force = { 0, 0, 10 };
+  answer.sums.contact.torque = glm::cross(glm::dvec3(x, y, 0), answer.sums.contact.force);
+  return answer;
+}
+
+// The place that is held is the middle of pressure, on the tool: 0.5 N/mm along the surface and
+// none along its normal, with the arm it has, and the secant's stiffness where it slides.
+TEST(ContactFriction, PullsWhereItIsPressedAlongTheSurface)
+{
+  ContactFriction friction({ .coefficient = Mu });
+  RigidPose tool{ { 7, -2, 1 }, hasp::TurnBy({ 0.4, -0.3, 1.0 }) };
+  hasp::ToolContact::Answer answer = PressedAt(3, 4);
+  friction.Add(tool, answer);
+  EXPECT_EQ(answer.sums.contact.force, glm::dvec3(0, 0, 10)) << "nothing is held yet";
+  friction.Settle(tool);
+  tool.position += glm::dvec3(0.1, 0.0, 1.0);
+  answer = PressedAt(3, 4);
+  friction.Add(tool, answer);
+  EXPECT_LT(glm::length(answer.sums.contact.force - glm::dvec3(-0.05, 0, 10)), 1e-12);
+  EXPECT_LT(glm::length(answer.sums.contact.torque - glm::dvec3(40, -30, 0.2)), 1e-12);
+  EXPECT_NEAR(answer.sums.matrix[hasp::UpperIndex(0, 0)], 0.5, 1e-12);
+
+  tool.position.x += 99.9; // 50 N of spring, of which 3 are borne
+  answer = PressedAt(3, 4);
+  friction.Add(tool, answer);
+  EXPECT_NEAR(answer.sums.contact.force.x, -3.0, 1e-12);
+  EXPECT_NEAR(answer.sums.matrix[hasp::UpperIndex(0, 0)], 0.5 * 3.0 / 50.0, 1e-12);
+  // It slides, and holds from now on where it is pressed now.
+  answer = PressedAt(-5, 1);
+  friction.Add(tool, answer);
+  friction.Settle(tool);
+  answer = PressedAt(-5, 1);
+  friction.Add(tool, answer);
+  EXPECT_NEAR(answer.sums.contact.force.x, -3.0, 1e-12);
+  EXPECT_NEAR(answer.sums.contact.torque.z, 3.0, 1e-12);
+}
+
 // What it adds to the matrix holds back, and pushes nothing along the normal.
 TEST(ContactFriction, MatrixIsPositiveSemidefinite)
 {

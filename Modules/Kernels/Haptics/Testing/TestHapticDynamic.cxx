@@ -62,9 +62,10 @@ double SeriesForce(double depth)
 }
 
 HapticStep ReadyPlate(std::shared_ptr<const hasp::DynamicShellSource> plate,
-  std::shared_ptr<const hasp::DistanceMap> floor)
+  std::shared_ptr<const hasp::DistanceMap> floor,
+  const hasp::HapticStepSettings& settings = Settings())
 {
-  HapticStep step(Settings());
+  HapticStep step(settings);
   auto scene =
     std::make_unique<HapticScene>(std::vector<HapticShell>{ PlateShell(std::move(plate)) },
       std::vector<HapticBody>{ { std::move(floor), {} } });
@@ -158,10 +159,20 @@ TEST(HapticDynamic, AnotherIsovalueIsFeltInTheVeryNextTick)
 
 TEST(HapticDynamic, AStepFeelsAnotherIsovalueInTheNextTick)
 {
-  HapticStep step = ReadyPlate(Plate(), Floor());
-  EXPECT_NEAR(Ticks(step, At(0, -2, 0), 100).onDevice.force.y, SeriesForce(2.0), 1e-3);
-  step.SetIsovalue(0, Isovalue + PerMm * 0.5);
-  EXPECT_NEAR(step.Tick(At(0, -2, 0)).onDevice.force.y, SeriesForce(2.5), 0.02 * SeriesForce(2.5));
+  auto linear = Settings();
+  linear.leastContactMm2 = 0.0;
+  HapticStep step = ReadyPlate(Plate(), Floor(), linear);
+  HapticStep hardening = ReadyPlate(Plate(), Floor());
+  const double thicker = SeriesForce(2.5);
+  for (HapticStep* each : { &step, &hardening })
+  {
+    EXPECT_NEAR(Ticks(*each, At(0, -2, 0), 100).onDevice.force.y, SeriesForce(2.0), 1e-3);
+    each->SetIsovalue(0, Isovalue + PerMm * 0.5);
+  }
+  EXPECT_NEAR(step.Tick(At(0, -2, 0)).onDevice.force.y, thicker, 0.02 * thicker);
+  // Contact that hardens takes some steps more, from where the surface has jumped past a voxel.
+  EXPECT_GT(hardening.Tick(At(0, -2, 0)).onDevice.force.y, 0.9 * thicker);
+  EXPECT_NEAR(hardening.Tick(At(0, -2, 0)).onDevice.force.y, thicker, 0.02 * thicker);
   std::unique_ptr<HapticScene> none;
   step.Swap(none);
   step.SetIsovalue(0, Isovalue);
