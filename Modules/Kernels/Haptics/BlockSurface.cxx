@@ -14,34 +14,69 @@ namespace
 
 constexpr int Side = BlockSamples::Side, Row = BlockSamples::Row;
 
+/// Calls visit(view): std::visit may throw.
+template <typename Visit>
+void OfGrid(const AnyGridView& grid, const Visit& visit) noexcept
+{
+  const auto maybe = [&](const auto* view)
+  {
+    if (view != nullptr)
+      visit(*view);
+  };
+  maybe(std::get_if<GridView<const std::int16_t>>(&grid));
+  maybe(std::get_if<GridView<const std::uint16_t>>(&grid));
+  maybe(std::get_if<GridView<const std::uint8_t>>(&grid));
+  maybe(std::get_if<GridView<const float>>(&grid));
+}
+
+/// The first of `count` numbers that is more than `wanted`, the last if none is: numbers ascend.
+/// Without branches, which would be guessed wrong half of the time.
+int FirstAbove(const float* numbers, int count, float wanted) noexcept
+{
+  const float* first = numbers;
+  for (; count > 1; count -= count / 2)
+    first += first[count / 2 - 1] <= wanted ? count / 2 : 0;
+  return static_cast<int>(first - numbers);
+}
+
 } // namespace
+
+void BlockSurface::Prefetch(const AnyGridView& grid, const glm::ivec3& block) noexcept
+{
+  const auto prefetch = [&]<typename T>(const GridView<const T>& view)
+  {
+    const glm::ivec3 first = block * Side, end = glm::min(first + Row, view.geometry.dims);
+    for (int k = first.z; k < end.z; ++k)
+      for (int j = first.y; j < end.y; ++j)
+      {
+        __builtin_prefetch(&view(first.x, j, k));
+        __builtin_prefetch(&view(end.x - 1, j, k)); // the next line, maybe
+      }
+  };
+  OfGrid(grid, prefetch);
+}
 
 void BlockSurface::Read(const AnyGridView& grid, const glm::ivec3& block) noexcept
 {
   this->CellsKnown = false;
   this->CellCount = 0;
   const glm::ivec3 first = block * Side;
-  const auto read = [&]<typename T>(const GridView<const T>* view)
+  const auto read = [&]<typename T>(const GridView<const T>& view)
   {
-    if (view == nullptr)
-      return;
-    this->Block.spacing = view->geometry.spacing;
-    this->Block.samples = glm::min(first + Row, view->geometry.dims) - first;
+    this->Block.spacing = view.geometry.spacing;
+    this->Block.samples = glm::min(first + Row, view.geometry.dims) - first;
     float none = 0.0F; // 0 times what is not finite is not a number
     for (int k = 0; k < this->Block.samples.z; ++k)
       for (int j = 0; j < this->Block.samples.y; ++j)
       {
-        const T* from = &(*view)(first.x, first.y + j, first.z + k);
+        const T* from = &view(first.x, first.y + j, first.z + k);
         float* to = &this->Block.values[BlockSamples::IndexOf(0, j, k)];
         for (int i = 0; i < this->Block.samples.x; ++i)
           none += 0.0F * (to[i] = static_cast<float>(from[i]));
       }
     this->Finite = none == 0.0F;
   };
-  read(std::get_if<GridView<const std::int16_t>>(&grid)); // std::visit may throw
-  read(std::get_if<GridView<const std::uint16_t>>(&grid));
-  read(std::get_if<GridView<const std::uint8_t>>(&grid));
-  read(std::get_if<GridView<const float>>(&grid));
+  OfGrid(grid, read);
 }
 
 void BlockSurface::SetIsovalue(double isovalue, double outward) noexcept
@@ -109,12 +144,10 @@ std::uint32_t BlockSurface::Draw(
   std::uint16_t cells[BlockPlaces::Count];
   float left[BlockPlaces::Count];
   std::uint8_t tetrahedra[BlockPlaces::Count];
-  const auto end = this->Ends.begin() + this->CellCount;
   for (int n = 0; n < BlockPlaces::Count; ++n)
   {
     const auto wanted = static_cast<float>(shares.area[n] * this->Area());
-    const auto c = std::min<std::ptrdiff_t>(
-      std::upper_bound(this->Ends.begin(), end, wanted) - this->Ends.begin(), this->CellCount - 1);
+    const int c = FirstAbove(this->Ends.data(), this->CellCount, wanted);
     cells[n] = this->Cells[c];
     left[n] = wanted - (c == 0 ? 0.0F : this->Ends[c - 1]);
   }

@@ -13,6 +13,8 @@ namespace hasp
 class BlockSurface
 {
 public:
+  /// Asks for the samples, so that Read finds them near: in a large volume they are not.
+  static void Prefetch(const AnyGridView& grid, const glm::ivec3& block) noexcept;
   /// Copies the samples. 1 us.
   void Read(const AnyGridView& grid, const glm::ivec3& block) noexcept;
   /// Chooses the surface; outward: 1 where values grow outwards (a distance), -1 where they fall (a
