@@ -1,5 +1,5 @@
 // What vectors and plain C++ say of the same blocks, and what a plane's closed form says of both.
-#include "Haptics/BlockKernels.h"
+#include "Haptics/BlockSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -180,6 +180,28 @@ TEST(BlockKernels, WithoutASlopeOrANumberNothingIsFound)
       BlockPlaces places;
       EXPECT_EQ(kernels.project(block, places), 0U) << kernels.name << ' ' << value;
     }
+}
+
+TEST(BlockKernels, CellsWithASampleThatIsNoneHoldNoSurface)
+{
+  const hasp::GridGeometry grid{ glm::ivec3(9), glm::dvec3(0.0), { 0.7, 1.1, 1.6 },
+    glm::dmat3(1.0) };
+  std::vector<float> samples;
+  for (int n = 0; n < BlockSamples::Most; ++n)
+    samples.push_back(static_cast<float>(n / 81) - 3.5F); // a plane across all 64 columns
+  for (const float none :
+    { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() })
+  {
+    samples[BlockSamples::IndexOf(4, 4, 3)] = none; // a corner of four of its cells
+    for (const BlockKernels& kernels : hasp::AllBlockKernels())
+    {
+      hasp::BlockSurface surface;
+      surface.Read(hasp::GridView<const float>{ samples.data(), grid }, glm::ivec3(0));
+      surface.SetIsovalue(0.0, 1.0);
+      surface.FindCells(kernels);
+      EXPECT_NEAR(surface.Area(), 60 * 0.7 * 1.1, 1e-4) << kernels.name;
+    }
+  }
 }
 
 } // namespace
