@@ -61,5 +61,6 @@ void AddClockRows(std::vector<StabilityRow>& rows);
 void AddChangeRows(std::vector<StabilityRow>& rows);
 void AddEnergyRows(std::vector<StabilityRow>& rows);
 void AddStepRows(std::vector<StabilityRow>& rows);
+void AddRingRows(std::vector<StabilityRow>& rows);
 
 } // namespace hasp

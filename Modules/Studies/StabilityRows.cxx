@@ -138,6 +138,7 @@ std::vector<StabilityRow> StabilityRows()
   AddChangeRows(rows);
   AddEnergyRows(rows);
   AddStepRows(rows);
+  AddRingRows(rows);
   return rows;
 }
 

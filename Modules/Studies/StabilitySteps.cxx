@@ -1,7 +1,6 @@
 #include "Grid/AnalyticVolumes.h"
 #include "Studies/SampledLoop.h"
-#include "Studies/StabilityCases.h"
-#include "Studies/StepRenderer.h"
+#include "Studies/StepCases.h"
 
 #include <cmath>
 #include <limits>
@@ -33,14 +32,7 @@ std::shared_ptr<const PointShell> FootShell(int perSide)
     points, 100.0, glm::dvec3(0.0), { .points = perSide * perSide, .coarsest = 64 });
 }
 
-struct StepCase
-{
-  BenchScene scene;
-  HapticStepSettings settings;
-  bool skewed = false;
-  int perSide = 32;
-  StepRenderer::Change change;
-};
+} // namespace
 
 StepCase PressedStep(const BenchHand& hand, float stiffness)
 {
@@ -56,11 +48,11 @@ StepCase PressedStep(const BenchHand& hand, float stiffness)
   return made;
 }
 
-void Add(std::vector<StabilityRow>& rows, const std::string& id, const std::string& text,
-  StepCase made, double lastS = 0.0)
+void AddStep(std::vector<StabilityRow>& rows, const std::string& id, const std::string& text,
+  StepCase made, double lastS)
 {
   StabilityRow row;
-  row.id = "step." + id + "." + made.scene.hand.name;
+  row.id = id + "." + made.scene.hand.name;
   row.text = text + ", hand " + made.scene.hand.name;
   row.byDefault = true;
   row.law = "spectral radius of a tick, at most";
@@ -71,9 +63,9 @@ void Add(std::vector<StabilityRow>& rows, const std::string& id, const std::stri
   made.scene.seconds += lastS;
   row.run = [made = std::move(made)]
   {
-    auto scene =
-      std::make_unique<HapticScene>(std::vector<HapticShell>{ { FootShell(made.perSide), {} } },
-        std::vector<HapticBody>{ { GroundMap(made.skewed), {} } });
+    HapticShell shell = made.shell ? made.shell() : HapticShell{ FootShell(made.perSide), {} };
+    auto scene = std::make_unique<HapticScene>(std::vector<HapticShell>{ std::move(shell) },
+      std::vector<HapticBody>{ { GroundMap(made.skewed), {} } });
     StepRenderer renderer(made.settings, std::move(scene));
     renderer.OnTick(made.change);
     const BenchFigures figures = RunBench(made.scene, renderer);
@@ -82,7 +74,6 @@ void Add(std::vector<StabilityRow>& rows, const std::string& id, const std::stri
   rows.push_back(std::move(row));
 }
 
-/// Once, at a time: `act` on the step.
 StepRenderer::Change Once(double atS, std::function<void(HapticStep&)> act)
 {
   return [atS, act = std::move(act)](double t, HapticStep& step)
@@ -90,6 +81,15 @@ StepRenderer::Change Once(double atS, std::function<void(HapticStep&)> act)
     if (t >= atS && t < atS + 0.00099)
       act(step);
   };
+}
+
+namespace
+{
+
+void Add(std::vector<StabilityRow>& rows, const std::string& id, const std::string& text,
+  StepCase made, double lastS = 0.0)
+{
+  AddStep(rows, "step." + id, "step: " + text, std::move(made), lastS);
 }
 
 void AddChangingSteps(std::vector<StabilityRow>& rows, const BenchHand& hand)
@@ -100,8 +100,8 @@ void AddChangingSteps(std::vector<StabilityRow>& rows, const BenchHand& hand)
     ContactSettings wanted = made.settings.contact;
     wanted.stiffness = static_cast<float>(to);
     made.change = Once(1.0, [wanted](HapticStep& step) { step.Aim(wanted); });
-    Add(rows, "stiffness" + Figure(to),
-      "step: stiffness 0.1 to " + Figure(to) + " N/mm/mm2 in contact", made, 1.0);
+    Add(rows, "stiffness" + Figure(to), "stiffness 0.1 to " + Figure(to) + " N/mm/mm2 in contact",
+      made, 1.0);
   }
   StepCase swapped = PressedStep(hand, 0.1F);
   swapped.change = Once(1.0,
@@ -111,13 +111,13 @@ void AddChangingSteps(std::vector<StabilityRow>& rows, const BenchHand& hand)
         std::vector<HapticBody>{ { GroundMap(false, 1.0), {} } });
       step.Swap(scene);
     });
-  Add(rows, "swap", "step: a scene 1 mm higher in contact", swapped, 1.0);
+  Add(rows, "swap", "a scene 1 mm higher in contact", swapped, 1.0);
   StepCase levels = PressedStep(hand, 0.1F);
   levels.change = [](double t, HapticStep& step)
   {
     step.LimitLevels(std::fmod(t, 0.2) < 0.1 ? 1 : 3); // five times a second, for ever
   };
-  Add(rows, "levels", "step: levels come and go in contact", levels);
+  Add(rows, "levels", "levels come and go in contact", levels);
 }
 
 } // namespace
@@ -134,8 +134,8 @@ void AddStepRows(std::vector<StabilityRow>& rows)
         made.skewed = skewed;
         made.settings.coupling.travelMm = skewed ? 0.175 : 0.25;
         Add(rows, std::string("map.") + (skewed ? "skewed" : "even") + ".k" + Figure(stiffness),
-          std::string("step: ") + (skewed ? "turned map of 0.7 x 1.1 x 1.6 mm" : "map of 1 mm") +
-            ", " + Figure(stiffness) + " N/mm/mm2",
+          std::string(skewed ? "turned map of 0.7 x 1.1 x 1.6 mm" : "map of 1 mm") + ", " +
+            Figure(stiffness) + " N/mm/mm2",
           made);
       }
     AddChangingSteps(rows, hand);
@@ -150,9 +150,9 @@ void AddStepRows(std::vector<StabilityRow>& rows)
       hover.scene.start.position.z = 4.0;
       hover.scene.strokes = { { 0.5, 0.5, { 0.0, 0.0, -1.6 }, {} } };
       hover.scene.pressed = false;
-      Add(rows, "hover", "step: held in Snap-to-fit's reach", hover);
+      Add(rows, "hover", "held in Snap-to-fit's reach", hover);
     }
-    Add(rows, "snap", "step: Snap-to-fit holds", snap);
+    Add(rows, "snap", "Snap-to-fit holds", snap);
   }
   for (const int perSide : { 1, 316 })
   {
@@ -162,7 +162,7 @@ void AddStepRows(std::vector<StabilityRow>& rows)
     made.settings.tickS = 0.004;
     made.settings.coupling = DefaultCoupling(made.scene.device, made.scene.clock, 1.0, 7.1);
     Add(rows, "points" + std::to_string(perSide * perSide),
-      "step: " + std::to_string(perSide * perSide) + " points", made);
+      std::to_string(perSide * perSide) + " points", made);
   }
 }
 

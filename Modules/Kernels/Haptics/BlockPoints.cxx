@@ -2,8 +2,10 @@
 #include "Haptics/Hash.h"
 
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace hasp
@@ -11,18 +13,42 @@ namespace hasp
 
 BlockPoints::BlockPoints(const GridGeometry& geometry, const glm::dvec3& origin,
   std::uint32_t points, int blendTicks, std::uint32_t seed)
-  : Geometry(geometry),
-    Origin(origin),
+  : Kernels(FastestBlockKernels()),
+    Cells(geometry.Cells()),
+    Direction(geometry.direction),
+    ToBody(geometry.direction),
+    ToIndex(1.0),
+    First(geometry.IndexToWorld(glm::dvec3(0.0)) - origin),
     BlendTicks(blendTicks),
     Seed(seed),
     Points(points)
 {
+  for (int axis = 0; axis < 3; ++axis)
+    this->ToBody[axis] *= geometry.spacing[axis];
+  this->ToIndex = glm::inverse(this->ToBody);
+}
+
+void BlockPoints::SetChunk(const ServedBlock& served, std::int32_t c, const BlockPlaces& places,
+  std::uint32_t found) noexcept
+{
+  this->Points[c].alive = static_cast<std::uint8_t>(std::popcount(found));
+  const glm::dvec3 first =
+    this->First + this->ToBody * glm::dvec3(served.block * MinMaxBlocks::Side);
+  for (std::uint32_t n = 0; n < PointRing::ChunkPoints; ++n)
+  {
+    const auto at = [n](const auto& of) { return glm::dvec3(of[0][n], of[1][n], of[2][n]); };
+    if ((found >> n & 1U) != 0)
+      this->Points.SetPoint(
+        c, n, first + this->ToBody * at(places.index), this->Direction * at(places.normal));
+    else
+      this->Points.Kill(c, n);
+  }
 }
 
 void BlockPoints::Measure(ServedBlock& served) const noexcept
 {
   served.settled = false;
-  served.surface->FindCells();
+  served.surface->FindCells(this->Kernels);
   served.area = served.surface->Area();
   served.step = std::abs(served.area - served.shown) / this->BlendTicks;
 }
@@ -36,18 +62,17 @@ int BlockPoints::Draw(ServedBlock& served) noexcept
   const std::uint64_t seed = HashOf(this->Seed, served.number);
   // One point to each 16th of the area; the next chunk's lie in the widest gaps between.
   const double shift = UnitHash(seed, 0) + 0.61803398874989485 * served.drawn;
-  const glm::dvec3 first = served.block * MinMaxBlocks::Side;
+  BlockSurface::Shares shares;
   for (std::uint32_t n = 0; n < PointRing::ChunkPoints; ++n)
   {
     const std::uint64_t number = 2 * (std::uint64_t(served.drawn) * PointRing::ChunkPoints + n) + 1;
-    BlockSurface::Place place;
-    if (!served.surface->Draw((n + shift - std::floor(shift)) / PointRing::ChunkPoints,
-          UnitHash(seed, number), UnitHash(seed, number + 1), place))
-      continue;
-    this->Points.SetPoint(c, n, this->Geometry.IndexToWorld(first + place.index) - this->Origin,
-      this->Geometry.direction * place.normal);
-    ++chunk.alive;
+    shares.area[n] = (n + shift - std::floor(shift)) / PointRing::ChunkPoints;
+    shares.u[n] = UnitHash(seed, number);
+    shares.v[n] = UnitHash(seed, number + 1);
   }
+  BlockPlaces places;
+  const std::uint32_t found = served.surface->Draw(this->Kernels, shares, places);
+  this->SetChunk(served, c, places, found);
   ++served.drawn;
   if (chunk.alive == 0)
   {
@@ -75,27 +100,22 @@ bool BlockPoints::MoveChunk(const ServedBlock& served, std::int32_t c) noexcept
 {
   PointRing::Chunk& chunk = this->Points[c];
   const glm::dvec3 first = served.block * MinMaxBlocks::Side;
-  const glm::dvec3 most =
-    glm::min(glm::dvec3(MinMaxBlocks::Side), glm::dvec3(this->Geometry.Cells()) - first);
-  chunk.alive = 0;
+  const glm::dvec3 most = glm::min(glm::dvec3(MinMaxBlocks::Side), glm::dvec3(this->Cells) - first);
   chunk.moved = chunk.replaced = true;
+  BlockPlaces places;
+  std::uint32_t alive = 0;
   for (std::uint32_t n = 0; n < PointRing::ChunkPoints; ++n)
   {
     if (!this->Points.Alive(c, n))
       continue;
-    const glm::dvec3 world = this->Origin + glm::dvec3(this->Points.Position(c, n));
-    BlockSurface::Place place{
-      glm::clamp(this->Geometry.WorldToIndex(world) - first, glm::dvec3(0.0), most), {}
-    };
-    if (served.surface->Project(place))
-    {
-      this->Points.SetPoint(c, n, this->Geometry.IndexToWorld(first + place.index) - this->Origin,
-        this->Geometry.direction * place.normal);
-      ++chunk.alive;
-    }
-    else
-      this->Points.Kill(c, n);
+    alive |= 1U << n;
+    const glm::dvec3 index =
+      this->ToIndex * (glm::dvec3(this->Points.Position(c, n)) - this->First) - first;
+    for (int axis = 0; axis < 3; ++axis)
+      places.index[axis][n] = static_cast<float>(std::clamp(index[axis], 0.0, most[axis]));
   }
+  const std::uint32_t found = this->Kernels.project(served.surface->Samples(), places);
+  this->SetChunk(served, c, places, found & alive);
   return chunk.alive > 0;
 }
 

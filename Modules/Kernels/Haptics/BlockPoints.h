@@ -3,6 +3,8 @@
 #include "Haptics/MapClearance.h"
 #include "Haptics/PointRing.h"
 
+#include <glm/mat3x3.hpp>
+
 #include <cstdint>
 
 namespace hasp
@@ -31,7 +33,7 @@ struct ServedBlock
 class BlockPoints
 {
 public:
-  /// As DynamicPointShell's.
+  /// As DynamicPointShell's. WORKER: it is there that the fastest kernels are found.
   BlockPoints(const GridGeometry& geometry, const glm::dvec3& origin, std::uint32_t points,
     int blendTicks, std::uint32_t seed);
 
@@ -57,10 +59,15 @@ public:
   void GiveBack(ServedBlock& served) noexcept;
 
 private:
+  /// The chunk's points, where they were found on the surface; the others go, or stay away.
+  void SetChunk(const ServedBlock& served, std::int32_t chunk, const BlockPlaces& places,
+    std::uint32_t found) noexcept;
   bool MoveChunk(const ServedBlock& served, std::int32_t chunk) noexcept;
 
-  GridGeometry Geometry;
-  glm::dvec3 Origin;
+  const BlockKernels& Kernels;
+  glm::ivec3 Cells;
+  glm::dmat3 Direction, ToBody, ToIndex; ///< of the grid; of index steps, and back
+  glm::dvec3 First;                      ///< sample of the grid, body axes, mm
   int BlendTicks;
   std::uint32_t Seed;
   PointRing Points;

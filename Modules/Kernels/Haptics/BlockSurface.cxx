@@ -1,10 +1,7 @@
 #include "Haptics/BlockSurface.h"
-#include "Grid/Trilinear.h"
 #include "Haptics/CellTriangles.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -12,72 +9,117 @@
 
 namespace hasp
 {
+namespace
+{
+
+constexpr int Side = BlockSamples::Side, Row = BlockSamples::Row;
+
+/// Calls visit(view): std::visit may throw.
+template <typename Visit>
+void OfGrid(const AnyGridView& grid, const Visit& visit) noexcept
+{
+  const auto maybe = [&](const auto* view)
+  {
+    if (view != nullptr)
+      visit(*view);
+  };
+  maybe(std::get_if<GridView<const std::int16_t>>(&grid));
+  maybe(std::get_if<GridView<const std::uint16_t>>(&grid));
+  maybe(std::get_if<GridView<const std::uint8_t>>(&grid));
+  maybe(std::get_if<GridView<const float>>(&grid));
+}
+
+/// The first of `count` numbers that is more than `wanted`, the last if none is: numbers ascend.
+/// Without branches, which would be guessed wrong half of the time.
+int FirstAbove(const float* numbers, int count, float wanted) noexcept
+{
+  const float* first = numbers;
+  for (; count > 1; count -= count / 2)
+    first += first[count / 2 - 1] <= wanted ? count / 2 : 0;
+  return static_cast<int>(first - numbers);
+}
+
+} // namespace
+
+void BlockSurface::Prefetch(const AnyGridView& grid, const glm::ivec3& block) noexcept
+{
+  const auto prefetch = [&]<typename T>(const GridView<const T>& view)
+  {
+    const glm::ivec3 first = block * Side, end = glm::min(first + Row, view.geometry.dims);
+    for (int k = first.z; k < end.z; ++k)
+      for (int j = first.y; j < end.y; ++j)
+      {
+        __builtin_prefetch(&view(first.x, j, k));
+        __builtin_prefetch(&view(end.x - 1, j, k)); // the next line, maybe
+      }
+  };
+  OfGrid(grid, prefetch);
+}
 
 void BlockSurface::Read(const AnyGridView& grid, const glm::ivec3& block) noexcept
 {
   this->CellsKnown = false;
   this->CellCount = 0;
   const glm::ivec3 first = block * Side;
-  const auto read = [&]<typename T>(const GridView<const T>* view)
+  const auto read = [&]<typename T>(const GridView<const T>& view)
   {
-    if (view == nullptr)
-      return;
-    this->Spacing = view->geometry.spacing;
-    this->Samples = glm::min(first + Row, view->geometry.dims) - first;
-    for (int k = 0; k < this->Samples.z; ++k)
-      for (int j = 0; j < this->Samples.y; ++j)
-        for (int i = 0; i < this->Samples.x; ++i)
-          this->Values[SampleIndex(i, j, k)] =
-            static_cast<float>((*view)(first.x + i, first.y + j, first.z + k));
+    this->Block.spacing = view.geometry.spacing;
+    this->Block.samples = glm::min(first + Row, view.geometry.dims) - first;
+    float none = 0.0F; // 0 times what is not finite is not a number
+    for (int k = 0; k < this->Block.samples.z; ++k)
+      for (int j = 0; j < this->Block.samples.y; ++j)
+      {
+        const T* from = &view(first.x, first.y + j, first.z + k);
+        float* to = &this->Block.values[BlockSamples::IndexOf(0, j, k)];
+        for (int i = 0; i < this->Block.samples.x; ++i)
+          none += 0.0F * (to[i] = static_cast<float>(from[i]));
+      }
+    this->Finite = none == 0.0F;
   };
-  read(std::get_if<GridView<const std::int16_t>>(&grid)); // std::visit may throw
-  read(std::get_if<GridView<const std::uint16_t>>(&grid));
-  read(std::get_if<GridView<const std::uint8_t>>(&grid));
-  read(std::get_if<GridView<const float>>(&grid));
+  OfGrid(grid, read);
 }
 
 void BlockSurface::SetIsovalue(double isovalue, double outward) noexcept
 {
-  this->Isovalue = static_cast<float>(isovalue); // as the samples are compared with it
-  this->Outward = outward;
+  this->Block.isovalue = static_cast<float>(isovalue); // as the samples are compared with it
+  this->Block.outward = static_cast<float>(outward);
   this->CellsKnown = false;
   this->CellCount = 0;
-}
-
-std::array<double, 8> BlockSurface::CornersOf(const glm::ivec3& cell) const noexcept
-{
-  const float* p = &this->Values[SampleIndex(cell.x, cell.y, cell.z)];
-  const float* above = p + SampleIndex(0, 0, 1);
-  std::array<double, 8> corners{ p[0], p[1], p[Row], p[Row + 1], above[0], above[1], above[Row],
-    above[Row + 1] };
-  for (double& corner : corners)
-    corner = this->Outward * (corner - this->Isovalue);
-  return corners;
 }
 
 /// One bit a sample: is it inside?
 std::uint32_t BlockSurface::InsideInRow(int j, int k) const noexcept
 {
-  const float* row = &this->Values[SampleIndex(0, j, k)];
-  const auto isovalue = static_cast<float>(this->Isovalue);
+  const float* row = &this->Block.values[BlockSamples::IndexOf(0, j, k)];
+  const float isovalue = this->Block.isovalue;
   std::uint32_t bits = 0;
-  for (int i = 0; i < this->Samples.x; ++i)
-    bits |= (this->Outward > 0.0 ? row[i] <= isovalue : row[i] >= isovalue) ? 1U << i : 0U;
+  if (this->Block.outward > 0.0F)
+    for (int i = 0; i < Row; ++i) // those past the grid's end are asked by no cell
+      bits |= (row[i] <= isovalue ? 1U : 0U) << i;
+  else
+    for (int i = 0; i < Row; ++i)
+      bits |= (row[i] >= isovalue ? 1U : 0U) << i;
   return bits;
 }
 
-void BlockSurface::FindCells() noexcept
+void BlockSurface::FindCells(const BlockKernels& kernels) noexcept
 {
   this->CellsKnown = true;
   this->CellCount = 0;
+  const glm::ivec3& samples = this->Block.samples;
   std::array<std::array<std::uint32_t, Row>, Row> inside{};
-  for (int k = 0; k < this->Samples.z; ++k)
-    for (int j = 0; j < this->Samples.y; ++j)
+  for (int k = 0; k < samples.z; ++k)
+    for (int j = 0; j < samples.y; ++j)
       inside[k][j] = this->InsideInRow(j, k);
-  const std::uint32_t all = (1U << (this->Samples.x - 1)) - 1U;
-  float sum = 0.0F;
-  for (int k = 0; k + 1 < this->Samples.z; ++k)
-    for (int j = 0; j + 1 < this->Samples.y; ++j)
+  const std::uint32_t all = (1U << (samples.x - 1)) - 1U;
+  const auto isFinite = [&](int number)
+  {
+    const auto corners = this->Block.CornersOf(BlockSamples::CellOf(number));
+    return std::all_of(
+      corners.begin(), corners.end(), [](double value) { return std::isfinite(value); });
+  };
+  for (int k = 0; k + 1 < samples.z; ++k)
+    for (int j = 0; j + 1 < samples.y; ++j)
     {
       const std::uint32_t a = inside[k][j], b = inside[k][j + 1], c = inside[k + 1][j],
                           d = inside[k + 1][j + 1];
@@ -85,69 +127,49 @@ void BlockSurface::FindCells() noexcept
       std::uint32_t crossed = (any | any >> 1) & ~(each & each >> 1) & all;
       for (; crossed != 0; crossed &= crossed - 1)
       {
-        const int i = std::countr_zero(crossed);
-        const std::array<double, 8> corners = this->CornersOf({ i, j, k });
-        if (!std::all_of(
-              corners.begin(), corners.end(), [](double value) { return std::isfinite(value); }))
-          continue;
-        InCell(corners,
-          [&](const CellTriangle& t)
-          {
-            sum += static_cast<float>(AreaOf(t, this->Spacing));
-            return false;
-          });
-        this->Cells[this->CellCount] = static_cast<std::uint16_t>((k * Side + j) * Side + i);
-        this->Ends[this->CellCount++] = sum;
+        const int number = (k * Side + j) * Side + std::countr_zero(crossed);
+        if (this->Finite || isFinite(number))
+          this->Cells[this->CellCount++] = static_cast<std::uint16_t>(number);
       }
     }
+  kernels.areas(this->Block, this->Cells.data(), this->CellCount, this->Ends.data());
+  float sum = 0.0F;
+  for (int n = 0; n < this->CellCount; ++n)
+    this->Ends[n] = sum += this->Ends[n];
 }
 
-bool BlockSurface::Draw(double share, double u, double v, Place& place) const noexcept
+std::uint32_t BlockSurface::Draw(
+  const BlockKernels& kernels, const Shares& shares, BlockPlaces& places) const noexcept
 {
-  if (!(this->Area() > 0.0))
-    return false;
-  const auto wanted = static_cast<float>(share * this->Area());
-  const auto end = this->Ends.begin() + this->CellCount;
-  const auto n = std::min<std::ptrdiff_t>(
-    std::upper_bound(this->Ends.begin(), end, wanted) - this->Ends.begin(), this->CellCount - 1);
-  const int c = this->Cells[n];
-  const glm::ivec3 cell{ c % Side, c / Side % Side, c / (Side * Side) };
-  double left = wanted - (n == 0 ? 0.0F : this->Ends[n - 1]);
-  CellTriangle chosen{};
-  InCell(this->CornersOf(cell),
-    [&](const CellTriangle& t)
-    {
-      chosen = t;
-      left -= AreaOf(t, this->Spacing);
-      return left < 0.0;
-    });
-  place.index = glm::dvec3(cell) + PointIn(chosen, u, v);
-  return this->Project(place);
-}
-
-bool BlockSurface::Project(Place& place) const noexcept
-{
-  const double voxel = std::min({ this->Spacing.x, this->Spacing.y, this->Spacing.z });
-  const glm::dvec3 last = this->Samples - 1;
-  for (int step = 0; step < 5; ++step)
+  std::uint16_t cells[BlockPlaces::Count];
+  float left[BlockPlaces::Count];
+  std::uint8_t tetrahedra[BlockPlaces::Count];
+  for (int n = 0; n < BlockPlaces::Count; ++n)
   {
-    const glm::ivec3 cell = glm::min(glm::ivec3(place.index), this->Samples - 2);
-    const glm::dvec3 t = place.index - glm::dvec3(cell);
-    const std::array<double, 8> corners = this->CornersOf(cell);
-    const glm::dvec3 slope = TrilinearGradient(corners, t) / this->Spacing;
-    const double squared = glm::dot(slope, slope);
-    if (!(squared > 0.0 && std::isfinite(squared)))
-      return false;
-    const double length = std::sqrt(squared);
-    const double off = TrilinearValue(corners, t) / length;
-    const double move = std::clamp(off, -0.5 * voxel, 0.5 * voxel);
-    place.normal = slope / length;
-    place.index =
-      glm::clamp(place.index - move * place.normal / this->Spacing, glm::dvec3(0.0), last);
-    if (std::abs(off) < 0.02 * voxel) // the last step squared what it was off by
-      return true;
+    const auto wanted = static_cast<float>(shares.area[n] * this->Area());
+    const int c = FirstAbove(this->Ends.data(), this->CellCount, wanted);
+    cells[n] = this->Cells[c];
+    left[n] = wanted - (c == 0 ? 0.0F : this->Ends[c - 1]);
   }
-  return false;
+  kernels.pick(this->Block, cells, left, tetrahedra);
+  const glm::dvec3 spacing = this->Block.spacing;
+  for (int n = 0; n < BlockPlaces::Count; ++n)
+  {
+    const glm::ivec3 cell = BlockSamples::CellOf(cells[n]);
+    double rest = left[n];
+    CellTriangle chosen{};
+    InTetrahedron(this->Block.CornersOf(cell), CellTetrahedra[tetrahedra[n]],
+      [&](const CellTriangle& t)
+      {
+        chosen = t;
+        rest -= AreaOf(t, spacing);
+        return rest < 0.0;
+      });
+    const glm::dvec3 index = glm::dvec3(cell) + PointIn(chosen, shares.u[n], shares.v[n]);
+    for (int axis = 0; axis < 3; ++axis)
+      places.index[axis][n] = static_cast<float>(index[axis]);
+  }
+  return kernels.project(this->Block, places);
 }
 
 } // namespace hasp

@@ -86,18 +86,21 @@ private:
     const Visit& visit) noexcept
   {
     const glm::ivec3 end = glm::min(first + GroupSide, this->Blocks->Blocks());
+    const MinMaxBlocks::Range* ranges = this->Blocks->Data();
     for (int z = first.z; z < end.z; ++z)
       for (int y = first.y; y < end.y; ++y)
+      {
+        const std::size_t row = this->IndexOf({ 0, y, z });
         for (int x = first.x; x < end.x; ++x)
         {
-          const std::size_t b = this->IndexOf({ x, y, z });
-          if (!holds(this->Blocks->Data()[b]))
+          if (!holds(ranges[row + x]))
             continue;
-          MapClearance::State& state = this->BlockStates[b];
+          MapClearance::State& state = this->BlockStates[row + x];
           if (this->IsNear(clearance, { x, y, z }, 1, state))
             visit(glm::ivec3(x, y, z));
           this->NoneNearUntil = std::min(this->NoneNearUntil, state.near ? 0.0 : state.until);
         }
+      }
   }
 
   std::shared_ptr<const MinMaxBlocks> Blocks;

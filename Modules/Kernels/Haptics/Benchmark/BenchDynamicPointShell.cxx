@@ -5,6 +5,7 @@
 // Microseconds of processor time, one core. Errors: of force and torque, relative to a static shell
 // of 262,144 points; means over poses in which two bumpy balls, 128 samples wide, touch by 0.5 to
 // 1.5 mm. The dynamic shell has room for as many points as the static one has; it uses fewer.
+#include "Benchmark/DynamicTicks.h"
 #include "Haptics/DynamicPointShell.h"
 #include "Haptics/PointShell.h"
 #include "Haptics/Testing/SampledDistance.h"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <random>
 #include <vector>
 
@@ -24,13 +24,6 @@ namespace
 
 using namespace hasp;
 using namespace hasp::testing;
-
-double ProcessorMicroseconds()
-{
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
 
 /// A body that touches itself: its distances, its map, and a volume for shells.
 struct Body
@@ -89,40 +82,57 @@ RigidPose TouchingPose(
   return pose;
 }
 
-void ReportTicks(int samples)
+struct Quartiles
 {
-  const Body body(samples);
-  DynamicPointShell shell(body.volume, body.map, {});
-  double jump = 0.0, filling = 0.0, rest = 0.0, moving = 0.0, isovalue = 0.0;
-  const auto tick = [&](const RigidPose& pose)
+  double low, middle, high;
+};
+Quartiles QuartilesOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t last = values.size() - 1;
+  return { values[last / 4], values[last / 2], values[last * 3 / 4] };
+}
+
+/// Of one way: rounds of both, one after the other, so that what else the machine does meets both.
+void ReportTicks(int samples, ticks::Way way, const char* name)
+{
+  const auto lanes = ticks::lanes::Make(samples), plain = ticks::plain::Make(samples);
+  constexpr int Rounds = 41, TicksARound = 48;
+  std::vector<double> update, both, lanesUpdate, lanesEvaluate, plainUpdate, plainEvaluate;
+  double apart = 0.0, largest = 0.0;
+  unsigned points = 0, contacts = 0;
+  for (int round = -1; round < Rounds; ++round) // the first one fills the shell
   {
-    const double start = ProcessorMicroseconds();
-    shell.Update(pose, 0.0);
-    return ProcessorMicroseconds() - start;
-  };
-  constexpr int Rounds = 20;
-  for (int round = 0; round < Rounds; ++round)
-  {
-    const double a = round;
-    RigidPose pose{ 0.69 * samples * glm::dvec3(std::cos(a), std::sin(a), 0.0), TurnBy({}) };
-    jump += tick(pose) / Rounds;
-    for (int n = 0; n < 10; ++n)
-      filling += tick(pose) / (10 * Rounds);
-    for (int n = 0; n < 60; ++n)
-      tick(pose);
-    for (int n = 0; n < 10; ++n)
-      rest += tick(pose) / (10 * Rounds);
-    for (int n = 0; n < 50; ++n)
+    ticks::Tick fast, slow;
+    for (int n = 0; n < TicksARound; ++n)
     {
-      pose.position += glm::dvec3(-0.1 * std::sin(a), 0.1 * std::cos(a), 0.0); // 100 mm/s
-      moving += tick(pose) / (50 * Rounds);
+      const int number = (round + 1) * TicksARound + n;
+      const ticks::Tick a = lanes->Run(way, number), b = plain->Run(way, number);
+      fast.updateUs += a.updateUs / TicksARound;
+      fast.evaluateUs += a.evaluateUs / TicksARound;
+      slow.updateUs += b.updateUs / TicksARound;
+      slow.evaluateUs += b.evaluateUs / TicksARound;
+      const glm::dvec3 x(a.force[0], a.force[1], a.force[2]), y(b.force[0], b.force[1], b.force[2]);
+      apart = std::max(apart, glm::distance(x, y));
+      largest = std::max(largest, glm::length(y));
+      points = a.points;
+      contacts = a.contacts;
     }
-    shell.SetIsovalue(round % 2 == 0 ? 0.5 : 0.0);
-    isovalue += tick(pose) / Rounds;
+    if (round < 0)
+      continue;
+    lanesUpdate.push_back(fast.updateUs);
+    lanesEvaluate.push_back(fast.evaluateUs);
+    plainUpdate.push_back(slow.updateUs);
+    plainEvaluate.push_back(slow.evaluateUs);
+    update.push_back(slow.updateUs / fast.updateUs);
+    both.push_back((slow.updateUs + slow.evaluateUs) / (fast.updateUs + fast.evaluateUs));
   }
-  std::printf(
-    "%4d  jump %6.0f   filling %6.0f   at rest %6.1f   100 mm/s %6.1f   another isovalue %6.0f\n",
-    samples, jump, filling, rest, moving, isovalue);
+  const Quartiles u = QuartilesOf(update), q = QuartilesOf(both);
+  std::printf("%4d %-12s %7.1f %7.1f  %7.1f %7.1f   %5.2f %5.2f %5.2f   %5.2f %5.2f %5.2f  %6u %5u"
+              "  %7.1e\n",
+    samples, name, QuartilesOf(plainUpdate).middle, QuartilesOf(plainEvaluate).middle,
+    QuartilesOf(lanesUpdate).middle, QuartilesOf(lanesEvaluate).middle, u.low, u.middle, u.high,
+    q.low, q.middle, q.high, points, contacts, largest > 0.0 ? apart / largest : 0.0);
 }
 
 void ReportErrors(int poses)
@@ -176,9 +186,15 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "poses: 1 to 10000\n");
     return 2;
   }
-  std::printf("us a tick, 16,384 points' room, 512 a tick\n");
+  std::printf(
+    "us a tick (medians)    -O2: update, evaluate  vectors: both   update's ratio (quartiles)"
+    "  whole ratio  points touching  forces apart\n");
   for (const int samples : { 128, 256 })
-    ReportTicks(samples);
+  {
+    ReportTicks(samples, ticks::Way::Along, "100 mm/s");
+    ReportTicks(samples, ticks::Way::Jumps, "jumps");
+    ReportTicks(samples, ticks::Way::Isovalue, "isovalue");
+  }
   ReportErrors(poses);
   return 0;
 }

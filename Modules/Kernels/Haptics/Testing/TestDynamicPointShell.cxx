@@ -131,6 +131,29 @@ TEST(DynamicPointShell, ADistanceServesAsWellAsGreyValues)
   EXPECT_LT(TouchOnFloor(shell, pose).force, 1.03 * BallOnFloor(9.5, 1.5).force);
 }
 
+// A plane through samples that are two blocks' border: it is in one of both, whichever side is in.
+TEST(DynamicPointShell, ASurfaceOnABlocksBorderIsFound)
+{
+  for (const double up : { 1.0, -1.0 })
+    for (const bool grey : { true, false })
+    {
+      const DistanceFunction plane = HalfSpace({}, { 0, up, 0 });
+      ShellVolume volume = GreyBody(plane, CubeGrid(17)).Volume;
+      auto field = std::make_shared<SampledDistance>(plane, CubeGrid(17));
+      if (!grey)
+      {
+        volume.grid = field->View();
+        volume.blocks = std::make_shared<hasp::MinMaxBlocks>(volume.grid);
+        volume.isovalue = 0.0;
+        volume.insideAbove = false;
+      }
+      DynamicPointShell shell(volume, Floor(), {});
+      for (int tick = 0; tick < 20; ++tick)
+        shell.Update({}, 0.0);
+      EXPECT_NEAR(shell.LastTick().areaMm2, 256.0, 0.01) << up << grey;
+    }
+}
+
 /// The share of the touching surface that lies within 1.5 voxels of a living point.
 double Coverage(const DynamicPointShell& shell, const std::vector<SurfacePoint>& surface,
   const DistanceMap& map, const RigidPose& pose)

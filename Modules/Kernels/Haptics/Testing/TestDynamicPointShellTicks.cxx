@@ -151,6 +151,7 @@ TEST(DynamicPointShellTicks, OddPosesAndOddSamples)
     holes.Update(pose, 0.0);
   for (const Live& p : LivePoints(holes))
     EXPECT_TRUE(std::isfinite(p.position.x + p.normal.x + p.area));
+  EXPECT_GT(holes.LastTick().points, 100U); // the others have
 
   const GreyBody least(HalfSpace({}, { 0, 1, 0 }), SkewGrid({ 2, 2, 2 }));
   DynamicPointShell small(least.Volume, Floor(), {});
