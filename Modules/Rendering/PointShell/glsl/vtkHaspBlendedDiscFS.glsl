@@ -28,18 +28,18 @@ out vec4 fragOutput0;
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float depth = texelFetch(hitDepth, pixel, 0).x;
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  float depth = texelFetch(hitDepth, texel, 0).x;
   if (depth >= 1.0)
     discard;
-  vec4 sum = texelFetch(sumNormal, pixel, 0);
-  vec4 sums = texelFetch(sumDepth, pixel, 0);
+  vec4 sum = texelFetch(sumNormal, texel, 0);
+  vec4 sums = texelFetch(sumDepth, texel, 0);
   depth += sums.x / sum.w;
   gl_FragDepth = depth;
 
   //VTK::DepthPeeling::PreColor
 #ifdef HASP_SELECTION
-  fragOutput0 = SelectionColor(uint(texelFetch(hitNumber, pixel, 0).x - 0.5));
+  fragOutput0 = SelectionColor(uint(texelFetch(hitNumber, texel, 0).x - 0.5));
 #else
   vec2 device = gl_FragCoord.xy * viewportToDevice.xy + viewportToDevice.zw;
   vec4 view = clipToView *

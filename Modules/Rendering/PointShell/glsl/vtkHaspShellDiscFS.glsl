@@ -66,10 +66,11 @@ void main()
 #endif
   float depth = 0.5 * (gl_DepthRange.diff * z + gl_DepthRange.near + gl_DepthRange.far);
 #ifdef HASP_HITS
-  gl_FragDepth = depth;
 #ifdef HASP_SELECTION
+  depth += tolerance * square; // of discs that overlap, the one whose middle is nearest is picked
   fragOutput0 = vec4(number);
 #endif
+  gl_FragDepth = depth;
 #else
   float behind = depth - texelFetch(hitDepth, ivec2(gl_FragCoord.xy), 0).x;
   if (behind > tolerance)

@@ -85,6 +85,7 @@ struct Pixel
 
 struct DiscScene
 {
+  const bool Headless = hasp::UseHeadlessWindows(); // before the first window
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkHaspPointShellMapper> Mapper;
@@ -94,7 +95,6 @@ struct DiscScene
 
   explicit DiscScene(int size = 200) : Size(size)
   {
-    hasp::UseHeadlessWindows();
     this->Window->SetSize(size, size);
     this->Window->SetMultiSamples(0);
     this->Window->AddRenderer(this->Renderer);

@@ -51,7 +51,8 @@ int TestPointShellMapper(int argc, char* argv[])
   scene.Renderer->SetBackground(0.1, 0.15, 0.2);
 
   std::vector<hasp::SurfacePoint> points;
-  for (const hasp::ShellDisc& disc : *hasp::testing::SphereDiscs(1024, 12))
+  const auto discs = hasp::testing::SphereDiscs(1024, 12);
+  for (const hasp::ShellDisc& disc : *discs)
     points.push_back({ disc.center, disc.normal });
   const double area = 4 * std::numbers::pi * 12 * 12;
   scene.Mapper->SetPointShell(
