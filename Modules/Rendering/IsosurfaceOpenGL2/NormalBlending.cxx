@@ -8,6 +8,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <stdexcept>
@@ -23,6 +24,7 @@ void NormalBlending::Resolve(vtkOpenGLRenderWindow* window, const CellScene& sce
   if (!program)
     throw std::runtime_error("the shader of blended normals did not compile");
   scene.SetUniforms(program);
+  vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
   constexpr const char* names[] = { "blendedNormal", "blendedDiffuse", "blendedAmbient" };
   this->Targets.SampleDepth(program, "hitDepth");
   for (std::size_t n = 0; n < (colored ? 3U : 1U); ++n)

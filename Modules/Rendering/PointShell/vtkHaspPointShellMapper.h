@@ -11,7 +11,7 @@
  *
  * Each point is an oriented disc that covers its share of the surface and, by Overlap, some of its
  * neighbours'. Discs are elliptical-weighted-average splats (Zwicker et al. 2001; drawn as Botsch
- * et al. 2005; thesis 2.1.4, Papers I and II) in three passes: nearest depth; Gaussian-weighted
+ * et al. 2005; thesis 2.2.1, Papers I and II) in three passes: nearest depth; Gaussian-weighted
  * normals, depths and colours of all discs within one disc radius behind it; shading. In each
  * fragment the ray is intersected with the disc's plane; a disc smaller than about a pixel is
  * widened to one (low-pass filter). The blended depth is written, so the surface mixes with any

@@ -1,8 +1,11 @@
 // What is made when, for whom, and what it takes to be refused.
 #include "DiscScene.h"
 #include "Haptics/PointShell.h"
+#include "HaspGL.h"
 
 #include "vtkDataArray.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -80,6 +83,35 @@ TEST(DiscLives, WhatIsReleasedIsGoneAndComesBack)
   scene.Window->Finalize();
   EXPECT_EQ(HeldBy(scene.Mapper).bytes, 0U);
   EXPECT_TRUE(scene.Errors.empty());
+}
+
+TEST(DiscLives, OpenGLIsLeftAsItWasFound)
+{
+  const auto state = []
+  {
+    std::vector<GLint> all;
+    for (const GLenum name :
+      { GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_MULTISAMPLE, GL_SCISSOR_TEST })
+      all.push_back(glIsEnabled(name));
+    for (const GLenum name : { GL_ACTIVE_TEXTURE, GL_BLEND_DST_ALPHA, GL_BLEND_DST_RGB,
+           GL_BLEND_SRC_ALPHA, GL_BLEND_SRC_RGB, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK,
+           GL_DRAW_FRAMEBUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_TEXTURE_BUFFER })
+      glGetIntegerv(name, &all.emplace_back());
+    return all;
+  };
+  DiscScene scene;
+  scene.Mapper->SetDiscs(SphereDiscs(256, 20));
+  EXPECT_GT(Lit(scene.Colors()), 5000);
+  vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->GetRenderFramebuffer()->Bind();
+  for (const bool levels : { false, true })
+  {
+    scene.Mapper->SetColorByLevel(levels);
+    scene.Mapper->SetDiscs(SphereDiscs(levels ? 900 : 600, 20)); // with an upload
+    const auto before = state();
+    scene.Mapper->Render(scene.Renderer, scene.Actor);
+    EXPECT_EQ(state(), before) << levels;
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+  }
 }
 
 TEST(DiscLives, TwoWindowsShareAMapper)

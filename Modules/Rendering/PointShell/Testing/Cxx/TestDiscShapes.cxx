@@ -68,8 +68,8 @@ void ExpectSphere(DiscScene& scene, int count)
     ++seen;
     // Half a pixel's diagonal and the filter's three quarters of a pixel.
     EXPECT_LE(miss, Radius + rim + 0.75 * pixel.mm) << "outside the silhouette";
-    // Blended depth is on a chord no longer than a disc's radius. Further out discs are narrower than
-    // the filter, and their rims stand for what is beside them.
+    // Blended depth is on a chord no longer than a disc's radius. Further out discs are narrower
+    // than the filter, and their rims stand for what is beside them.
     const bool wide = miss < 0.98 * Radius;
     const double off = glm::length(*pixel.hit) - Radius;
     EXPECT_GE(off, wide ? -0.25 * rim - 1e-3 : -0.75 * pixel.mm) << miss;
