@@ -8,7 +8,6 @@
 #include "vtkRenderer.h"
 #include "vtkSTLReader.h"
 #include "vtkWindowToImageFilter.h"
-
 int main(int argc, char* argv[])
 {
   if (argc != 3)
@@ -28,6 +27,7 @@ int main(int argc, char* argv[])
   renderer->AddActor(shell);
   renderer->AddActor(forces);
   vtkNew<vtkRenderWindow> window;
+  window->SetSize(600, 600);
   window->AddRenderer(renderer);
   vtkNew<vtkWindowToImageFilter> pixels;
   pixels->SetInput(window);
