@@ -185,6 +185,24 @@ TEST(DiscPlane, IsCoveredAndFlatAlsoAtAGrazingAngle)
   }
 }
 
+TEST(Disc, OfNoSizeIsAPixelWhereverItIs)
+{
+  DiscScene scene;
+  for (int n = 0; n < 12; ++n)
+  {
+    auto one = std::make_shared<std::vector<hasp::ShellDisc>>();
+    const glm::vec3 normal = n % 3 == 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1); // or edge on
+    one->push_back({ glm::vec3(0.037F * n, 0.023F * n, 0), 1e-6F, normal, 0 });
+    scene.Mapper->SetDiscs(one);
+    int hits = 0;
+    for (const Pixel& pixel : scene.Draw())
+      hits += pixel.hit.has_value();
+    EXPECT_GE(hits, 1)
+      << n; // a circle of 0.75 pixels holds one pixel's middle at least, four at most
+    EXPECT_LE(hits, 4) << n;
+  }
+}
+
 TEST(Disc, IsTheEllipseThatTheActorMakesOfIt)
 {
   DiscScene scene;
