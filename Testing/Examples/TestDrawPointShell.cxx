@@ -20,7 +20,7 @@ TEST_F(DrawPointShell, WrongUseAndUnreadableFilesAreFailures)
   EXPECT_EQ(this->Draw("no.stl picture.png"), 1) << this->said;
 }
 
-TEST_F(DrawPointShell, ABallIsADiscWithAnArrow)
+TEST_F(DrawPointShell, ABallIsADisc)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(30);

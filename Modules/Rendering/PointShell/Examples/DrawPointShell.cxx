@@ -1,5 +1,5 @@
-// DrawPointShell <surface.stl> <picture.png>: its points as discs, a force
-#include "vtkHaspForceArrows.h"
+// DrawPointShell <surface.stl> <picture.png>: its points as discs
+#include "vtkActor.h"
 #include "vtkHaspHeadlessWindows.h"
 #include "vtkHaspPointShellMapper.h"
 #include "vtkPNGWriter.h"
@@ -8,6 +8,7 @@
 #include "vtkRenderer.h"
 #include "vtkSTLReader.h"
 #include "vtkWindowToImageFilter.h"
+
 int main(int argc, char* argv[])
 {
   if (argc != 3)
@@ -21,11 +22,9 @@ int main(int argc, char* argv[])
   mapper->SetInputConnection(points->GetOutputPort());
   vtkNew<vtkActor> shell;
   shell->SetMapper(mapper);
-  vtkNew<vtkHaspForceArrows> forces; // mm and N; 10 mm a newton
-  forces->SetArrows({ { { 0, 0, shell->GetBounds()[5] }, { 0, 2, 0 } } });
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(shell);
-  renderer->AddActor(forces);
+  renderer->ResetCamera();
   vtkNew<vtkRenderWindow> window;
   window->SetSize(600, 600);
   window->AddRenderer(renderer);
