@@ -7,8 +7,9 @@ import tempfile
 import unittest
 
 import hasp
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
 RADIUS = 9.0  # mm
@@ -284,6 +285,35 @@ class Guide(unittest.TestCase):
         self.assertIn("guide recipe: the file cannot be read", "".join(said))
         recipe = pathlib.Path(__file__).parents[2] / "Data/cranium-guide.json"
         self.assertTrue(guide.ReadRecipe(str(recipe)))
+
+
+class PointShell(unittest.TestCase):
+    """A vtkPolyData with normals drawn as discs, and a force."""
+
+    def test_discs_cover_the_ball(self):
+        ball_source = vtkSphereSource()
+        ball_source.SetRadius(RADIUS)
+        ball_source.SetThetaResolution(60)
+        ball_source.SetPhiResolution(60)
+        mapper = hasp.vtkHaspPointShellMapper()
+        mapper.SetInputConnection(ball_source.GetOutputPort())
+        self.assertEqual(mapper.GetNumberOfDiscs(), 60 * 58 + 2)
+        hasp.UseHeadlessWindows()
+        window, _ = scene(mapper)
+        lit = lit_pixels(window)
+        pixels_per_mm = HEIGHT / (2 * PARALLEL_SCALE)
+        self.assertAlmostEqual(lit / (math.pi * (RADIUS * pixels_per_mm) ** 2), 1.0, delta=0.03)
+
+    def test_forces_are_as_long_as_they_are_strong(self):
+        at = vtkPoints()
+        at.InsertNextPoint(0, 0, 0)
+        forces = vtkFloatArray()
+        forces.SetNumberOfComponents(3)
+        forces.InsertNextTuple3(2, 0, 0)
+        arrows = hasp.vtkHaspForceArrows()
+        arrows.SetMmPerNewton(3.0)
+        arrows.SetArrows(at, forces)
+        self.assertAlmostEqual(arrows.GetBounds()[1], 6.0, places=5)
 
 
 if __name__ == "__main__":

@@ -5,24 +5,19 @@
 #include "CellFrame.h"
 #include "CellLayout.h"
 #include "CellScene.h"
-#include "CellSelection.h"
-#include "CellShading.h"
 #include "CellSplat.h"
+#include "PassShader.h"
 #include "RayRoot.h"
+#include "SelectionColor.h"
 #include "SelectionScope.h"
 #include "ShaderSlots.h"
+#include "SurfaceShading.h"
 #include "vtkHaspClusteredCellFS.h"
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspClusteredCellVS.h"
 #include "vtkHaspTracedCellFS.h"
 #include "vtkHaspTracedCellVS.h"
 
-#include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkOpenGLRenderPass.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
 #include <chrono>
@@ -60,40 +55,6 @@ std::string AttributeDefines(const AttributeBuffers& attributes)
   return text;
 }
 
-std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
-{
-  std::vector<vtkOpenGLRenderPass*> passes;
-  vtkInformation* info = actor->GetPropertyKeys();
-  if (!info || !info->Has(vtkOpenGLRenderPass::RenderPasses()))
-    return passes;
-  for (int n = 0; n < info->Length(vtkOpenGLRenderPass::RenderPasses()); ++n)
-    if (auto* pass =
-          vtkOpenGLRenderPass::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), n)))
-      passes.push_back(pass);
-  return passes;
-}
-
-/// VTK's passes write to gl_FragData[n], which core profiles lack: it becomes fragOutput<n>.
-/// Returns the declarations of those that our shader does not declare itself.
-std::string NameOutputs(std::string& fragment)
-{
-  std::string declarations;
-  for (int n = 0; n < 8; ++n)
-  {
-    const std::string old = "gl_FragData[" + std::to_string(n) + "]";
-    const std::string name = "fragOutput" + std::to_string(n);
-    bool used = false;
-    for (std::size_t at = fragment.find(old); at != std::string::npos; at = fragment.find(old, at))
-    {
-      fragment.replace(at, old.size(), name);
-      used = true;
-    }
-    if (used && n > 0)
-      declarations += "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";\n";
-  }
-  return declarations;
-}
-
 } // namespace
 
 /// What a variant is put together from, without what scene and passes add.
@@ -108,26 +69,14 @@ vtkShaderProgram* CellProgram::Ready(Variant& variant, vtkOpenGLRenderWindow* wi
   vtkHardwareSelector* selector)
 {
   const auto start = std::chrono::steady_clock::now();
-  std::string geometry;
-  const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
-  for (vtkOpenGLRenderPass* one : passes)
-  {
-    one->PreReplaceShaderValues(variant.vertex, geometry, variant.fragment, mapper, actor);
-    one->PostReplaceShaderValues(variant.vertex, geometry, variant.fragment, mapper, actor);
-  }
-  variant.defines += scene.Defines();
-  FillSlot(variant.vertex, "Defines", variant.defines);
-  FillSlot(variant.fragment, "Defines", variant.defines + NameOutputs(variant.fragment));
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    variant.vertex.c_str(), variant.fragment.c_str(), geometry.c_str());
+  vtkShaderProgram* program = ReadyPassShader(
+    window, mapper, actor, variant.vertex, variant.fragment, variant.defines + scene.Defines());
   if (!program)
     return nullptr;
   double& milliseconds = this->Milliseconds[static_cast<int>(variant.pass)];
   if (milliseconds == 0.0)
     milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  for (vtkOpenGLRenderPass* one : passes)
-    one->SetShaderParameters(program, mapper, actor);
   scene.SetUniforms(program);
   if (selector)
     SetSelectionUniforms(program, selector);
@@ -147,10 +96,10 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
   FillSlot(variant.vertex, "CellFrame", CellFrame);
   FillSlot(variant.fragment, "RayRoot", RayRoot);
   FillSlot(variant.fragment, "CellFrame", CellFrame);
-  FillSlot(variant.fragment, "CellShading", CellShading);
+  FillSlot(variant.fragment, "SurfaceShading", SurfaceShading);
   FillSlot(variant.fragment, "CellColors", CellColors);
   FillSlot(variant.fragment, "CellSplat", CellSplat);
-  FillSlot(variant.fragment, "CellSelection", CellSelection);
+  FillSlot(variant.fragment, "SelectionColor", SelectionColor);
   vtkShaderProgram* program = this->Ready(variant, window, mapper, actor, scene, selector);
   const std::vector<float>& levels = mapper->GetCells().levels;
   if (program && !levels.empty())
@@ -166,7 +115,7 @@ vtkShaderProgram* CellProgram::ReadyTraced(vtkOpenGLRenderWindow* window,
     selector ? "#define HASP_SELECTION\n"
     : lit    ? "#define HASP_TRACED_LIGHT\n"
              : "" };
-  FillSlot(variant.fragment, "CellShading", CellShading);
-  FillSlot(variant.fragment, "CellSelection", CellSelection);
+  FillSlot(variant.fragment, "SurfaceShading", SurfaceShading);
+  FillSlot(variant.fragment, "SelectionColor", SelectionColor);
   return this->Ready(variant, window, mapper, actor, scene, selector);
 }

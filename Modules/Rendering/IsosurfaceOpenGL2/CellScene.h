@@ -1,6 +1,8 @@
 #ifndef CellScene_h
 #define CellScene_h
 
+#include "ShadedScene.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -24,21 +26,14 @@ class vtkShaderProgram;
 /// What the shaders of the clustered cells know of camera, actor, clipping planes and lights: read
 /// from VTK once a frame, in double precision; rounded to float when it goes to the GPU. The eye is
 /// taken from the full matrix, so every kind of stereo and off-axis camera comes out right.
-struct CellScene
+struct CellScene : ShadedScene
 {
   glm::dmat4 indexToClip, indexToView;
   /// indexToClip of the eye that is not drawn now, where a rig says it (vtkHaspStereoPair.h).
   std::optional<glm::dmat4> otherIndexToClip;
-  bool parallelProjection;
   glm::ivec2 viewportOrigin, viewportSize; ///< pixels of the window
   std::vector<glm::dvec4> planes;          ///< in index coordinates; the near plane first
-
-  /// One entry a light that is switched on, in view coordinates.
-  std::vector<glm::vec3> lightColor, lightDirection, lightPosition, lightAttenuation, lightCone;
-  bool positionalLights = false;
-  glm::vec3 ambientColor, diffuseColor, specularColor;
-  glm::vec2 colorShares; ///< ambient and diffuse, of colours that take the place of the property's
-  float specularPower, opacity, isovalue;
+  float isovalue;
 
   /// mapper: for its clipping planes. surfaceColor takes the place of the property's colour and
   /// multiplies its opacity. RENDER thread, inside vtkMapper::Render.

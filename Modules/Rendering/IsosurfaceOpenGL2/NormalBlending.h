@@ -1,13 +1,8 @@
 #ifndef NormalBlending_h
 #define NormalBlending_h
 
-#include "vtkOpenGLFramebufferObject.h"
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
+#include "SplatTargets.h"
 
-#include <glm/vec2.hpp>
-
-#include <array>
 #include <cstddef>
 #include <functional>
 
@@ -29,21 +24,13 @@ public:
   using Textures = std::function<void(vtkShaderProgram*)>;
   void Draw(vtkOpenGLRenderWindow* window, const CellScene& scene, bool colored,
     const std::function<void()>& hits, const std::function<void(const Textures&)>& splats);
-  void Release();
-  std::size_t Bytes() const;
+  void Release() { this->Targets.Release(); }
+  std::size_t Bytes() const { return this->Targets.Bytes(); }
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2& size, bool colored);
-  void DrawHits(vtkOpenGLRenderWindow* window, const std::function<void()>& hits);
-  void DrawSplats(
-    vtkOpenGLRenderWindow* window, const std::function<void(const Textures&)>& splats);
-  void Resolve(vtkOpenGLRenderWindow* window, const CellScene& scene);
+  void Resolve(vtkOpenGLRenderWindow* window, const CellScene& scene, bool colored);
 
-  glm::ivec2 Size{ 0 };
-  bool Colored = false;
-  vtkSmartPointer<vtkTextureObject> Depth, Frame;
-  std::array<vtkSmartPointer<vtkTextureObject>, 3> Sums; ///< normal; diffuse, ambient if Colored
-  vtkSmartPointer<vtkOpenGLFramebufferObject> HitTarget, SumTarget;
+  SplatTargets Targets; ///< sums: normal; diffuse, ambient if colored
 };
 
 #endif

@@ -2,13 +2,13 @@
 
 #include "CellFrame.h"
 #include "CellScene.h"
-#include "CellSelection.h"
-#include "CellShading.h"
 #include "Grid/Stopwatch.h"
 #include "HaspGL.h"
 #include "RayRoot.h"
+#include "SelectionColor.h"
 #include "SelectionScope.h"
 #include "ShaderSlots.h"
+#include "SurfaceShading.h"
 #include "vtkHaspVolumeRaycastFS.h"
 #include "vtkHaspVolumeRaycastVS.h"
 
@@ -176,8 +176,8 @@ vtkShaderProgram* VolumeRaycast::Ready(vtkOpenGLRenderWindow* window, const Rayc
   FillSlot(vertex, "CellFrame", CellFrame);
   FillSlot(fragment, "RayRoot", RayRoot);
   FillSlot(fragment, "CellFrame", CellFrame);
-  FillSlot(fragment, "CellShading", CellShading);
-  FillSlot(fragment, "CellSelection", CellSelection);
+  FillSlot(fragment, "SurfaceShading", SurfaceShading);
+  FillSlot(fragment, "SelectionColor", SelectionColor);
   const std::string defines = CornerDefines(volume.grid) + scene.Defines() +
                               (skipping ? "#define HASP_SKIPPING\n" : "") +
                               (selector ? "#define HASP_SELECTION\n" : "");

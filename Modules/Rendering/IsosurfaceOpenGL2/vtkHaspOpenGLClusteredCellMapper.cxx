@@ -78,7 +78,7 @@ vtkHaspOpenGLClusteredCellMapper::~vtkHaspOpenGLClusteredCellMapper() = default;
 
 void vtkHaspOpenGLClusteredCellMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->GL->Free(vtkOpenGLRenderWindow::SafeDownCast(window));
+  this->GL->Contexts.Free(vtkOpenGLRenderWindow::SafeDownCast(window));
 }
 
 std::size_t vtkHaspOpenGLClusteredCellMapper::GetStorageBlockBytes() const
@@ -108,7 +108,7 @@ void vtkHaspOpenGLClusteredCellMapper::Render(vtkRenderer* renderer, vtkActor* a
   if (!window || !this->UpdateCells())
     return;
   window->MakeCurrent(); // not every window brings the last context back
-  CellContext& context = this->GL->Of(window);
+  CellContext& context = this->GL->Contexts.Of(window);
   vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
   window->GetState()->vtkglDisable(GL_CULL_FACE); // rectangles have no sides
   // A cell draws the pixels whose centre it covers, whole: parts of pixels would leave seams.

@@ -7,7 +7,7 @@
 // in   clipToView, viewportToDevice
 // out  fragOutput0                     colour
 //Hasp::Defines
-//Hasp::CellShading
+//Hasp::SurfaceShading
 
 uniform sampler2D hitDepth;
 uniform sampler2D blendedNormal;

@@ -2,15 +2,15 @@
 // Meets the pixel's ray with the trilinear polynomial of one cell; discards where they do not meet.
 // Writes the depth of the hit.
 //
-// in   see vtkHaspClusteredCellVS.glsl; CellFrame.glsl, CellShading.glsl, CellColors.glsl
+// in   see vtkHaspClusteredCellVS.glsl; CellFrame.glsl, SurfaceShading.glsl, CellColors.glsl
 // out  fragOutput0   colour, or what hardware selection asks for, or the number of the frame (HASP_HITS), or sums
 //                    to blend (HASP_SPLATS)
 //Hasp::Defines
 #define HASP_FUNCTION
 #define HASP_OUT(T) out T
 //Hasp::RayRoot
-//Hasp::CellShading
-//Hasp::CellSelection
+//Hasp::SurfaceShading
+//Hasp::SelectionColor
 
 // What a scene does not have is not in its shader.
 //Hasp::CellFrame

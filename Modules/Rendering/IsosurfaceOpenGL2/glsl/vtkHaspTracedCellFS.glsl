@@ -8,8 +8,8 @@
 // in   firstPixel   of the picture, in the window
 // out  fragOutput0  colour, or what hardware selection asks for
 //Hasp::Defines
-//Hasp::CellShading
-//Hasp::CellSelection
+//Hasp::SurfaceShading
+//Hasp::SelectionColor
 
 uniform sampler2D gradients;
 #ifdef HASP_SELECTION

@@ -14,8 +14,8 @@
 #define HASP_OUT(T) out T
 //Hasp::RayRoot
 //Hasp::CellFrame
-//Hasp::CellShading
-//Hasp::CellSelection
+//Hasp::SurfaceShading
+//Hasp::SelectionColor
 
 uniform sampler3D filtered;
 #if defined(HASP_FLOAT_CORNERS)

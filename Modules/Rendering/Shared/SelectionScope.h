@@ -21,7 +21,7 @@ private:
   vtkHardwareSelector* Selector;
 };
 
-/// Of CellSelection.glsl: what this pass asks for. See vtkHardwareSelector::PassTypes.
+/// Of SelectionColor.glsl: what this pass asks for. See vtkHardwareSelector::PassTypes.
 void SetSelectionUniforms(vtkShaderProgram* program, vtkHardwareSelector* selector);
 
 #endif
