@@ -57,9 +57,9 @@ struct DynamicShellSource
 ///
 /// Threads: made on a WORKER; then HAPTIC, one thread at a time: takes no memory, no lock, and does
 /// not throw. The same calls give the same points, with the same instruction set; with another one
-/// within 1e-5 of a voxel, but for one in thousands (BlockKernels.h). One for each pair of body and map. Memory: 28 B
-/// a point, 7 KB a block that may be served at once (one for 32 points), 20 B a block of the
-/// volume.
+/// within 1e-5 of a voxel, but for one in thousands (BlockKernels.h). One for each pair of body and
+/// map. Memory: 28 B a point, 7 KB a block that may be served at once (one for 32 points), 20 B a
+/// block of the volume.
 class DynamicPointShell
 {
 public:
