@@ -3,7 +3,7 @@
 #include "ReportCellsParts.h"
 
 #include "CellChecks.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
 #include "ReportRegistry.h"

@@ -3,7 +3,7 @@
 #include "ReportCellsParts.h"
 
 #include "CellChecks.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/Phantom.h"
 #include "Isosurface/ClusteredCells.h"
 #include "MeasuredChild.h"

@@ -1,7 +1,7 @@
 // After a cut of the view, and after the isovalue has jumped: how soon is how much right?
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCaster.h"
 #include "ReportRegistry.h"

@@ -3,7 +3,7 @@
 #include "RaycachingScene.h"
 
 #include "CellDepth.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Devices/HeadTracker.h"
 #include "Devices/RecordedHeadPose.h"
 #include "Devices/SimulatedHeadPath.h"

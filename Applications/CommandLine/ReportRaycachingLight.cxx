@@ -1,7 +1,7 @@
 // Light that adds up in a cache, against light by rays of each pixel's own.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "DirectLight.h"
 #include "Evaluation/Flip.h"
 #include "ReportRegistry.h"

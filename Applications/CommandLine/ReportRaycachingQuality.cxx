@@ -2,7 +2,7 @@
 #include "RaycachingScene.h"
 
 #include "CellDepth.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCache.h"
 #include "ReportRegistry.h"

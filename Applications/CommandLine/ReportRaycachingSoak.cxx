@@ -1,7 +1,7 @@
 // A long walk: does anything grow, go wrong or get there twice?
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "HaspGL.h"
 #include "Isosurface/RayCache.h"

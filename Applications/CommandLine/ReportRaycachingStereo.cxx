@@ -1,7 +1,7 @@
 // What the second eye costs: bricks and time.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCache.h"
 #include "ReportRegistry.h"

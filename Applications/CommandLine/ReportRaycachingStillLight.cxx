@@ -1,7 +1,7 @@
 // How light that adds up converges in a picture that does not move.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Grid/ParallelFor.h"
 #include "Isosurface/ActiveCells.h"

@@ -1,5 +1,5 @@
 // Disparities in every layout, on a screen and in a head-mounted display.
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "DisparityScene.h"
 #include "ReportRegistry.h"
 #include "ReportStereo.h"

@@ -1,6 +1,6 @@
 #include "CellChecks.h"
 #include "CellDepth.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
