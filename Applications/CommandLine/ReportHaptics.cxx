@@ -70,7 +70,9 @@ void ReportHaptics(ReportContext& context)
   context.progress(0.0, "haptics: a loop of 1 kHz beside rendering");
   Rendering rendering;
   const double seconds = context.settings.soak ? 600.0 : context.settings.quick ? 2.0 : 30.0;
-  TryLoop(context, seconds, [&rendering] { rendering.Draw(); }, Rendering::Text);
+  TryLoop(
+    context, seconds, [&rendering] { rendering.Draw(); }, Rendering::Text);
+  AddUnusedHaptics(context);
 }
 
 } // namespace hasp

@@ -89,7 +89,8 @@ void AddShare(ReportContext& context)
   share.id = "stability.pass";
   share.value = double(held) / double(rows.size());
   share.unit = "share of cases whose outcome is the predicted one";
-  share.rival = "the prediction: closed forms, the rule by brute force, roots in long double, spectral radii";
+  share.rival =
+    "the prediction: closed forms, the rule by brute force, roots in long double, spectral radii";
   share.n = int(rows.size());
   ReportRow count = share;
   count.id = "stability.rows";

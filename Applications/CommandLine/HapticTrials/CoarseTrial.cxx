@@ -1,5 +1,5 @@
-#include "Haptics/CoarsePhase.h"
 #include "HapticTrials.h"
+#include "Haptics/CoarsePhase.h"
 #include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "TrialBody.h"
@@ -86,9 +86,8 @@ void AddRow(ReportContext& context, Trembling& shell, const TrialBody& body, con
       [&] { return ThreadTimeOf([&] { all = shell.Feel(apart, false); }); }, settings);
   times.a.wallS /= Ticks;
   times.a.cpuS /= Ticks;
-  ReportRow row = CpuRatio(
-    IdAt(std::string("haptics.coarse.") + place.name, body.Size(), 128), times,
-    "the same kernels on all points",
+  ReportRow row = CpuRatio(IdAt(std::string("haptics.coarse.") + place.name, body.Size(), 128),
+    times, "the same kernels on all points",
     { WrenchError(left.contact, all.contact, body.Radius()), "of the force" },
     std::to_string(body.Size()) + "^3, 20000 points, " + std::to_string(all.contacts / Ticks) +
       " in contact, trembling 0.1 mm; " + place.aim + "time without / with",

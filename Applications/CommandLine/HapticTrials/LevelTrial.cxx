@@ -1,5 +1,5 @@
-#include "Haptics/CostModel.h"
 #include "HapticTrials.h"
+#include "Haptics/CostModel.h"
 #include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "SimdScene.h"
@@ -9,13 +9,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <span>
 
 namespace hasp
 {
 namespace
 {
 
-constexpr int Poses = 60, Points = 65'536;
+constexpr int Poses = 60, TimedPoses = 10, Points = 65'536;
 constexpr const char* Plain = "one point after the other";
 
 /// A rough body, its shell in levels, and poses in which it touches a body like itself.
@@ -26,11 +28,11 @@ struct LevelScene
   std::vector<RigidPose> poses;
 
   int Last() const { return this->shell->Levels() - 1; }
-  std::vector<Wrench> Feel(const ContactKernels& kernels, int level) const
+  std::vector<Wrench> Feel(const ContactKernels& kernels, int level, int count = Poses) const
   {
     const std::vector<ContactPoints> runs = UpTo(*this->shell, level);
     std::vector<Wrench> felt;
-    for (const RigidPose& pose : this->poses)
+    for (const RigidPose& pose : std::span(this->poses).first(static_cast<std::size_t>(count)))
     {
       ContactSums sums;
       kernels[ContactTerms::Matrix](
@@ -64,10 +66,10 @@ Costs Measure(const LevelScene& scene)
   for (int level = 0; level <= scene.Last(); ++level)
   {
     const auto of = [&](const ContactKernels& kernels)
-    { return ThreadTimeOf([&] { scene.Feel(kernels, level); }); };
-    const PairedTimes times = ComparePairs([&] { return of(ScalarContactKernels()); },
-      [&] { return of(FastestContactKernels()); });
-    costs.push_back({ times.a.cpuS / Poses, times.b.cpuS / Poses });
+    { return ThreadTimeOf([&] { scene.Feel(kernels, level, TimedPoses); }); };
+    const PairedTimes times = ComparePairs(
+      [&] { return of(ScalarContactKernels()); }, [&] { return of(FastestContactKernels()); });
+    costs.push_back({ times.a.cpuS / TimedPoses, times.b.cpuS / TimedPoses });
   }
   return costs;
 }
@@ -85,8 +87,8 @@ int LevelsIn(double budgetS, const PointShell& shell, double secondsPerPoint)
   return levels;
 }
 
-void AddCurves(ReportContext& context, const LevelScene& scene, const std::string& name,
-  const std::string& data)
+void AddCurves(
+  ReportContext& context, const LevelScene& scene, const std::string& name, const std::string& data)
 {
   const Costs costs = Measure(scene);
   std::vector<double> errors;
@@ -103,9 +105,9 @@ void AddCurves(ReportContext& context, const LevelScene& scene, const std::strin
       levels.points.emplace_back(1e3 * costs[level][method], 100.0 * errors[level]);
     const double perPoint = costs.back()[method] / scene.shell->LevelEnd(scene.Last());
     for (const double budget : { 25e-6, 50e-6, 100e-6, 200e-6, 400e-6, 800e-6 })
-      budgets.points.emplace_back(
-        1e3 * budget, 100.0 * errors[std::clamp(LevelsIn(budget, *scene.shell, perPoint) - 1, 0,
-                               scene.Last() - 1)]);
+      budgets.points.emplace_back(1e3 * budget,
+        100.0 *
+          errors[std::clamp(LevelsIn(budget, *scene.shell, perPoint) - 1, 0, scene.Last() - 1)]);
     context.report.curves.insert(context.report.curves.end(), { levels, budgets });
   }
   double worst = 0.0;

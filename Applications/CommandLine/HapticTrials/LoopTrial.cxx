@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 
 namespace hasp
 {
@@ -51,8 +53,7 @@ void LoopFigures::Add(const LoopFigures& other)
   this->shortfalls = other.shortfalls;
 }
 
-LoopFigures LoopTrial::Run(
-  double seconds, bool withTool, const std::function<void()>& beside)
+LoopFigures LoopTrial::Run(double seconds, bool withTool, const std::function<void()>& beside)
 {
   LoopThread loop;
   Tool* tool = withTool ? this->Held.get() : nullptr;
@@ -89,7 +90,8 @@ double MissedShare(const LoopFigures& figures)
 std::string Text(double figure, const char* unit)
 {
   char text[120];
-  std::snprintf(text, sizeof text, "a loop that does nothing, in the same run: %.4g %s", figure, unit);
+  std::snprintf(
+    text, sizeof text, "a loop that does nothing, in the same run: %.4g %s", figure, unit);
   return text;
 }
 
@@ -142,12 +144,37 @@ void TryLoop(
   AddRow(context, "p50", late(ours, 0.5), late(bare, 0.5), "us late", ours, data);
   AddRow(context, "p99", late(ours, 0.99), late(bare, 0.99), "us late", ours, data + "; aim 130");
   AddRow(context, "p999", late(ours, 0.999), late(bare, 0.999), "us late", ours, data);
-  AddRow(
-    context, "missed", MissedShare(ours), MissedShare(bare), "share of periods", ours, data);
+  AddRow(context, "missed", MissedShare(ours), MissedShare(bare), "share of periods", ours, data);
   for (const auto& [method, figures] :
     { std::pair("haptic loop", &ours), std::pair("bare loop", &bare) })
     if (ReportCurve curve = Histogram(method, *figures); !curve.points.empty())
       context.report.curves.push_back(curve);
+}
+
+void AddUnusedHaptics(ReportContext& context)
+{
+  const auto threads = []
+  {
+    std::error_code none;
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task", none),
+      std::filesystem::directory_iterator());
+  };
+  constexpr std::size_t Stack = 8UL << 20;
+  const auto before = threads();
+  HapticStep step;
+  const LoopThread loop;
+  auto scene = std::make_unique<HapticScene>(std::vector<HapticShell>{}, std::vector<HapticBody>{});
+  ResourceList working;
+  scene->ListResources(working);
+  step.Swap(scene);
+  step.Tick({});
+  std::size_t bytes = 0;
+  for (const ResourceUse& use : working)
+    bytes += use.bytes;
+  const char* why = "nothing can be touched";
+  const auto grown = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, threads() - before));
+  context.report.unused.push_back({ "haptic maps and shells: working memory", bytes, 0.0, why });
+  context.report.unused.push_back({ "haptic thread", grown * Stack, 0.0, why });
 }
 
 } // namespace hasp

@@ -41,4 +41,7 @@ private:
 void TryLoop(
   ReportContext& context, double seconds, const std::function<void()>& beside, const char* what);
 
+/// What a program holds in which a step ticks and nothing can be touched: to be 0.
+void AddUnusedHaptics(ReportContext& context);
+
 } // namespace hasp

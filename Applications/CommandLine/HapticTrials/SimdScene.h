@@ -37,7 +37,8 @@ private:
   rival::Map RivalMap;
 };
 
-/// Those of this build and processor whose name begins so: "AVX2", or "AVX3" for AVX-512. Null: none.
+/// Those of this build and processor whose name begins so: "AVX2", or "AVX3" for AVX-512. Null:
+/// none.
 const ContactKernels* FindKernels(const std::string& prefix);
 /// Why not: of this build, or of the processor.
 std::string WhyNoKernels(const std::string& name);

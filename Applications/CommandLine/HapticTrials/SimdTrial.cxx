@@ -45,8 +45,8 @@ std::string DataText(const SimdScene& scene, ContactTerms terms)
   return text;
 }
 
-PairedTimes Race(const SimdScene& scene, const ContactKernels& kernels, ContactTerms terms,
-  bool native, int pairs)
+PairedTimes Race(
+  const SimdScene& scene, const ContactKernels& kernels, ContactTerms terms, bool native, int pairs)
 {
   constexpr int Repeats = 4; // a millisecond or more each
   const auto many = [](const std::function<void()>& feel)
@@ -56,9 +56,9 @@ PairedTimes Race(const SimdScene& scene, const ContactKernels& kernels, ContactT
   };
   PairSettings settings;
   settings.pairs = pairs;
-  PairedTimes times = ComparePairs(
-    [&] { return ThreadTimeOf([&] { many([&] { scene.Ours(kernels, terms); }); }); },
-    [&] { return ThreadTimeOf([&] { many([&] { scene.Rival(terms, native); }); }); }, settings);
+  PairedTimes times =
+    ComparePairs([&] { return ThreadTimeOf([&] { many([&] { scene.Ours(kernels, terms); }); }); },
+      [&] { return ThreadTimeOf([&] { many([&] { scene.Rival(terms, native); }); }); }, settings);
   for (Timing* timing : { &times.a, &times.b })
   {
     timing->wallS /= Repeats;
@@ -81,8 +81,8 @@ void AddRow(ReportContext& context, const SimdScene& scene, const SimdBar& bar)
       continue;
     }
     const PairedTimes times = Race(scene, *kernels, bar.terms, native, quick ? 15 : 61);
-    const double error = WrenchError(scene.Ours(*kernels, bar.terms).contact,
-      scene.Truth(bar.terms).contact, scene.Radius());
+    const double error = WrenchError(
+      scene.Ours(*kernels, bar.terms).contact, scene.Truth(bar.terms).contact, scene.Radius());
     ReportRow row = CpuRatio(id, times, rival, { error, "of the force" },
       std::string(kernels->name) + ", " + DataText(scene, bar.terms), true);
     // AVX-512's bars are those of 128^3.

@@ -23,8 +23,7 @@ std::vector<StabilityRow> Chosen(bool quick)
   std::vector<StabilityRow> rows = StabilityRows();
   std::set<std::string> seen;
   if (quick)
-    std::erase_if(rows,
-      [&](const StabilityRow& row)
+    std::erase_if(rows, [&](const StabilityRow& row)
       { return !seen.insert(FamilyOf(row) + row.predicted.Faults()).second; });
   return rows;
 }

@@ -1,5 +1,5 @@
-#include "Haptics/HapticStep.h"
 #include "HapticTrials.h"
+#include "Haptics/HapticStep.h"
 #include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "SimdScene.h"

@@ -63,8 +63,7 @@ std::shared_ptr<const PointShell> TrialBody::FittingShell(int points) const
       if (run.x[n] != ContactPoints::FarAway)
         turned.push_back(
           { { run.x[n], run.y[n], run.z[n] }, { -run.nx[n], -run.ny[n], -run.nz[n] } });
-  return PointShell::OfPoints(
-    turned, same->SurfaceArea(), glm::dvec3(0.0), { .points = points });
+  return PointShell::OfPoints(turned, same->SurfaceArea(), glm::dvec3(0.0), { .points = points });
 }
 
 TrialShape BumpyShape(int samples)

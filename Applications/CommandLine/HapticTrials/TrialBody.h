@@ -14,9 +14,9 @@ namespace hasp
 /// A body in closed form: about a distance, mm, negative inside, and rough in each direction.
 struct TrialShape
 {
-  double radius = 38.0;  ///< mm
-  double bump = 0.8;     ///< height of its bumps, mm; their slope stays within a fifth of 1
-  double perBump = 6.0;  ///< bumps are 2 pi radius / perBump apart; not the same along all axes
+  double radius = 38.0; ///< mm
+  double bump = 0.8;    ///< height of its bumps, mm; their slope stays within a fifth of 1
+  double perBump = 6.0; ///< bumps are 2 pi radius / perBump apart; not the same along all axes
 };
 
 /// It on n^3 samples, 1 mm apart, the grid's middle at the origin; with its int16 map, which keeps

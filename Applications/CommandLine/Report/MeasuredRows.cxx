@@ -40,8 +40,8 @@ ReportRow RatioRow(const std::string& id, const PairedTimes& times, const Quarti
 ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
   const MeasuredError& error, const std::string& data, bool faster)
 {
-  ReportRow row = RatioRow(
-    id, times, Turned(times.ratio, faster), Turned(times.cpuRatio, faster).median, "CPU");
+  ReportRow row =
+    RatioRow(id, times, Turned(times.ratio, faster), Turned(times.cpuRatio, faster).median, "CPU");
   row.rival = rival;
   row.error = error.value;
   row.errorUnit = error.unit;
@@ -52,8 +52,8 @@ ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std:
 ReportRow CpuRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
   const MeasuredError& error, const std::string& data, bool faster)
 {
-  ReportRow row = RatioRow(
-    id, times, Turned(times.cpuRatio, faster), Turned(times.ratio, faster).median, "wall");
+  ReportRow row =
+    RatioRow(id, times, Turned(times.cpuRatio, faster), Turned(times.ratio, faster).median, "wall");
   row.rival = rival;
   row.error = error.value;
   row.errorUnit = error.unit;

@@ -51,8 +51,8 @@ struct ReportCurve
   std::vector<std::pair<double, double>> points;
 };
 
-/// One stiff or extreme case. `figure` must stay within `limit` to pass; where the case tells what is
-/// predicted, `figure` is what the prediction rests on, and it passes if that comes.
+/// One stiff or extreme case. `figure` must stay within `limit` to pass; where the case tells what
+/// is predicted, `figure` is what the prediction rests on, and it passes if that comes.
 struct ReportCase
 {
   std::string id;
