@@ -4,6 +4,7 @@
 #include "Haptics/ContactForce.h"
 #include "MeasuredRows.h"
 #include "ReportRegistry.h"
+#include "SimdScene.h"
 
 #include <glm/geometric.hpp>
 
@@ -107,6 +108,13 @@ private:
 void AddSpeed(ReportContext& context, const DynamicScene& scene, int mmPerS)
 {
   constexpr int Ticks = 100, Settling = 628; // twice to and fro
+  const std::string id = IdAt("haptics.simd.dynamic", mmPerS, 100);
+  if (AllContactKernels().size() == 1)
+  {
+    context.report.rows.push_back(
+      AbsentRow(id, "plain code that draws and evaluates as many", WhyNoKernels("vectors")));
+    return;
+  }
   const Way way{ scene.Touching(
                    glm::dvec3(1.0, 0.0, 0.0), TurnBy({ 0.0, 0.0, 3.0 }), *scene.truth, 1.0),
     static_cast<double>(mmPerS) };
@@ -144,8 +152,7 @@ void AddSpeed(ReportContext& context, const DynamicScene& scene, int mmPerS)
     "128^3, to and fro at %d mm/s pressed in by 1 mm, %d points drawn a tick, %zu evaluated; "
     "aim 5",
     mmPerS, draws, alive);
-  ReportRow row = CpuRatio(
-    IdAt("haptics.simd.dynamic", mmPerS, 100), times, text, { error, "of the force" }, data, true);
+  ReportRow row = CpuRatio(id, times, text, { error, "of the force" }, data, true);
   row.bars = { { 2.5, {} } };
   context.report.rows.push_back(row);
 }

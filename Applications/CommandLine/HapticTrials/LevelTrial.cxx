@@ -96,7 +96,7 @@ void AddCurves(
     errors.push_back(scene.Error(level));
   const std::string id = "haptics.error.levels@" + name;
   const std::array<std::string, 2> methods{ Plain, FastestContactKernels().name };
-  for (int method = 0; method < (methods[0] == methods[1] ? 1 : 2); ++method)
+  for (int method = 0; method < (AllContactKernels().size() == 1 ? 1 : 2); ++method)
   {
     ReportCurve levels{ id, methods[method], "ms", "% of the force", {} };
     ReportCurve budgets{ "haptics.error.budgets@" + name, methods[method], "ms of budget",
