@@ -92,6 +92,7 @@ void AddRow(ReportContext& context, Trembling& shell, const TrialBody& body, con
     std::to_string(body.Size()) + "^3, 20000 points, " + std::to_string(all.contacts / Ticks) +
       " in contact, trembling 0.1 mm; " + place.aim + "time without / with",
     true);
+  row.unit = "times as fast";
   if (place.bar)
     row.bars = { { place.bar, {} } };
   context.report.rows.push_back(row);
