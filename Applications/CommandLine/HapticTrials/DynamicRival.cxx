@@ -84,6 +84,8 @@ void DynamicShell::Update(const Pose& pose, int draws, float marginMm)
     if (Find(this->Other, pose.turn * middle + pose.position, corners) &&
         corners.Value() <= radius + marginMm)
       this->Near.push_back(&block);
+    else
+      block.cells.clear();
   }
   for (int n = 0; n < draws && !this->Near.empty(); ++n)
   {

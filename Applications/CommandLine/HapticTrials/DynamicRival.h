@@ -11,7 +11,8 @@ namespace rival::o2
 /// What a developer writes for a shell that follows contact: each tick it looks at all blocks that
 /// the surface crosses, draws points at random in crossed cells of those that are near, puts them
 /// onto the surface by Newton steps, and into a ring, where the oldest ones go. A block's cells are
-/// looked for once, and kept. Points are not spread evenly over the area, nor faded.
+/// looked for when it comes near, and forgotten when it goes: nothing is prepared. Points are not
+/// spread evenly over the area, nor faded.
 class DynamicShell
 {
 public:

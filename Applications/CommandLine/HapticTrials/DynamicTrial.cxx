@@ -153,7 +153,9 @@ void AddSpeed(ReportContext& context, const DynamicScene& scene, int mmPerS)
     "aim 5",
     mmPerS, draws, alive);
   ReportRow row = CpuRatio(id, times, text, { error, "of the force" }, data, true);
-  row.bars = { { 2.5, {} } };
+  // At 1 m/s few of the ring's points live, and all of it is evaluated: told, not asked for.
+  if (mmPerS == 100)
+    row.bars = { { 2.5, {} } };
   context.report.rows.push_back(row);
 }
 

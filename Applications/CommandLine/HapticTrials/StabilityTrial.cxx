@@ -43,10 +43,12 @@ ReportCase Try(const StabilityRow& row)
   return tried;
 }
 
-void AddSoak(ReportContext& context, std::uint64_t ticks)
+using Soak = SoakFigures (*)(std::uint64_t, std::uint32_t, const ProgressFunction&);
+
+void AddSoak(ReportContext& context, const std::string& name, Soak run, std::uint64_t ticks)
 {
-  const std::string what = std::to_string(ticks) + " ticks: ";
-  const SoakFigures figures = RunSoak(ticks, static_cast<std::uint32_t>(context.settings.seed),
+  context.progress(0.0, "stability: haptics, ticks of " + name);
+  const SoakFigures figures = run(ticks, static_cast<std::uint32_t>(context.settings.seed),
     [&](double share)
     {
       context.progress(share, "");
@@ -54,12 +56,13 @@ void AddSoak(ReportContext& context, std::uint64_t ticks)
     });
   const auto add = [&](const char* id, const std::string& text, std::uint64_t count)
   {
-    context.report.stability.push_back({ id, what + text, count == 0 && figures.ticks == ticks,
-      static_cast<double>(count), 0.0, "ticks" });
+    context.report.stability.push_back(
+      { std::string("haptics.soak.") + id + "@" + name, std::to_string(ticks) + " ticks: " + text,
+        count == 0 && figures.ticks == ticks, static_cast<double>(count), 0.0, "ticks" });
   };
-  add("haptics.soak.finite", "a wrench or tool that is no number", figures.notFinite);
-  add("haptics.soak.limit", "a force beyond the limit", figures.overLimit);
-  add("haptics.soak.slew", "a force that grew too fast", figures.overSlew);
+  add("finite", "a wrench or tool that is no number", figures.notFinite);
+  add("limit", "a force beyond the limit", figures.overLimit);
+  add("slew", "a force that grew too fast", figures.overSlew);
 }
 
 } // namespace
@@ -75,8 +78,9 @@ void TryStability(ReportContext& context)
     context.report.stability.push_back(Try(row));
     context.progress(++done / static_cast<double>(rows.size()), "");
   }
-  context.progress(0.0, "stability: haptics, ticks");
-  AddSoak(context, context.settings.soak ? 86'400'000 : quick ? 60'000 : 600'000);
+  const std::uint64_t ticks = context.settings.soak ? 86'400'000 : quick ? 60'000 : 600'000;
+  AddSoak(context, "coupling", RunSoak, ticks);
+  AddSoak(context, "step", RunStepSoak, ticks);
 }
 
 } // namespace hasp

@@ -123,8 +123,9 @@ TEST(HapticTrials, QuickStabilityTriesOneOfEachFamilyAndOutcome)
   }
   EXPECT_GE(oscillating, 3);
   EXPECT_GE(stable, 8);
-  for (const char* id : { "haptics.soak.finite", "haptics.soak.limit", "haptics.soak.slew" })
-    EXPECT_TRUE(ids.contains(id)) << id;
+  for (const char* id : { "finite", "limit", "slew" })
+    for (const char* of : { "@coupling", "@step" })
+      EXPECT_TRUE(ids.contains(std::string("haptics.soak.") + id + of)) << id << of;
   EXPECT_TRUE(ReportFaults(report).empty());
 }
 
