@@ -23,16 +23,22 @@ constexpr double Grazing = 0.2;
 constexpr double OtherSheet = 0.25; // voxels
 constexpr double Aside = 1e-4;      // voxels: no float ray of a large volume is better
 constexpr double Rounding = 1e-6;   // of the largest corner: a dozen float operations
-constexpr int Directions = 16;
-constexpr double Small = 1e-4; // voxels: such errors need no excuse
+constexpr double Small = 1e-4;      // voxels: such errors need no excuse
 
 /// What is shown, against what the ray truly meets for one isovalue.
 bool Agree(
-  const std::optional<TrilinearHit>& hit, const std::optional<glm::dvec3>& shown, double voxel)
+  const std::optional<glm::dvec3>& hit, const std::optional<glm::dvec3>& shown, double voxel)
 {
   if (!hit || !shown)
     return !hit && !shown;
-  return glm::length(hit->position - *shown) <= OtherSheet * voxel;
+  return glm::length(*hit - *shown) <= OtherSheet * voxel;
+}
+
+std::optional<glm::dvec3> FirstHit(
+  const DepthTruth& truth, double isovalue, const glm::dvec3& origin, const glm::dvec3& direction)
+{
+  const auto hit = FirstTrilinearHit(truth.grid, isovalue, origin, direction);
+  return hit ? std::optional(hit->position) : std::nullopt;
 }
 
 /// The largest |corner - isovalue| of the cell at a place in the world: what float values there are
@@ -50,52 +56,39 @@ double ScaleAt(const DepthTruth& truth, const glm::dvec3& place)
   return scale;
 }
 
-/// What this ray meets at isovalues a rounding apart, and what the rays beside it meet.
-std::array<std::optional<TrilinearHit>, Directions + 2> Nearby(
-  const DepthTruth& truth, const WorldRay& ray, const glm::dvec3& place)
+/// What ray n meets at isovalues a rounding apart, and what the rays beside it meet.
+std::array<std::optional<glm::dvec3>, DepthTruth::Beside + 2> Nearby(
+  const DepthTruth& truth, std::size_t n, const glm::dvec3& place)
 {
-  const GridGeometry& g = GeometryOf(truth.grid);
-  const glm::dvec3 any =
-    std::abs(ray.direction.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(ray.direction, any));
-  const glm::dvec3 v = glm::cross(ray.direction, u);
-  std::array<std::optional<TrilinearHit>, Directions + 2> hits;
-  for (int n = 0; n < Directions; ++n)
-  {
-    const double angle = glm::two_pi<double>() * n / Directions;
-    const glm::dvec3 way = std::cos(angle) * u + std::sin(angle) * v;
-    const double voxels = glm::length(g.WorldToIndex(g.origin + way));
-    const glm::dvec3 origin = ray.origin + Aside / voxels * way;
-    hits[n] = FirstTrilinearHit(truth.grid, truth.isovalue, origin, ray.direction);
-  }
+  std::array<std::optional<glm::dvec3>, DepthTruth::Beside + 2> hits;
+  const auto& beside = truth.HitsBeside(n);
+  const auto rest = std::copy(beside.begin(), beside.end(), hits.begin());
+  const WorldRay& ray = truth.rays[n];
   const double rounding = Rounding * ScaleAt(truth, place);
-  hits[Directions] =
-    FirstTrilinearHit(truth.grid, truth.isovalue - rounding, ray.origin, ray.direction);
-  hits[Directions + 1] =
-    FirstTrilinearHit(truth.grid, truth.isovalue + rounding, ray.origin, ray.direction);
+  rest[0] = FirstHit(truth, truth.isovalue - rounding, ray.origin, ray.direction);
+  rest[1] = FirstHit(truth, truth.isovalue + rounding, ray.origin, ray.direction);
   return hits;
 }
 
-bool RightNearby(const DepthTruth& truth, const WorldRay& ray, const glm::dvec3& place,
+bool RightNearby(const DepthTruth& truth, std::size_t n, const glm::dvec3& place,
   const std::optional<glm::dvec3>& shown, double voxel)
 {
-  const auto nearby = Nearby(truth, ray, place);
+  const auto nearby = Nearby(truth, n, place);
   return std::any_of(nearby.begin(), nearby.end(),
-    [&](const std::optional<TrilinearHit>& other) { return Agree(other, shown, voxel); });
+    [&](const std::optional<glm::dvec3>& other) { return Agree(other, shown, voxel); });
 }
 
 /// How many times a step of 1e-4 voxel aside, or a rounding, is magnified along the ray; infinite
 /// at an edge of what is seen.
-double Condition(
-  const DepthTruth& truth, const DepthTruth::Hit& hit, const WorldRay& ray, double voxel)
+double Condition(const DepthTruth& truth, const DepthTruth::Hit& hit, std::size_t n, double voxel)
 {
   double largest = 0.0;
-  for (const auto& other : Nearby(truth, ray, hit.position))
+  for (const auto& other : Nearby(truth, n, hit.position))
   {
     if (!other)
       return HUGE_VAL;
-    largest = std::max(
-      largest, std::abs(glm::dot(other->position - hit.position, ray.direction)) / (Aside * voxel));
+    largest = std::max(largest,
+      std::abs(glm::dot(*other - hit.position, truth.rays[n].direction)) / (Aside * voxel));
   }
   return largest;
 }
@@ -115,6 +108,29 @@ DepthTruth::DepthTruth(const AnyGridView& grid_, double isovalue_, std::vector<W
         if (const auto hit = FirstTrilinearHit(grid, isovalue, rays[n].origin, rays[n].direction))
           hits[n] = Hit{ hit->position, hit->gradient };
     });
+}
+
+const std::array<std::optional<glm::dvec3>, DepthTruth::Beside>& DepthTruth::HitsBeside(
+  std::size_t n) const
+{
+  const auto [found, fresh] = this->Found.try_emplace(n);
+  if (!fresh)
+    return found->second;
+  const GridGeometry& g = GeometryOf(this->grid);
+  const WorldRay& ray = this->rays[n];
+  const glm::dvec3 any =
+    std::abs(ray.direction.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(ray.direction, any));
+  const glm::dvec3 v = glm::cross(ray.direction, u);
+  for (int side = 0; side < Beside; ++side)
+  {
+    const double angle = glm::two_pi<double>() * side / Beside;
+    const glm::dvec3 way = std::cos(angle) * u + std::sin(angle) * v;
+    const double voxels = glm::length(g.WorldToIndex(g.origin + way));
+    found->second[side] =
+      FirstHit(*this, this->isovalue, ray.origin + Aside / voxels * way, ray.direction);
+  }
+  return found->second;
 }
 
 std::vector<WorldRay> PixelRays(const IsosurfaceView& view)
@@ -165,7 +181,7 @@ DepthErrors Measure(const DepthTruth& truth, const SurfacePoints& shown, bool ex
     if (error > OtherSheet)
     {
       const glm::dvec3 place = shown[n] ? *shown[n] : hit->position;
-      if (excuses && RightNearby(truth, truth.rays[n], place, shown[n], voxel))
+      if (excuses && RightNearby(truth, n, place, shown[n], voxel))
         ++result.tangent;
       else
         ++(hit ? result.missed : result.invented);
@@ -173,7 +189,7 @@ DepthErrors Measure(const DepthTruth& truth, const SurfacePoints& shown, bool ex
     }
     result.maxAll = std::max(result.maxAll, error);
     if (Facing(*hit, truth.rays[n]) < Grazing ||
-        (excuses && error > Small && Condition(truth, *hit, truth.rays[n], voxel) > 1.0 / Grazing))
+        (excuses && error > Small && Condition(truth, *hit, n, voxel) > 1.0 / Grazing))
       continue;
     errors.push_back(error);
     squares += error * error;

@@ -3,7 +3,9 @@
 #include "IsosurfaceMethods.h"
 #include "WorldRay.h"
 
+#include <array>
 #include <string>
+#include <unordered_map>
 
 namespace hasp
 {
@@ -11,9 +13,10 @@ namespace hasp
 /// A ray through each pixel's centre, row by row from below.
 std::vector<WorldRay> PixelRays(const IsosurfaceView& view);
 
-/// What rays meet first, by FirstTrilinearHit.
+/// What rays meet first, by FirstTrilinearHit. One thread at a time.
 struct DepthTruth
 {
+  static constexpr int Beside = 16;
   struct Hit
   {
     glm::dvec3 position; ///< world, mm
@@ -27,6 +30,13 @@ struct DepthTruth
   DepthTruth(const AnyGridView& grid, double isovalue, std::vector<WorldRay> rays);
   /// Of PixelRays.
   explicit DepthTruth(const IsosurfaceView& view);
+
+  /// What the rays meet that lie 1e-4 voxel beside ray n, all round it. Found once, for all
+  /// renderers whose errors are looked at; half a KiB a ray.
+  const std::array<std::optional<glm::dvec3>, Beside>& HitsBeside(std::size_t n) const;
+
+private:
+  mutable std::unordered_map<std::size_t, std::array<std::optional<glm::dvec3>, Beside>> Found;
 };
 
 /// Distances along the rays between what is shown and the truth, voxels (of the smallest spacing).

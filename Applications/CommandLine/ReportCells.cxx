@@ -1,6 +1,6 @@
 #include "ReportCells.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportCellsParts.h"
 #include "ReportRegistry.h"
 #include "ReportVolume.h"

@@ -2,10 +2,10 @@
 #include "ReportCellsParts.h"
 
 #include "CellChecks.h"
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
 #include "Isosurface/CompactCells.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "RivalMesh.h"
 #include "vtkHaspVolumeView.h"

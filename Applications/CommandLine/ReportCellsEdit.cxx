@@ -3,9 +3,9 @@
 #include "ReportCellsParts.h"
 
 #include "CellChecks.h"
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspVolumeView.h"
 

@@ -3,7 +3,7 @@
 
 #include "CellDepth.h"
 #include "CellRenderers.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 
 #include "vtkImageData.h"

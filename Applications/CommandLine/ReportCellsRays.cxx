@@ -3,7 +3,7 @@
 
 #include "CellDepth.h"
 #include "CellRays.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "RivalMesh.h"
 #include "RivalTriangles.h"

@@ -3,10 +3,10 @@
 #include "ReportCellsParts.h"
 
 #include "CellChecks.h"
-#include "CellRows.h"
 #include "Grid/Phantom.h"
 #include "Isosurface/ClusteredCells.h"
 #include "MeasuredChild.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspCellFile.h"
 #include "vtkHaspOutputFile.h"

@@ -2,7 +2,7 @@
 #include "ReportCellsParts.h"
 
 #include "CellRenderers.h"
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 
 namespace hasp

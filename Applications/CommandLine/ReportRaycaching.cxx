@@ -1,6 +1,6 @@
 #include "ReportRaycaching.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "RaycachingScene.h"
 #include "ReportRegistry.h"
 #include "ReportVolume.h"

@@ -1,9 +1,9 @@
 // After a cut of the view, and after the isovalue has jumped: how soon is how much right?
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCaster.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspVolumeView.h"
 

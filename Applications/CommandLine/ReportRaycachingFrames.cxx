@@ -1,7 +1,7 @@
 // Frames along the recorded paths: ours against every direct way there is.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 
 #include "vtkImageData.h"

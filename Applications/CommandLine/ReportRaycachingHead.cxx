@@ -3,10 +3,10 @@
 #include "RaycachingScene.h"
 
 #include "CellDepth.h"
-#include "CellRows.h"
 #include "Devices/HeadTracker.h"
 #include "Devices/RecordedHeadPose.h"
 #include "Devices/SimulatedHeadPath.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspStereoCamera.h"
 

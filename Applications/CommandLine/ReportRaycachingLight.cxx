@@ -1,9 +1,9 @@
 // Light that adds up in a cache, against light by rays of each pixel's own.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
 #include "DirectLight.h"
 #include "Evaluation/Flip.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 
 #include <algorithm>

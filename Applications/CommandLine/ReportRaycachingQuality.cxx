@@ -2,9 +2,9 @@
 #include "RaycachingScene.h"
 
 #include "CellDepth.h"
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCache.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspVolumeView.h"
 

@@ -1,10 +1,10 @@
 // A long walk: does anything grow, go wrong or get there twice?
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "HaspGL.h"
 #include "Isosurface/RayCache.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspVolumeView.h"
 

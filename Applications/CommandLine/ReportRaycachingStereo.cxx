@@ -1,9 +1,9 @@
 // What the second eye costs: bricks and time.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/RayCache.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspVolumeView.h"
 

@@ -1,11 +1,11 @@
 // How light that adds up converges in a picture that does not move.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Grid/ParallelFor.h"
 #include "Isosurface/ActiveCells.h"
 #include "Isosurface/LightCache.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "vtkHaspVolumeView.h"
 

@@ -1,7 +1,7 @@
 // What `hasp report raycaching` says of light in a build without Embree.
 #include "RaycachingScene.h"
 
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 
 namespace hasp

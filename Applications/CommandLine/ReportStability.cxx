@@ -7,6 +7,7 @@
 #include "Isosurface/CompactCells.h"
 #include "ReportRegistry.h"
 #include "StabilityChecks.h"
+#include "StabilityTrial.h"
 #include "Windows.h"
 #include "vtkHaspVolumeView.h"
 
@@ -83,12 +84,13 @@ void AddShare(ReportContext& context)
 {
   const auto& rows = context.report.stability;
   const auto held =
-    std::count_if(rows.begin(), rows.end(), [](const StabilityRow& row) { return row.pass; });
+    std::count_if(rows.begin(), rows.end(), [](const ReportCase& row) { return row.pass; });
   ReportRow share;
   share.id = "stability.pass";
   share.value = double(held) / double(rows.size());
   share.unit = "share of cases whose outcome is the predicted one";
-  share.rival = "the prediction: closed forms, the rule by brute force, roots in long double";
+  share.rival =
+    "the prediction: closed forms, the rule by brute force, roots in long double, spectral radii";
   share.n = int(rows.size());
   ReportRow count = share;
   count.id = "stability.rows";
@@ -115,6 +117,7 @@ void ReportStability(ReportContext& context)
   context.progress(done / double(volumes.size() + 1), "stability: eyes");
   CheckStableEyes(context, ball, pixels);
   CheckRefusals(context, ball);
+  TryStability(context);
   AddShare(context);
 }
 

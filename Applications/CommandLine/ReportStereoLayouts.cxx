@@ -1,6 +1,6 @@
 // Disparities in every layout, on a screen and in a head-mounted display.
-#include "CellRows.h"
 #include "DisparityScene.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "ReportStereo.h"
 

@@ -1,5 +1,5 @@
 // Outlines in each eye, against those of a mesh.
-#include "CellRows.h"
+#include "MeasuredRows.h"
 #include "ReportRegistry.h"
 #include "ReportStereo.h"
 #include "SilhouetteScene.h"

@@ -6,6 +6,7 @@
 #include "ReportRaycaching.h"
 #include "ReportStability.h"
 #endif
+#include "ReportHaptics.h"
 #include "ReportImport.h"
 #include "ReportStereo.h"
 
@@ -23,9 +24,14 @@ const std::vector<ReportEntry>& ReportRegistry()
         ReportCells },
       { "raycaching", "frames, holes and errors of the ray cache, against direct ray casts",
         ReportRaycaching },
-      { "stability", "what is predicted of extreme volumes, rays and eyes, against what comes",
+      { "stability",
+        "what is predicted of extreme volumes, rays, eyes and haptic loops, against what comes",
         ReportStability },
 #endif
+      { "haptics",
+        "contact points, levels and Snap-to-fit in a tick, and what they are off by, "
+        "against plain code",
+        ReportHaptics },
       { "import", "where samples lie and how long reading takes, against other readers",
         ReportImport },
       { "stereo", "where points lie in both eyes, against VTK's own stereo", ReportStereo },

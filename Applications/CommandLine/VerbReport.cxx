@@ -145,8 +145,9 @@ void AddReportVerb(CLI::App& app, Session& session)
         options->settings.soak = true;
         options->settings.soakFrames = int(frames);
       },
-      "Also what takes long: 2048^3 samples, a hundred million rays (hours), and a walk of so many "
-      "frames with a line of progress each 2 % (raycaching: 10000 frames take about half an hour)")
+      "Also what takes long: 2048^3 samples, a hundred million rays (hours), haptic loops beside "
+      "rendering (20 minutes), a day of haptic ticks, and a walk of so many frames with a line of "
+      "progress each 2 % (raycaching: 10000 frames take about half an hour)")
     ->check(CLI::Range(20, 10'000'000));
   verb->add_option("--seed", options->settings.seed, "Of every random case")->capture_default_str();
   options->settings.volume = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";

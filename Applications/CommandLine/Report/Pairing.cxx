@@ -20,6 +20,22 @@ Timing TimeOf(const std::function<void()>& work)
   return { spent.count(), static_cast<double>(cpuEnd - cpu) / CLOCKS_PER_SEC };
 }
 
+Timing ThreadTimeOf(const std::function<void()>& work)
+{
+  const auto cpuS = []
+  {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+  const auto wall = std::chrono::steady_clock::now();
+  const double cpu = cpuS();
+  work();
+  const double spent = cpuS() - cpu;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - wall;
+  return { passed.count(), spent };
+}
+
 Quartiles QuartilesOf(std::vector<double> figures)
 {
   if (figures.empty())

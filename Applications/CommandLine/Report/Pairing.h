@@ -15,6 +15,9 @@ struct Timing
 
 /// Runs `work` once. Whoever draws calls glFinish in it.
 Timing TimeOf(const std::function<void()>& work);
+/// The same with the CPU time of the calling thread alone, to the nanosecond: for work of one
+/// thread.
+Timing ThreadTimeOf(const std::function<void()>& work);
 
 /// Median and quartiles of figures; linear between ranks.
 struct Quartiles

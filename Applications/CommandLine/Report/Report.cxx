@@ -73,7 +73,7 @@ void CheckOnce(const Report& report, Faults& faults)
     once(row.id);
   for (const ReportCurve& curve : report.curves)
     once(curve.id + ", curve of " + curve.method);
-  for (const StabilityRow& row : report.stability)
+  for (const ReportCase& row : report.stability)
     once(row.id + ", case " + row.testCase);
 }
 
@@ -138,7 +138,7 @@ std::vector<std::string> ReportFaults(const Report& report)
     CheckRow(row, faults);
   for (const ReportCurve& curve : report.curves)
     CheckCurve(curve, faults);
-  for (const StabilityRow& row : report.stability)
+  for (const ReportCase& row : report.stability)
     faults.Check(std::isfinite(row.limit) && (std::isfinite(row.figure) || !row.pass),
       row.id + ", case " + row.testCase, "passes with a figure that is not finite");
   for (const ResourceUse& use : report.unused)

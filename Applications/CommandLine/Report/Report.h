@@ -51,8 +51,9 @@ struct ReportCurve
   std::vector<std::pair<double, double>> points;
 };
 
-/// One stiff or extreme case. `figure` must stay within `limit` to pass.
-struct StabilityRow
+/// One stiff or extreme case. `figure` must stay within `limit` to pass; where the case tells what
+/// is predicted, `figure` is what the prediction rests on, and it passes if that comes.
+struct ReportCase
 {
   std::string id;
   std::string testCase; ///< "k=100 N/mm T=1 ms m=0.05 kg"
@@ -80,7 +81,7 @@ struct Report
   bool quick = false;
   std::vector<ReportRow> rows;
   std::vector<ReportCurve> curves;
-  std::vector<StabilityRow> stability;
+  std::vector<ReportCase> stability;
   ResourceList unused; ///< what the scenes of this report skipped: 0 bytes, 0 ms
 };
 

@@ -72,7 +72,7 @@ std::string StabilityTable(const Report& report)
     return "";
   std::string html =
     "<h2>Stiff and extreme cases</h2>\n" + Head({ "id", "case", "outcome", "figure", "limit" });
-  for (const StabilityRow& row : report.stability)
+  for (const ReportCase& row : report.stability)
     html += "<tr>" + Cell(row.id) + Cell(row.testCase) +
             (row.pass ? Cell("holds") : Cell("FAILS", "bad")) +
             Cell(FigureText(row.figure) + " " + row.unit, "figure") +

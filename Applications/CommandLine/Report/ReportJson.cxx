@@ -90,7 +90,7 @@ Json CurveJson(const ReportCurve& curve)
     { "y_unit", curve.yUnit }, { "points", std::move(points) } };
 }
 
-Json StabilityJson(const StabilityRow& row)
+Json StabilityJson(const ReportCase& row)
 {
   Json json{ { "id", row.id }, { "case", row.testCase }, { "pass", row.pass } };
   json["figure"] = row.pass ? Json(Finite(row.figure, row.id)) : Outcome(row.figure);
@@ -111,7 +111,7 @@ Json DocumentJson(const Report& report)
     json["rows"].push_back(RowJson(row, report.quick));
   for (const ReportCurve& curve : report.curves)
     json["curves"].push_back(CurveJson(curve));
-  for (const StabilityRow& row : report.stability)
+  for (const ReportCase& row : report.stability)
     json["stability"].push_back(StabilityJson(row));
   for (const ResourceUse& use : report.unused)
     json["unused"].push_back({ { "resource", use.resource }, { "bytes", use.bytes },

@@ -106,7 +106,7 @@ std::string ReportText(const Report& report)
   for (const ReportRow& row : report.rows)
     text += RowText(row);
   text += MissedText(report);
-  for (const StabilityRow& row : report.stability)
+  for (const ReportCase& row : report.stability)
     text += Padded(row.id, 34) + (row.pass ? "holds  " : "FAILS  ") +
             FigureText(row.figure, row.unit) + " (limit " + FigureText(row.limit) + ")  " +
             row.testCase + "\n";

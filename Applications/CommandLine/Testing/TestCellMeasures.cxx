@@ -1,10 +1,10 @@
 #include "CellChecks.h"
 #include "CellDepth.h"
-#include "CellRows.h"
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
 #include "Isosurface/CompactCells.h"
+#include "MeasuredRows.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

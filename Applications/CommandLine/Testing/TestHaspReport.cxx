@@ -1,24 +1,7 @@
-#include "HaspProcess.h"
-
-#include <nlohmann/json.hpp>
+#include "ReportFixture.h"
 
 namespace
 {
-
-class HaspReport : public HaspTest
-{
-};
-
-using Json = nlohmann::json;
-
-Json Row(const Json& report, const std::string& id)
-{
-  for (const Json& row : report.at("rows"))
-    if (row.at("id") == id)
-      return row;
-  ADD_FAILURE() << "no row " << id;
-  return {};
-}
 
 TEST_F(HaspReport, WrongUseIsOne)
 {

@@ -1,10 +1,13 @@
+#include "MeasuredRows.h"
 #include "Pairing.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace
 {
@@ -92,6 +95,45 @@ TEST(Pairing, TimesAreThoseOfTheWork)
   EXPECT_GT(some.wallS, none.wallS);
   EXPECT_GT(some.cpuS, 0.0);
   EXPECT_EQ(sum, 20'000'000.0);
+}
+
+TEST(Pairing, ThreadTimeIsOfThisThreadAlone)
+{
+  const auto nothing = [] { std::this_thread::sleep_for(std::chrono::milliseconds(30)); };
+  const auto work = [](double seconds)
+  {
+    double done = 0.0;
+    while (done < seconds)
+      done += hasp::ThreadTimeOf(
+        []
+        {
+          for (volatile int n = 0; n < 100'000;)
+            n = n + 1;
+        }).cpuS;
+  };
+  const hasp::Timing slept = hasp::ThreadTimeOf(nothing);
+  EXPECT_GE(slept.wallS, 0.03);
+  EXPECT_LT(slept.cpuS, 0.01);
+  const hasp::Timing watched = hasp::ThreadTimeOf([&] { std::jthread other(work, 0.03); });
+  EXPECT_LT(watched.cpuS, 0.01); // the other thread's is its own
+  EXPECT_GE(hasp::ThreadTimeOf([&] { work(0.02); }).cpuS, 0.02);
+}
+
+TEST(Pairing, RatiosOfProcessorTimeTurnWithTheirQuartiles)
+{
+  hasp::PairedTimes times;
+  times.ratio = { 0.5, 1.0, 2.0 };
+  times.cpuRatio = { 0.2, 0.25, 0.5 };
+  times.a = { 3.0, 2.0 };
+  times.pairs = 9;
+  const hasp::ReportRow row =
+    hasp::CpuRatio("a.simd", times, "plain", { 0.1, "of it" }, "ball", true);
+  EXPECT_DOUBLE_EQ(row.value.value(), 4.0);
+  EXPECT_DOUBLE_EQ(row.q1.value(), 2.0);
+  EXPECT_DOUBLE_EQ(row.q3.value(), 5.0);
+  EXPECT_EQ(row.data, "ball; by wall time 1");
+  EXPECT_DOUBLE_EQ(row.cpuS.value(), 2.0);
+  EXPECT_DOUBLE_EQ(hasp::CpuRatio("a", times, "plain", {}, "").value.value(), 0.25);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "CellRows.h"
+#include "MeasuredRows.h"
 
 #include <cmath>
 #include <cstdio>
@@ -7,26 +7,57 @@
 namespace hasp
 {
 
-ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
-  const MeasuredError& error, const std::string& data, bool faster)
+namespace
+{
+
+Quartiles Turned(const Quartiles& ratio, bool over)
+{
+  return over ? Quartiles{ 1.0 / ratio.q3, 1.0 / ratio.median, 1.0 / ratio.q1 } : ratio;
+}
+
+/// `beside`: the other clock's ratio.
+ReportRow RatioRow(const std::string& id, const PairedTimes& times, const Quartiles& ratio,
+  double beside, const std::string& clock)
 {
   ReportRow row;
   row.id = id;
-  row.value = faster ? 1.0 / times.ratio.median : times.ratio.median;
-  row.q1 = faster ? 1.0 / times.ratio.q3 : times.ratio.q1;
-  row.q3 = faster ? 1.0 / times.ratio.q1 : times.ratio.q3;
+  row.value = ratio.median;
+  row.q1 = ratio.q1;
+  row.q3 = ratio.q3;
   row.unit = "ratio";
-  row.rival = rival;
-  row.error = error.value;
-  row.errorUnit = error.unit;
   row.timeS = times.a.wallS;
   row.cpuS = times.a.cpuS;
   row.n = times.pairs;
-  char cpu[60] = "";
-  if (std::isfinite(times.cpuRatio.median))
-    std::snprintf(cpu, sizeof cpu, "; by CPU time %.3g",
-      faster ? 1.0 / times.cpuRatio.median : times.cpuRatio.median);
-  row.data = data + cpu;
+  char text[60] = "";
+  if (std::isfinite(beside))
+    std::snprintf(text, sizeof text, "; by %s time %.3g", clock.c_str(), beside);
+  row.data = text;
+  return row;
+}
+
+} // namespace
+
+ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
+  const MeasuredError& error, const std::string& data, bool faster)
+{
+  ReportRow row =
+    RatioRow(id, times, Turned(times.ratio, faster), Turned(times.cpuRatio, faster).median, "CPU");
+  row.rival = rival;
+  row.error = error.value;
+  row.errorUnit = error.unit;
+  row.data = data + row.data;
+  return row;
+}
+
+ReportRow CpuRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
+  const MeasuredError& error, const std::string& data, bool faster)
+{
+  ReportRow row =
+    RatioRow(id, times, Turned(times.cpuRatio, faster), Turned(times.ratio, faster).median, "wall");
+  row.rival = rival;
+  row.error = error.value;
+  row.errorUnit = error.unit;
+  row.data = data + row.data;
   return row;
 }
 

@@ -5,7 +5,7 @@
 namespace hasp
 {
 
-/// What a row of clustered cells says beside its figure.
+/// What a row says beside its figure.
 struct MeasuredError
 {
   double value = 0.0;
@@ -15,6 +15,11 @@ struct MeasuredError
 /// A ratio of times, pair by pair, and beside it of CPU times; `faster` turns it over: rival /
 /// ours.
 ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
+  const MeasuredError& error, const std::string& data, bool faster = false);
+
+/// The same of CPU times, and beside it of wall times: for work of one thread, on machines whose
+/// hypervisor takes milliseconds.
+ReportRow CpuRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
   const MeasuredError& error, const std::string& data, bool faster = false);
 
 /// A figure that does not vary from run to run (bytes, counts, errors), beside the time of the

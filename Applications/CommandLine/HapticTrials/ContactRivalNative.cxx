@@ -1,0 +1,6 @@
+#include "ContactRivals.h"
+
+namespace rival::native
+{
+#include "ContactRival-inl.h"
+}

@@ -1,0 +1,6 @@
+#include "ContactRivals.h"
+
+namespace rival::o2
+{
+#include "ContactRival-inl.h"
+}

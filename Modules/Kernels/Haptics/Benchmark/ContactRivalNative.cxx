@@ -1,6 +1,0 @@
-#include "Benchmark/ContactRivals.h"
-
-namespace rival::native
-{
-#include "Benchmark/ContactRival-inl.h"
-}

@@ -1,6 +1,0 @@
-#include "Benchmark/ContactRivals.h"
-
-namespace rival::o2
-{
-#include "Benchmark/ContactRival-inl.h"
-}
