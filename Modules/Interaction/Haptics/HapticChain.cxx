@@ -38,6 +38,7 @@ HapticChain::HapticChain(std::unique_ptr<HapticDevice> device, const HapticChain
     Mapping(settings.workspace),
     Step(settings.step)
 {
+  this->Isovalues = this->Now.isovalues;
   this->Now.contact = settings.step.contact;
   this->Now.spring = settings.step.coupling.spring;
   this->Now.scale = settings.workspace.scale;
@@ -85,8 +86,13 @@ void HapticChain::TakeControl() noexcept
 void HapticChain::SetIsovalues() noexcept
 {
   for (std::size_t shell = 0; shell < HapticControl::MostIsovalues; ++shell)
-    if (!std::isnan(this->Now.isovalues[shell]))
-      this->Step.SetIsovalue(shell, this->Now.isovalues[shell]);
+  {
+    const double wanted = this->Now.isovalues[shell];
+    if (std::isnan(wanted) || wanted == this->Isovalues[shell])
+      continue;
+    this->Step.SetIsovalue(shell, wanted);
+    this->Isovalues[shell] = wanted;
+  }
 }
 
 void HapticChain::TakeScene() noexcept
@@ -103,6 +109,7 @@ void HapticChain::TakeScene() noexcept
     this->Step.Place(*offer->start);
     this->Placed = true;
   }
+  this->Isovalues = HapticControl().isovalues; // it was told nothing
   this->SetIsovalues();
   this->Scenes.GiveBack(std::move(offer));
 }

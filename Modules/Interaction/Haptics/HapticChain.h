@@ -89,6 +89,7 @@ private:
 
   // HAPTIC's
   HapticControl Now;
+  std::array<double, HapticControl::MostIsovalues> Isovalues; ///< that the scene was told
   DeviceSample Sample;
   DeviceStatus Status = DeviceStatus::NotHomed;
   HapticTick Last;

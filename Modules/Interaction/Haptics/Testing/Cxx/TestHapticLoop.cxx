@@ -1,6 +1,6 @@
 #include "vtkHaspHapticLoop.h"
 
-#include "TouchScene.h"
+#include "HapticRenderScene.h"
 
 #include "Realtime/LoopThread.h"
 
@@ -22,20 +22,6 @@ namespace
 using namespace hasp;
 using namespace hasp::testing;
 
-/// What is reported as an error meanwhile.
-std::string ErrorsOf(vtkObject* object, const std::function<void()>& call)
-{
-  std::string said;
-  vtkNew<vtkCallbackCommand> listen;
-  listen->SetClientData(&said);
-  listen->SetCallback([](vtkObject*, unsigned long, void* to, void* text)
-    { *static_cast<std::string*>(to) += static_cast<const char*>(text); });
-  const auto tag = object->AddObserver(vtkCommand::ErrorEvent, listen);
-  call();
-  object->RemoveObserver(tag);
-  return said;
-}
-
 /// Frames until `done`, at most so many ticks of the thread: counted, not timed.
 void FramesUntil(
   vtkHaspHapticLoop* loop, std::uint64_t mostTicks, const std::function<bool()>& done)
@@ -43,16 +29,6 @@ void FramesUntil(
   do
     loop->Update();
   while (!done() && loop->IsRunning() && loop->GetSnapshot().ticks < mostTicks);
-}
-
-std::size_t Bytes(vtkHaspHapticLoop* loop)
-{
-  ResourceList list;
-  loop->ListResources(list);
-  std::size_t bytes = 0;
-  for (const ResourceUse& use : list)
-    bytes += use.bytes;
-  return bytes;
 }
 
 TEST(HapticLoop, WhatLacksADeviceIsRefused)
@@ -87,7 +63,7 @@ TEST(HapticLoop, WhatLacksADeviceIsRefused)
 TEST(HapticLoop, NoThreadUntilATouchIsPossible)
 {
   vtkNew<vtkHaspHapticLoop> loop;
-  EXPECT_EQ(Bytes(loop), 0u);
+  EXPECT_EQ(BytesOf(loop.Get()), 0u);
   ASSERT_TRUE(loop->SetDevice(HandAt(At(1, 2, 30))));
   ASSERT_TRUE(loop->Start());
   EXPECT_FALSE(loop->IsRunning());
@@ -95,7 +71,7 @@ TEST(HapticLoop, NoThreadUntilATouchIsPossible)
   EXPECT_FALSE(loop->IsRunning());
   loop->SetScene({}, Ball());
   EXPECT_FALSE(loop->IsRunning());
-  EXPECT_EQ(Bytes(loop), 0u);
+  EXPECT_EQ(BytesOf(loop.Get()), 0u);
   // The device is known all the same, once a frame.
   loop->Update();
   EXPECT_EQ(loop->GetSnapshot().ticks, 1u);
@@ -103,12 +79,12 @@ TEST(HapticLoop, NoThreadUntilATouchIsPossible)
   const std::uint64_t scene = loop->SetScene(Tip(), Ball());
   EXPECT_GT(scene, 0u);
   EXPECT_TRUE(loop->IsRunning());
-  EXPECT_GT(Bytes(loop), 0u);
+  EXPECT_GT(BytesOf(loop.Get()), 0u);
   FramesUntil(loop, 10'000, [&] { return loop->GetSnapshot().scene == scene; });
   EXPECT_EQ(loop->GetSnapshot().scene, scene);
   loop->SetScene({}, Ball()); // the tool is put down
   EXPECT_FALSE(loop->IsRunning());
-  EXPECT_EQ(Bytes(loop), 0u);
+  EXPECT_EQ(BytesOf(loop.Get()), 0u);
 }
 
 // A simulated device on a real thread: held by numbers of ticks, not by the clock.
