@@ -10,8 +10,8 @@ namespace hasp
 
 BodyBaking::BodyBaking(BakingJob job)
 {
-  this->Result = std::async(
-    std::launch::async, [this, job = std::move(job)] { return this->Bake(job); });
+  this->Result =
+    std::async(std::launch::async, [this, job = std::move(job)] { return this->Bake(job); });
 }
 
 BodyBaking::~BodyBaking()
@@ -54,15 +54,14 @@ BakedBody BodyBaking::Bake(const BakingJob& job)
     return baked;
   const BodyDistanceSettings settings{ .spacingMm = job.spacingMm };
   const BodyDistance distance =
-    volume != nullptr
-      ? DistanceOfVolume(volume->grid, volume->isovalue, settings, part(0.0, 0.7))
-      : DistanceOfMesh(std::get<TriangleMesh>(job.body), settings, part(0.0, 0.7));
+    volume != nullptr ? DistanceOfVolume(volume->grid, volume->isovalue, settings, part(0.0, 0.7))
+                      : DistanceOfMesh(std::get<TriangleMesh>(job.body), settings, part(0.0, 0.7));
   if (job.map)
     baked.map = std::make_shared<const DistanceMap>(
       distance.View(), DistanceMapSettings{ .origin = job.origin }, part(0.7, 0.8));
   if (shell)
-    baked.shell = PointShell::OfSurface(
-      distance.View(), job.origin, { .points = job.points }, part(0.8, 1.0));
+    baked.shell =
+      PointShell::OfSurface(distance.View(), job.origin, { .points = job.points }, part(0.8, 1.0));
   return baked;
 }
 

@@ -73,8 +73,8 @@ void HapticDrawing::DrawShell(vtkHaspHapticLoop* loop)
   this->ShellProp->SetVisibility(count > 0);
   if (count == 0)
     return;
-  this->ShellMapper->SetDiscs(std::make_shared<const std::vector<ShellDisc>>(
-    said->room.begin(), said->room.begin() + count));
+  this->ShellMapper->SetDiscs(
+    std::make_shared<const std::vector<ShellDisc>>(said->room.begin(), said->room.begin() + count));
   SetUserPose(this->ShellProp, loop->GetSnapshot().tool);
 }
 

@@ -19,8 +19,8 @@ class vtkRenderer;
 namespace hasp
 {
 
-/// What haptics adds to a picture, each part made when it is first asked for and gone when it is not:
-/// arrows of the forces, the dynamic shell's points, and a prop that stands where the tool is.
+/// What haptics adds to a picture, each part made when it is first asked for and gone when it is
+/// not: arrows of the forces, the dynamic shell's points, and a prop that stands where the tool is.
 /// Threads: RENDER.
 class HapticDrawing
 {

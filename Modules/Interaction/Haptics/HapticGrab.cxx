@@ -35,6 +35,8 @@ bool HapticGrab::Take(int tool, const HapticProps& props, vtkHaspHapticLoop* loo
 {
   if (!props.ToolReady(tool))
     return false;
+  if (loop->GetSnapshot().ticks == 0)
+    loop->Update(); // where the device is, nobody has asked yet
   const RigidPose start = loop->GetSnapshot().device;
   std::vector<Part> parts;
   for (const HapticProp& it : props.All())

@@ -101,7 +101,8 @@ void HapticInput::Move()
 
 bool HapticInput::Key()
 {
-  const std::string key = this->Interactor->GetKeySym() != nullptr ? this->Interactor->GetKeySym() : "";
+  const std::string key =
+    this->Interactor->GetKeySym() != nullptr ? this->Interactor->GetKeySym() : "";
   const glm::dvec3 step = key == "Left"    ? glm::dvec3(-1, 0, 0)
                           : key == "Right" ? glm::dvec3(1, 0, 0)
                           : key == "Up"    ? glm::dvec3(0, 1, 0)
@@ -138,17 +139,37 @@ bool HapticInput::Handle(unsigned long event, void* data)
   };
   switch (event)
   {
-    case vtkCommand::MouseMoveEvent: this->Move(); break;
-    case vtkCommand::LeftButtonPressEvent: button(1, true); break;
-    case vtkCommand::LeftButtonReleaseEvent: button(1, false); break;
-    case vtkCommand::RightButtonPressEvent: button(2, true); break;
-    case vtkCommand::RightButtonReleaseEvent: button(2, false); break;
-    case vtkCommand::MiddleButtonPressEvent: this->Turning = true; break;
-    case vtkCommand::MiddleButtonReleaseEvent: this->Turning = false; break;
-    case vtkCommand::MouseWheelForwardEvent: this->Device->MoveBy({ 0, 0, -this->wheelMm }); break;
-    case vtkCommand::MouseWheelBackwardEvent: this->Device->MoveBy({ 0, 0, this->wheelMm }); break;
-    case vtkCommand::KeyPressEvent: return this->Key();
-    default: return false;
+    case vtkCommand::MouseMoveEvent:
+      this->Move();
+      break;
+    case vtkCommand::LeftButtonPressEvent:
+      button(1, true);
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      button(1, false);
+      break;
+    case vtkCommand::RightButtonPressEvent:
+      button(2, true);
+      break;
+    case vtkCommand::RightButtonReleaseEvent:
+      button(2, false);
+      break;
+    case vtkCommand::MiddleButtonPressEvent:
+      this->Turning = true;
+      break;
+    case vtkCommand::MiddleButtonReleaseEvent:
+      this->Turning = false;
+      break;
+    case vtkCommand::MouseWheelForwardEvent:
+      this->Device->MoveBy({ 0, 0, -this->wheelMm });
+      break;
+    case vtkCommand::MouseWheelBackwardEvent:
+      this->Device->MoveBy({ 0, 0, this->wheelMm });
+      break;
+    case vtkCommand::KeyPressEvent:
+      return this->Key();
+    default:
+      return false;
   }
   return true;
 }

@@ -18,12 +18,13 @@ namespace hasp
 
 class InputHapticDevice;
 
-/// Feeds an InputHapticDevice from a window: the pointer moves along the screen as the mouse does, at
-/// the tool's depth; the wheel is depth; a middle drag turns; left and right are buttons 0 and 1;
-/// Shift is the clutch; arrow and page keys are steps of the wheel's length; a 3Dconnexion device's
-/// events of VTK (TDx) are rates. With Ctrl held the interactor's style has the mouse.
+/// Feeds an InputHapticDevice from a window: the pointer moves along the screen as the mouse does,
+/// at the tool's depth; the wheel is depth; a middle drag turns; left and right are buttons 0 and
+/// 1; Shift is the clutch; arrow and page keys are steps of the wheel's length; a 3Dconnexion
+/// device's events of VTK (TDx) are rates. With Ctrl held the interactor's style has the mouse.
 ///
-/// Threads: RENDER. Held weakly: windows, renderers and the device may go (Forget the device before).
+/// Threads: RENDER. Held weakly: windows, renderers and the device may go (Forget the device
+/// before).
 class HapticInput
 {
 public:
@@ -33,13 +34,14 @@ public:
   HapticInput& operator=(const HapticInput&) = delete;
 
   /// Null for any: lets go.
-  void Follow(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device);
+  void Follow(
+    vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device);
   /// Where the tool is (world), and how large a mm of the device is there: once a frame.
   void At(const glm::dvec3& tool, double scale);
   bool Clutched() const { return this->Shift; }
 
-  double wheelMm = 2.0;         ///< of the device, a notch or a key
-  double turnRadPerPixel = 0.01; ///< of a middle drag
+  double wheelMm = 2.0;                        ///< of the device, a notch or a key
+  double turnRadPerPixel = 0.01;               ///< of a middle drag
   double rateMmPerS = 60.0, rateRadPerS = 1.5; ///< of a 6-DOF device's full deflection
 
 private:

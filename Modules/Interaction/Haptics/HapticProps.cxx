@@ -34,8 +34,8 @@ vtkMapper* MapperOf(vtkProp3D* prop)
 /// The samples without what VTK may do to the image meanwhile: a shallow copy of our own.
 BakedVolume Samples(vtkImageData* image, double isovalue)
 {
-  auto own = std::shared_ptr<vtkImageData>(
-    vtkImageData::New(), [](vtkImageData* made) { made->Delete(); });
+  auto own =
+    std::shared_ptr<vtkImageData>(vtkImageData::New(), [](vtkImageData* made) { made->Delete(); });
   own->ShallowCopy(image);
   return { ViewImage(own.get()), own, isovalue };
 }
@@ -68,8 +68,9 @@ HapticProp& HapticProps::Find(vtkProp3D* prop)
   vtkMapper* mapper = MapperOf(prop);
   auto* cells = vtkHaspClusteredCellMapper::SafeDownCast(mapper);
   if (cells == nullptr && vtkPolyDataMapper::SafeDownCast(mapper) == nullptr)
-    throw std::invalid_argument("only actors with a vtkHaspClusteredCellMapper or a vtkPolyDataMapper "
-                                "can be touched or moved; of others add their image and isovalue");
+    throw std::invalid_argument(
+      "only actors with a vtkHaspClusteredCellMapper or a vtkPolyDataMapper "
+      "can be touched or moved; of others add their image and isovalue");
   PoseOf(prop); // throws
   HapticProp made;
   made.id = ++this->Ids;
@@ -86,11 +87,11 @@ void HapticProps::AddTouchable(vtkProp3D* prop)
   it.touchable = true;
 }
 
-void HapticProps::AddTouchable(
-  vtkImageData* image, double isovalue, const RigidPose& imageToWorld)
+void HapticProps::AddTouchable(vtkImageData* image, double isovalue, const RigidPose& imageToWorld)
 {
   if (!IsPose(imageToWorld))
-    throw std::invalid_argument("an image that is touched needs a pose: finite, its turn of length 1");
+    throw std::invalid_argument(
+      "an image that is touched needs a pose: finite, its turn of length 1");
   ViewImage(image); // throws
   HapticProp made;
   made.id = ++this->Ids;
@@ -125,7 +126,8 @@ void HapticProps::Remove(vtkProp3D* prop)
 
 bool HapticProps::Wanted() const
 {
-  const auto any = [this](auto is) { return std::any_of(this->Props.begin(), this->Props.end(), is); };
+  const auto any = [this](auto is)
+  { return std::any_of(this->Props.begin(), this->Props.end(), is); };
   return any([](const HapticProp& it) { return it.touchable; }) &&
          any([](const HapticProp& it) { return it.tool >= 0; });
 }
@@ -257,8 +259,7 @@ std::vector<HapticShell> HapticProps::Shells(int tool, const RigidPose& toolInWo
   std::vector<HapticShell> shells;
   for (const HapticProp& it : this->Props)
     if (it.tool == tool && tool >= 0 && it.ready && it.prop)
-      shells.push_back(
-        { it.baked.shell, toolInWorld.Inverse() * it.Pose(), it.baked.dynamic });
+      shells.push_back({ it.baked.shell, toolInWorld.Inverse() * it.Pose(), it.baked.dynamic });
   return shells;
 }
 
@@ -307,8 +308,8 @@ int HapticProps::Nearest(const glm::dvec3& point, double reachMm) const
     {
       double box[6];
       std::copy_n(it.prop->GetBounds(), 6, box);
-      const glm::dvec3 inside = glm::clamp(
-        point, glm::dvec3(box[0], box[2], box[4]), glm::dvec3(box[1], box[3], box[5]));
+      const glm::dvec3 inside =
+        glm::clamp(point, glm::dvec3(box[0], box[2], box[4]), glm::dvec3(box[1], box[3], box[5]));
       far = glm::length(point - inside);
     }
     if (far <= least)

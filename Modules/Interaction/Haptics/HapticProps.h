@@ -41,10 +41,11 @@ struct HapticProp
 /// Which props can be touched and which can be taken in hand, and their maps and shells, baked one
 /// after the other on a WORKER as soon as there are both.
 ///
-/// Where a mapper's isovalue changes, what is made of it is made anew; a dynamic shell follows at once.
+/// Where a mapper's isovalue changes, what is made of it is made anew; a dynamic shell follows at
+/// once.
 ///
-/// Threads: RENDER. Samples and points are read by the WORKER: shared with the prop's data, which may
-/// be replaced, but not changed in place while State is Baking.
+/// Threads: RENDER. Samples and points are read by the WORKER: shared with the prop's data, which
+/// may be replaced, but not changed in place while State is Baking.
 class HapticProps
 {
 public:
@@ -69,7 +70,7 @@ public:
 
   bool Wanted() const; ///< something can be touched, and something taken in hand
   bool Baking() const { return this->Work != nullptr; }
-  bool Complete() const; ///< all that is wanted is there, or has failed
+  bool Complete() const;   ///< all that is wanted is there, or has failed
   double Progress() const; ///< of all that is wanted, [0, 1]
   const std::vector<HapticProp>& All() const { return this->Props; }
 

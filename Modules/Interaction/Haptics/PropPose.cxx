@@ -31,8 +31,9 @@ RigidPose PoseOf(const vtkMatrix4x4* matrix)
       off = std::max(off, std::abs(square[column][row] - (row == column ? 1.0 : 0.0)));
   // Not <=: a number that is none must not pass.
   if (!(off <= 1e-6) || !(glm::determinant(axes) > 0.0) || !std::isfinite(glm::dot(place, place)))
-    throw std::invalid_argument("a prop that is touched or moved must stand rigidly in the world; its "
-                                "matrix scales, mirrors or shears: apply that to its data instead");
+    throw std::invalid_argument(
+      "a prop that is touched or moved must stand rigidly in the world; its "
+      "matrix scales, mirrors or shears: apply that to its data instead");
   return { place, glm::normalize(glm::quat_cast(axes)) };
 }
 

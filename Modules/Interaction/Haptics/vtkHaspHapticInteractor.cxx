@@ -292,23 +292,24 @@ void vtkHaspHapticInteractor::FollowButtons()
   Internals& self = *this->Self;
   const std::uint32_t now = self.loop->GetSnapshot().buttons;
   const std::uint32_t before = std::exchange(self.buttons, now);
-  static constexpr unsigned long As[3][2] = {
-    { vtkCommand::LeftButtonReleaseEvent, vtkCommand::LeftButtonPressEvent },
+  static constexpr unsigned long As[3][2] = { { vtkCommand::LeftButtonReleaseEvent,
+                                                vtkCommand::LeftButtonPressEvent },
     { vtkCommand::RightButtonReleaseEvent, vtkCommand::RightButtonPressEvent },
-    { vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent }
-  };
-  for (int button = 0; button < 32; ++button)
+    { vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent } };
+  const std::uint32_t changed = now ^ before;
+  for (int button = 0; button < 32 && changed >> button != 0; ++button)
   {
-    const bool held = (now >> button & 1U) != 0;
-    if (held == ((before >> button & 1U) != 0))
+    if ((changed >> button & 1U) == 0)
       continue;
+    const bool held = (now >> button & 1U) != 0;
     if (button == this->GrabButton && held)
       this->Grab(self.props.Nearest(self.loop->GetSnapshot().device.position, this->GrabReach));
     else if (button == this->GrabButton)
       this->Release();
-    this->InvokeEvent(held ? ButtonPressEvent : ButtonReleaseEvent, &button);
+    int number = button; // an observer may write to what it is handed
+    this->InvokeEvent(held ? ButtonPressEvent : ButtonReleaseEvent, &number);
     if (button < 3)
-      this->InvokeEvent(As[button][held ? 1 : 0], &button);
+      this->InvokeEvent(As[button][held ? 1 : 0], &number);
   }
 }
 

@@ -27,28 +27,28 @@ struct RigidPose;
  * @brief   Lets a haptic device, or a mouse, take actors in hand and feel others with them.
  *
  * Say what can be touched (AddTouchable) and what can be taken in hand (AddTool), give it a device
- * (SetDevice, or UseMouse) and a renderer, Start. A press of button GrabButton takes the tool nearest
- * to the device's point, if its surface is within GrabReach; its actors follow the contact's pose by
- * their user matrices until the button is let go, and stay there. Examples/TouchIsosurface.cxx is a
- * whole program.
+ * (SetDevice, or UseMouse) and a renderer, Start. A press of button GrabButton takes the tool
+ * nearest to the device's point, if its surface is within GrabReach; its actors follow the
+ * contact's pose by their user matrices until the button is let go, and stay there.
+ * Examples/TouchIsosurface.cxx is a whole program.
  *
- * Distance maps and pointshells are baked on a WORKER, one prop after the other, as soon as something
- * can be touched and something taken in hand; until then, and without a device, nothing is made.
- * RENDER waits for none of it: GetState says Baking, then Ready. What is removed meanwhile is
- * cancelled. There is a thread HAPTIC only while a tool is in hand.
+ * Distance maps and pointshells are baked on a WORKER, one prop after the other, as soon as
+ * something can be touched and something taken in hand; until then, and without a device, nothing
+ * is made. RENDER waits for none of it: GetState says Baking, then Ready. What is removed meanwhile
+ * is cancelled. There is a thread HAPTIC only while a tool is in hand.
  *
- * Call Update once a frame, before it is drawn: all eyes of a frame then see the same pose, whatever
- * draws them. With an interactor (SetRenderer's window has one) Start does it by a timer, and asks
- * for a picture (RenderEvent) when something moved.
+ * Call Update once a frame, before it is drawn: all eyes of a frame then see the same pose,
+ * whatever draws them. With an interactor (SetRenderer's window has one) Start does it by a timer,
+ * and asks for a picture (RenderEvent) when something moved.
  *
- * Poses: the device moves along the axes of the renderer's camera (CameraRelative), `Scale` world mm
- * for its mm; or, by SetDeviceToWorld, stands where it really stands (FitCoLocation), so that the
- * drawn tip is where the hand's is. Heads and eyes change neither.
+ * Poses: the device moves along the axes of the renderer's camera (CameraRelative), `Scale` world
+ * mm for its mm; or, by SetDeviceToWorld, stands where it really stands (FitCoLocation), so that
+ * the drawn tip is where the hand's is. Heads and eyes change neither.
  *
- * Events, on this: GrabEvent, ReleaseEvent; ButtonPressEvent and ButtonReleaseEvent, whose call data
- * is the button's number (int*), and of buttons 0, 1, 2 vtkCommand's LeftButtonPressEvent,
- * RightButtonPressEvent, MiddleButtonPressEvent and their releases as well; ReadyEvent when all that
- * is wanted is baked; ContactEvent and FreeEvent when the tool begins to touch and ends.
+ * Events, on this: GrabEvent, ReleaseEvent; ButtonPressEvent and ButtonReleaseEvent, whose call
+ * data is the button's number (int*), and of buttons 0, 1, 2 vtkCommand's LeftButtonPressEvent,
+ * RightButtonPressEvent, MiddleButtonPressEvent and their releases as well; ReadyEvent when all
+ * that is wanted is baked; ContactEvent and FreeEvent when the tool begins to touch and ends.
  *
  * Limits: props must stand rigidly in the world (a scale is refused). Samples of a prop must not be
  * changed in place while they are baked. A body is closed where its volume ends.
@@ -105,8 +105,8 @@ public:
     std::unique_ptr<hasp::HapticDevice> device, const hasp::HapticChainSettings& settings);
   ///@}
 #endif
-  /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what. The
-   * renderer's window needs an interactor. False after an error. */
+  /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what.
+   * The renderer's window needs an interactor. False after an error. */
   bool UseMouse();
 
   bool Start();
@@ -136,7 +136,8 @@ public:
   vtkGetMacro(GrabReach, double);
   ///@}
   ///@{
-  /** Of the device: while it is held the tool stays and the device moves on; -1: none. Default 1. */
+  /** Of the device: while it is held the tool stays and the device moves on; -1: none. Default 1.
+   */
   vtkSetClampMacro(ClutchButton, int, -1, 31);
   vtkGetMacro(ClutchButton, int);
   ///@}

@@ -137,8 +137,8 @@ struct Frames
   {
     do
       this->haptic->Update();
-    while (this->haptic->GetLoop()->IsRunning() &&
-           this->haptic->GetLoop()->GetSnapshot().ticks < ticks);
+    while (
+      this->haptic->GetLoop()->IsRunning() && this->haptic->GetLoop()->GetSnapshot().ticks < ticks);
   }
 
   vtkSmartPointer<vtkRenderWindow> window = vtkSmartPointer<vtkRenderWindow>::New();
