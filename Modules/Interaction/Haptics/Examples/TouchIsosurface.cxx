@@ -1,4 +1,4 @@
-// TouchIsosurface <DICOM folder, .inv3, .mha or .vti> <isovalue> <radius>: press a ball on it
+// TouchIsosurface <DICOM folder, .inv3, .mha or .vti> <isovalue>: press a ball on it
 #include "Devices/SimulatedHapticDevice.h"
 #include "HapticExchange.h"
 #include "vtkActor.h"
@@ -9,9 +9,10 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkSphereSource.h"
 #include <iostream>
+
 int main(int argc, char* argv[])
 {
-  if (argc != 4)
+  if (argc != 3)
     return 1;
   vtkNew<vtkHaspVolumeReader> reader;
   reader->SetFileName(argv[1]);
@@ -21,22 +22,22 @@ int main(int argc, char* argv[])
   vtkNew<vtkActor> skull, ball;
   skull->SetMapper(bone);
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(std::stod(argv[3]));
+  sphere->SetRadius(5.0);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(sphere->GetOutputPort());
   ball->SetMapper(mapper);
-  const double* box = skull->GetBounds();
-  const double at[3] = { box[1], 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) };
-  ball->SetPosition(at[0], at[1], at[2]);
-  vtkNew<vtkHaspHapticInteractor> haptic; // with SetRenderer and UseMouse: a mouse
+  const double *box = skull->GetBounds(), *middle = skull->GetCenter();
+  const double x = 0.5 * (box[1] + middle[0]); // in it, as the hand is
+  ball->SetPosition(x, middle[1], middle[2]);
+  vtkNew<vtkHaspHapticInteractor> haptic;          // with SetRenderer and UseMouse: a mouse
   haptic->AddTouchable(skull);
   const int tool = haptic->AddTool(ball);
   haptic->SetDevice(std::make_unique<hasp::SimulatedHapticDevice>(
-    hasp::SimulatedDeviceSettings{}, hasp::HandIntention({ { at[0], at[1], at[2] } })));
+    hasp::SimulatedDeviceSettings{}, hasp::HandIntention({ { x, middle[1], middle[2] } })));
   while (haptic->Update(), haptic->GetState() == vtkHaspHapticInteractor::Baking)
     ; // with a window: draw meanwhile
-  for (haptic->Start(), haptic->Grab(tool); haptic->GetLoop()->GetSnapshot().ticks < 1000;)
+  for (haptic->Start(), haptic->Grab(tool); haptic->GetLoop()->GetSnapshot().contacts == 0;)
     if (haptic->Update(); !haptic->GetLoop()->IsRunning())
-      return 1; // nothing is there to be touched
+      return 1;
   std::cout << haptic->GetLoop()->GetSnapshot().contacts << " points touch\n";
 }
