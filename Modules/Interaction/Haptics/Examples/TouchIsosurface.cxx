@@ -29,7 +29,7 @@ int main(int argc, char* argv[])
   const double *box = skull->GetBounds(), *middle = skull->GetCenter();
   const double x = 0.5 * (box[1] + middle[0]); // in it, as the hand is
   ball->SetPosition(x, middle[1], middle[2]);
-  vtkNew<vtkHaspHapticInteractor> haptic;          // with SetRenderer and UseMouse: a mouse
+  vtkNew<vtkHaspHapticInteractor> haptic; // with SetRenderer and UseMouse: a mouse
   haptic->AddTouchable(skull);
   const int tool = haptic->AddTool(ball);
   haptic->SetDevice(std::make_unique<hasp::SimulatedHapticDevice>(

@@ -69,6 +69,7 @@ inline HapticChainSettings Settings()
   HapticChainSettings settings;
   settings.step.budgetUs = std::numeric_limits<double>::infinity(); // the same on every machine
   settings.step.limits.rampInS = 0.05;
+  settings.step.leastContactMm2 = 0.0; // contact is a linear spring: a closed form
   return settings;
 }
 
