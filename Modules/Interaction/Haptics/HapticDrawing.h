@@ -1,0 +1,54 @@
+#ifndef HapticDrawing_h
+#define HapticDrawing_h
+
+#include "Grid/RigidPose.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <cstddef>
+#include <cstdint>
+
+class vtkActor;
+class vtkHaspForceArrows;
+class vtkHaspHapticLoop;
+class vtkHaspPointShellMapper;
+class vtkProp3D;
+class vtkRenderer;
+
+namespace hasp
+{
+
+/// What haptics adds to a picture, each part made when it is first asked for and gone when it is
+/// not: arrows of the forces, the dynamic shell's points, and a prop that stands where the tool is.
+/// Threads: RENDER.
+class HapticDrawing
+{
+public:
+  HapticDrawing();
+  ~HapticDrawing();
+
+  void SetRenderer(vtkRenderer* renderer);
+  bool forces = false, shell = false;
+  double mmPerNewton = 10.0;
+  std::size_t mostDiscs = 4096;
+  vtkWeakPointer<vtkProp3D> pointer;
+
+  /// Once a frame. True if something changed.
+  bool Update(vtkHaspHapticLoop* loop);
+
+private:
+  void Drop();
+  void DrawForces(vtkHaspHapticLoop* loop);
+  void DrawShell(vtkHaspHapticLoop* loop);
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkHaspForceArrows> ArrowProp;
+  vtkSmartPointer<vtkActor> ShellProp;
+  vtkSmartPointer<vtkHaspPointShellMapper> ShellMapper;
+  std::uint64_t Ticks = 0;
+};
+
+} // namespace hasp
+
+#endif

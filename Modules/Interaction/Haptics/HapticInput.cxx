@@ -1,0 +1,177 @@
+#include "HapticInput.h"
+
+#include "Devices/InputHapticDevice.h"
+#include "Realtime/LoopThread.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTDxMotionEventInfo.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr unsigned long Followed[] = { vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonPressEvent,
+  vtkCommand::LeftButtonReleaseEvent, vtkCommand::RightButtonPressEvent,
+  vtkCommand::RightButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
+  vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MouseWheelForwardEvent,
+  vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::TDxMotionEvent };
+constexpr double FullDeflection = 350.0; // of a SpaceMouse, per axis
+}
+
+HapticInput::HapticInput()
+{
+  this->Command->SetClientData(this);
+  this->Command->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void* data)
+    {
+      auto* input = static_cast<HapticInput*>(self);
+      // What is the tool's is not the camera's, too.
+      if (input->Handle(event, data))
+        input->Command->AbortFlagOn();
+    });
+}
+
+HapticInput::~HapticInput()
+{
+  this->Follow(nullptr, nullptr, nullptr);
+}
+
+void HapticInput::Follow(
+  vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device)
+{
+  if (this->Interactor)
+    this->Interactor->RemoveObserver(this->Command);
+  this->Interactor = interactor;
+  this->Renderer = renderer;
+  this->Device = device;
+  this->Any = this->Turning = this->Shift = false;
+  this->Held = 0;
+  if (interactor != nullptr && renderer != nullptr && device != nullptr)
+    for (const unsigned long event : Followed)
+      interactor->AddObserver(event, this->Command, 1.0F); // before the style
+}
+
+void HapticInput::At(const glm::dvec3& tool, double scale)
+{
+  this->Tool = tool;
+  this->Scale = scale;
+}
+
+double HapticInput::MmPerPixel() const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double height = std::max(1, this->Renderer->GetSize()[1]);
+  double high = 2.0 * camera->GetParallelScale();
+  if (!camera->GetParallelProjection())
+  {
+    glm::dvec3 eye, along;
+    camera->GetPosition(&eye.x);
+    camera->GetDirectionOfProjection(&along.x);
+    const double depth = std::max(glm::dot(this->Tool - eye, along), 1e-3 * camera->GetDistance());
+    high = 2.0 * depth * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+  }
+  return high / height / this->Scale; // of the device
+}
+
+void HapticInput::Move()
+{
+  const std::array<int, 2> now{ this->Interactor->GetEventPosition()[0],
+    this->Interactor->GetEventPosition()[1] };
+  const glm::dvec3 pixels(now[0] - this->Before[0], now[1] - this->Before[1], 0.0);
+  this->Before = now;
+  if (!std::exchange(this->Any, true))
+    return; // where it came in
+  if (this->Turning)
+    this->Device->TurnBy(this->turnRadPerPixel * glm::dvec3(-pixels.y, pixels.x, 0.0));
+  else
+    this->Device->MoveBy(this->MmPerPixel() * pixels);
+}
+
+bool HapticInput::Key()
+{
+  const std::string key =
+    this->Interactor->GetKeySym() != nullptr ? this->Interactor->GetKeySym() : "";
+  const glm::dvec3 step = key == "Left"    ? glm::dvec3(-1, 0, 0)
+                          : key == "Right" ? glm::dvec3(1, 0, 0)
+                          : key == "Up"    ? glm::dvec3(0, 1, 0)
+                          : key == "Down"  ? glm::dvec3(0, -1, 0)
+                          : key == "Prior" ? glm::dvec3(0, 0, -1)
+                          : key == "Next"  ? glm::dvec3(0, 0, 1)
+                                           : glm::dvec3(0.0);
+  this->Device->MoveBy(this->wheelMm * step);
+  return step != glm::dvec3(0.0);
+}
+
+bool HapticInput::Handle(unsigned long event, void* data)
+{
+  if (this->Device == nullptr || !this->Renderer)
+    return false;
+  if (event == vtkCommand::TDxMotionEvent)
+  {
+    const auto* said = static_cast<const vtkTDxMotionEventInfo*>(data);
+    const glm::dvec3 move(said->X, said->Y, said->Z), axis(said->AxisX, said->AxisY, said->AxisZ);
+    this->Device->SetRates(move * (this->rateMmPerS / FullDeflection),
+      axis * (said->Angle * this->rateRadPerS / FullDeflection), MonotonicClock().NowNs());
+    return true;
+  }
+  if (this->Interactor->GetControlKey())
+  {
+    this->Any = false; // the pointer stays where it is, as a mouse that is lifted
+    return false;
+  }
+  this->Shift = this->Interactor->GetShiftKey() != 0;
+  const auto button = [this](std::uint32_t bit, bool held)
+  {
+    this->Held = held ? this->Held | bit : this->Held & ~bit;
+    this->Device->SetButtons(this->Held);
+  };
+  switch (event)
+  {
+    case vtkCommand::MouseMoveEvent:
+      this->Move();
+      break;
+    case vtkCommand::LeftButtonPressEvent:
+      button(1, true);
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      button(1, false);
+      break;
+    case vtkCommand::RightButtonPressEvent:
+      button(2, true);
+      break;
+    case vtkCommand::RightButtonReleaseEvent:
+      button(2, false);
+      break;
+    case vtkCommand::MiddleButtonPressEvent:
+      this->Turning = true;
+      break;
+    case vtkCommand::MiddleButtonReleaseEvent:
+      this->Turning = false;
+      break;
+    case vtkCommand::MouseWheelForwardEvent:
+      this->Device->MoveBy({ 0, 0, -this->wheelMm });
+      break;
+    case vtkCommand::MouseWheelBackwardEvent:
+      this->Device->MoveBy({ 0, 0, this->wheelMm });
+      break;
+    case vtkCommand::KeyPressEvent:
+      return this->Key();
+    default:
+      return false;
+  }
+  return true;
+}
+
+} // namespace hasp

@@ -1,0 +1,66 @@
+#ifndef HapticInput_h
+#define HapticInput_h
+
+#include "Grid/RigidPose.h"
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <cstdint>
+
+class vtkCallbackCommand;
+class vtkRenderWindowInteractor;
+class vtkRenderer;
+
+namespace hasp
+{
+
+class InputHapticDevice;
+
+/// Feeds an InputHapticDevice from a window: the pointer moves along the screen as the mouse does,
+/// at the tool's depth; the wheel is depth; a middle drag turns; left and right are buttons 0 and
+/// 1; Shift is the clutch; arrow and page keys are steps of the wheel's length; a 3Dconnexion
+/// device's events of VTK (TDx) are rates. With Ctrl held the interactor's style has the mouse.
+///
+/// Threads: RENDER. Held weakly: windows, renderers and the device may go (Forget the device
+/// before).
+class HapticInput
+{
+public:
+  HapticInput();
+  ~HapticInput();
+  HapticInput(const HapticInput&) = delete;
+  HapticInput& operator=(const HapticInput&) = delete;
+
+  /// Null for any: lets go.
+  void Follow(
+    vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device);
+  /// Where the tool is (world), and how large a mm of the device is there: once a frame.
+  void At(const glm::dvec3& tool, double scale);
+  bool Clutched() const { return this->Shift; }
+
+  double wheelMm = 2.0;                        ///< of the device, a notch or a key
+  double turnRadPerPixel = 0.01;               ///< of a middle drag
+  double rateMmPerS = 60.0, rateRadPerS = 1.5; ///< of a 6-DOF device's full deflection
+
+private:
+  bool Handle(unsigned long event, void* data);
+  void Move();
+  bool Key();
+  double MmPerPixel() const;
+
+  vtkNew<vtkCallbackCommand> Command;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  InputHapticDevice* Device = nullptr;
+  glm::dvec3 Tool{ 0.0 };
+  double Scale = 1.0;
+  std::array<int, 2> Before{ 0, 0 };
+  std::uint32_t Held = 0;
+  bool Any = false, Turning = false, Shift = false;
+};
+
+} // namespace hasp
+
+#endif

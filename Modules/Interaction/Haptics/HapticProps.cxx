@@ -1,0 +1,347 @@
+#include "HapticProps.h"
+
+#include "Haptics/VirtualCoupling.h"
+#include "PropPose.h"
+#include "vtkHaspClusteredCellMapper.h"
+#include "vtkHaspDistance.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace hasp
+{
+
+namespace
+{
+
+vtkMapper* MapperOf(vtkProp3D* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor != nullptr ? actor->GetMapper() : nullptr;
+}
+
+/// The samples without what VTK may do to the image meanwhile: a shallow copy of our own.
+BakedVolume Samples(vtkImageData* image, double isovalue)
+{
+  auto own =
+    std::shared_ptr<vtkImageData>(vtkImageData::New(), [](vtkImageData* made) { made->Delete(); });
+  own->ShallowCopy(image);
+  return { ViewImage(own.get()), own, isovalue };
+}
+
+RigidPose BodyInProp(const HapticProp& it)
+{
+  return { it.origin, { 1, 0, 0, 0 } };
+}
+
+double IsovalueOf(const HapticProp& it)
+{
+  return it.cells ? it.cells->GetIsoValue() : it.isovalue;
+}
+
+} // namespace
+
+RigidPose HapticProp::Pose() const
+{
+  return (this->prop ? PoseOf(this->prop.Get()) : this->fixed) * BodyInProp(*this);
+}
+
+HapticProps::HapticProps() = default;
+HapticProps::~HapticProps() = default;
+
+HapticProp& HapticProps::Find(vtkProp3D* prop)
+{
+  for (HapticProp& it : this->Props)
+    if (it.prop == prop)
+      return it;
+  vtkMapper* mapper = MapperOf(prop);
+  auto* cells = vtkHaspClusteredCellMapper::SafeDownCast(mapper);
+  if (cells == nullptr && vtkPolyDataMapper::SafeDownCast(mapper) == nullptr)
+    throw std::invalid_argument(
+      "only actors with a vtkHaspClusteredCellMapper or a vtkPolyDataMapper "
+      "can be touched or moved; of others add their image and isovalue");
+  PoseOf(prop); // throws
+  HapticProp made;
+  made.id = ++this->Ids;
+  made.prop = prop;
+  made.cells = cells;
+  this->Props.push_back(std::move(made));
+  return this->Props.back();
+}
+
+void HapticProps::AddTouchable(vtkProp3D* prop)
+{
+  HapticProp& it = this->Find(prop);
+  it.ready = it.ready && it.touchable;
+  it.touchable = true;
+}
+
+void HapticProps::AddTouchable(vtkImageData* image, double isovalue, const RigidPose& imageToWorld)
+{
+  if (!IsPose(imageToWorld))
+    throw std::invalid_argument(
+      "an image that is touched needs a pose: finite, its turn of length 1");
+  ViewImage(image); // throws
+  HapticProp made;
+  made.id = ++this->Ids;
+  made.image = image;
+  made.isovalue = isovalue;
+  made.fixed = imageToWorld;
+  made.touchable = true;
+  this->Props.push_back(std::move(made));
+}
+
+int HapticProps::AddTool(const std::vector<vtkProp3D*>& group)
+{
+  if (group.empty())
+    throw std::invalid_argument("a tool has no props");
+  for (vtkProp3D* prop : group) // all of them, or none
+    if (this->Find(prop).tool >= 0)
+      throw std::invalid_argument("a prop is in another tool already; remove it there first");
+  const int tool = this->Tools++;
+  for (vtkProp3D* prop : group)
+  {
+    HapticProp& it = this->Find(prop);
+    it.tool = tool;
+    it.ready = false;
+  }
+  return tool;
+}
+
+void HapticProps::Remove(vtkProp3D* prop)
+{
+  std::erase_if(this->Props, [prop](const HapticProp& it) { return it.prop == prop; });
+}
+
+bool HapticProps::Wanted() const
+{
+  const auto any = [this](auto is)
+  { return std::any_of(this->Props.begin(), this->Props.end(), is); };
+  return any([](const HapticProp& it) { return it.touchable; }) &&
+         any([](const HapticProp& it) { return it.tool >= 0; });
+}
+
+bool HapticProps::Complete() const
+{
+  return std::all_of(this->Props.begin(), this->Props.end(),
+    [](const HapticProp& it) { return it.ready || it.failed; });
+}
+
+double HapticProps::Progress() const
+{
+  if (this->Props.empty())
+    return 1.0;
+  double done = this->Work ? this->Work->Progress() : 0.0;
+  for (const HapticProp& it : this->Props)
+    done += it.ready || it.failed;
+  return std::min(1.0, done / static_cast<double>(this->Props.size()));
+}
+
+bool HapticProps::Update(std::vector<std::string>& faults)
+{
+  bool changed = std::erase_if(this->Props,
+                   [](const HapticProp& it) { return !it.prop && it.image == nullptr; }) > 0;
+  const auto at = std::find_if(this->Props.begin(), this->Props.end(),
+    [this](const HapticProp& it) { return it.id == this->WorkOf; });
+  if (this->Work && at == this->Props.end())
+    this->Work.reset(); // it went: cancelled
+  changed = this->DropStale() || changed;
+  if (this->Work && this->Work->Done())
+  {
+    try
+    {
+      at->baked = this->Work->Take();
+      at->ready = true;
+      changed = true;
+    }
+    catch (const std::exception& error)
+    {
+      at->failed = true;
+      faults.push_back(error.what());
+    }
+    this->Work.reset();
+  }
+  if (!this->Work && this->Wanted())
+    this->BeginNext(faults);
+  return changed;
+}
+
+bool HapticProps::DropStale()
+{
+  bool changed = false;
+  for (HapticProp& it : this->Props)
+  {
+    const bool worked = this->Work && it.id == this->WorkOf;
+    const bool follows = it.baked.dynamic && !it.touchable;
+    if (!it.cells || follows || !(it.ready || it.failed || worked) ||
+        IsovalueOf(it) == it.bakedIsovalue)
+      continue;
+    if (worked)
+      this->Work.reset();
+    changed = changed || it.ready;
+    it.ready = it.failed = false;
+  }
+  return changed;
+}
+
+void HapticProps::BeginNext(std::vector<std::string>& faults)
+{
+  const auto next = std::find_if(this->Props.begin(), this->Props.end(),
+    [](const HapticProp& it) { return !it.ready && !it.failed; });
+  if (next == this->Props.end())
+    return;
+  try
+  {
+    BakingJob job;
+    if (next->cells)
+      next->cells->Update();
+    vtkImageData* image = next->cells ? next->cells->GetImage() : next->image.Get();
+    double bounds[6];
+    if (image != nullptr)
+    {
+      next->bakedIsovalue = IsovalueOf(*next);
+      job.body = Samples(image, next->bakedIsovalue);
+      image->GetBounds(bounds);
+    }
+    else
+    {
+      auto* mapper = vtkPolyDataMapper::SafeDownCast(MapperOf(next->prop));
+      if (mapper == nullptr)
+        throw std::invalid_argument("its mapper has no volume and no surface");
+      mapper->Update();
+      job.body = TrianglesOf(mapper->GetInput());
+      mapper->GetInput()->GetBounds(bounds);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      next->origin[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+    job.origin = next->origin;
+    job.map = next->touchable;
+    job.shell = next->tool >= 0;
+    job.dynamic = this->dynamicShells;
+    job.spacingMm = this->spacingMm;
+    job.points = this->shellPoints;
+    this->WorkOf = next->id;
+    this->Work = std::make_unique<BodyBaking>(std::move(job));
+  }
+  catch (const std::exception& error)
+  {
+    next->failed = true;
+    faults.push_back(error.what());
+  }
+}
+
+bool HapticProps::ToolReady(int tool) const
+{
+  bool any = false;
+  for (const HapticProp& it : this->Props)
+    if (it.tool == tool)
+    {
+      if (!it.ready)
+        return false;
+      any = true;
+    }
+  return any;
+}
+
+std::vector<HapticShell> HapticProps::Shells(int tool, const RigidPose& toolInWorld) const
+{
+  std::vector<HapticShell> shells;
+  for (const HapticProp& it : this->Props)
+    if (it.tool == tool && tool >= 0 && it.ready && it.prop)
+      shells.push_back({ it.baked.shell, toolInWorld.Inverse() * it.Pose(), it.baked.dynamic });
+  return shells;
+}
+
+std::vector<HapticBody> HapticProps::Bodies(int tool) const
+{
+  std::vector<HapticBody> bodies;
+  for (const HapticProp& it : this->Props)
+    if (it.touchable && it.ready && it.baked.map && (tool < 0 || it.tool != tool))
+      bodies.push_back({ it.baked.map, it.Pose() });
+  return bodies;
+}
+
+std::vector<double> HapticProps::Isovalues(int tool) const
+{
+  std::vector<double> values;
+  for (const HapticProp& it : this->Props)
+    if (it.tool == tool && it.ready && it.prop)
+      values.push_back(
+        it.baked.dynamic ? IsovalueOf(it) : std::numeric_limits<double>::quiet_NaN());
+  return values;
+}
+
+int HapticProps::Nearest(const glm::dvec3& point, double reachMm) const
+{
+  int nearest = -1;
+  double least = reachMm;
+  for (const HapticProp& it : this->Props)
+  {
+    if (it.tool < 0 || !it.prop || !this->ToolReady(it.tool))
+      continue;
+    const glm::dvec3 local = it.Pose().Inverse().Place(point);
+    double far = std::numeric_limits<double>::infinity();
+    const auto take = [&](const ShellDisc& disc)
+    { far = std::min(far, glm::length(glm::dvec3(disc.center) - local)); };
+    if (it.baked.shell)
+    {
+      std::vector<ShellDisc> discs;
+      for (int level = 0; level < std::min(2, it.baked.shell->Levels()); ++level)
+      {
+        discs.resize(it.baked.shell->Level(level).count);
+        discs.resize(CopyDiscs(it.baked.shell->Level(level), 0, discs));
+        std::for_each(discs.begin(), discs.end(), take);
+      }
+    }
+    else
+    {
+      double box[6];
+      std::copy_n(it.prop->GetBounds(), 6, box);
+      const glm::dvec3 inside =
+        glm::clamp(point, glm::dvec3(box[0], box[2], box[4]), glm::dvec3(box[1], box[3], box[5]));
+      far = glm::length(point - inside);
+    }
+    if (far <= least)
+    {
+      least = far;
+      nearest = it.tool;
+    }
+  }
+  return nearest;
+}
+
+void HapticProps::ListResources(ResourceList& list) const
+{
+  ResourceUse maps{ "haptic maps", 0, 0.0, "nothing to touch, or no tool" };
+  ResourceUse shells{ "haptic shells", 0, 0.0, "nothing to touch, or no tool" };
+  for (const HapticProp& it : this->Props)
+  {
+    ResourceList of;
+    if (it.baked.map)
+      it.baked.map->ListResources(of);
+    for (const ResourceUse& use : of)
+      maps.bytes += use.bytes;
+    of.clear();
+    if (it.baked.shell)
+      it.baked.shell->ListResources(of);
+    for (const ResourceUse& use : of)
+      shells.bytes += use.bytes;
+  }
+  if (this->Wanted())
+    maps.reason = shells.reason = "a tool and something to touch";
+  list.push_back(maps);
+  list.push_back(shells);
+}
+
+} // namespace hasp

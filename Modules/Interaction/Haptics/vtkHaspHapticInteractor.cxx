@@ -1,0 +1,448 @@
+#include "vtkHaspHapticInteractor.h"
+
+#include "HapticChain.h"
+#include "HapticDrawing.h"
+#include "HapticGrab.h"
+#include "HapticInput.h"
+#include "HapticProps.h"
+#include "PropPose.h"
+#include "vtkHaspHapticLoop.h"
+
+#include "Devices/InputHapticDevice.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkProp3D.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+vtkStandardNewMacro(vtkHaspHapticInteractor);
+
+namespace
+{
+constexpr unsigned long FrameMs = 16;
+constexpr float DefaultAttraction = 0.01F; // N/mm^2, where Snap-to-fit is on and none was said
+
+/// Device x is the camera's right, y its up, z towards the viewer.
+glm::dquat CameraAxes(vtkCamera* camera)
+{
+  glm::dvec3 along, up;
+  camera->GetDirectionOfProjection(&along.x);
+  camera->GetViewUp(&up.x);
+  const glm::dvec3 right = glm::normalize(glm::cross(along, up));
+  return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(right, along), -along)));
+}
+}
+
+struct vtkHaspHapticInteractor::Internals
+{
+  vtkNew<vtkHaspHapticLoop> loop;
+  hasp::HapticProps props;
+  hasp::HapticGrab grab;
+  hasp::HapticDrawing drawing;
+  hasp::HapticInput input;
+  vtkWeakPointer<vtkRenderer> renderer;
+  vtkWeakPointer<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkCallbackCommand> timer;
+  int timerId = 0;
+  std::uint32_t buttons = 0;
+  bool touching = false, wasBaking = false, placed = false, faulty = false;
+
+  void EndTimer()
+  {
+    if (this->interactor)
+    {
+      this->interactor->RemoveObserver(this->timer);
+      if (this->timerId != 0)
+        this->interactor->DestroyTimer(this->timerId);
+    }
+    this->timerId = 0;
+    this->interactor = nullptr;
+  }
+};
+
+vtkHaspHapticInteractor::vtkHaspHapticInteractor() : Self(std::make_unique<Internals>())
+{
+  this->Self->timer->SetClientData(this);
+  this->Self->timer->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*)
+    {
+      auto* haptic = static_cast<vtkHaspHapticInteractor*>(self);
+      if (haptic->Update() && haptic->Self->interactor)
+        haptic->Self->interactor->Render();
+    });
+}
+
+vtkHaspHapticInteractor::~vtkHaspHapticInteractor()
+{
+  this->Self->EndTimer();
+  this->Self->input.Follow(nullptr, nullptr, nullptr);
+}
+
+bool vtkHaspHapticInteractor::AddTouchable(vtkProp3D* prop)
+{
+  try
+  {
+    this->Self->props.AddTouchable(prop);
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "This prop cannot be touched: " << error.what());
+    return false;
+  }
+}
+
+bool vtkHaspHapticInteractor::AddTouchable(
+  vtkImageData* image, double isovalue, vtkMatrix4x4* imageToWorld)
+{
+  try
+  {
+    this->Self->props.AddTouchable(
+      image, isovalue, imageToWorld != nullptr ? hasp::PoseOf(imageToWorld) : hasp::RigidPose{});
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "This image cannot be touched: " << error.what());
+    return false;
+  }
+}
+
+int vtkHaspHapticInteractor::AddTool(vtkProp3D* prop)
+{
+  return this->AddTool(std::vector<vtkProp3D*>{ prop });
+}
+
+int vtkHaspHapticInteractor::AddTool(const std::vector<vtkProp3D*>& group)
+{
+  try
+  {
+    return this->Self->props.AddTool(group);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "These props cannot be taken in hand: " << error.what());
+    return -1;
+  }
+}
+
+void vtkHaspHapticInteractor::Remove(vtkProp3D* prop)
+{
+  this->Self->props.Remove(prop);
+  this->FollowProps();
+}
+
+void vtkHaspHapticInteractor::SetRenderer(vtkRenderer* renderer)
+{
+  Internals& self = *this->Self;
+  self.renderer = renderer;
+  self.drawing.SetRenderer(renderer);
+  self.loop->SetRenderWindow(renderer != nullptr ? renderer->GetRenderWindow() : nullptr);
+  this->Modified();
+}
+
+bool vtkHaspHapticInteractor::SetDevice(std::unique_ptr<hasp::HapticDevice> device)
+{
+  return this->SetDevice(std::move(device), {});
+}
+
+bool vtkHaspHapticInteractor::SetDevice(
+  std::unique_ptr<hasp::HapticDevice> device, const hasp::HapticChainSettings& settings)
+{
+  Internals& self = *this->Self;
+  this->Release();
+  self.input.Follow(nullptr, nullptr, nullptr);
+  self.buttons = 0;
+  self.placed = false;
+  this->Scale = settings.workspace.scale;
+  return self.loop->SetDevice(std::move(device), settings);
+}
+
+bool vtkHaspHapticInteractor::UseMouse()
+{
+  Internals& self = *this->Self;
+  vtkRenderWindow* window = self.renderer ? self.renderer->GetRenderWindow() : nullptr;
+  if (window == nullptr || window->GetInteractor() == nullptr)
+  {
+    vtkErrorMacro(<< "A mouse is read from a window's interactor; give the window one, then call "
+                     "SetRenderer and UseMouse");
+    return false;
+  }
+  auto device = std::make_unique<hasp::InputHapticDevice>(
+    hasp::InputDeviceSettings{ .workspaceMm = glm::dvec3(1e4) }); // the screen is its end
+  hasp::InputHapticDevice* feed = device.get();
+  if (!this->SetDevice(std::move(device)))
+    return false;
+  self.input.Follow(window->GetInteractor(), self.renderer, feed);
+  return true;
+}
+
+bool vtkHaspHapticInteractor::Start()
+{
+  if (!this->Self->loop->Start())
+    return false;
+  this->SendControl();
+  this->StartTimer();
+  return true;
+}
+
+void vtkHaspHapticInteractor::StartTimer()
+{
+  Internals& self = *this->Self;
+  vtkRenderWindow* window = self.renderer ? self.renderer->GetRenderWindow() : nullptr;
+  self.EndTimer();
+  if (window == nullptr || window->GetInteractor() == nullptr)
+    return;
+  self.interactor = window->GetInteractor();
+  self.interactor->AddObserver(vtkCommand::TimerEvent, self.timer);
+  if (self.interactor->GetInitialized())
+    self.timerId = self.interactor->CreateRepeatingTimer(FrameMs);
+}
+
+void vtkHaspHapticInteractor::Stop()
+{
+  this->Release();
+  this->Self->EndTimer();
+  this->Self->loop->Stop();
+}
+
+bool vtkHaspHapticInteractor::Update()
+{
+  Internals& self = *this->Self;
+  if (self.loop->GetProfile() == nullptr)
+    return false;
+  self.loop->Update();
+  bool moved = false;
+  try
+  {
+    this->FollowProps();
+    this->SendControl();
+    this->FollowButtons();
+    moved = self.grab.Follow(self.loop);
+    self.faulty = false;
+  }
+  catch (const std::exception& error)
+  {
+    if (!std::exchange(self.faulty, true))
+      vtkErrorMacro(<< "What was in hand is let go: " << error.what());
+    self.grab.Drop(self.loop);
+  }
+  moved = self.drawing.Update(self.loop) || moved;
+  this->FollowContact();
+  return moved;
+}
+
+void vtkHaspHapticInteractor::FollowProps()
+{
+  Internals& self = *this->Self;
+  std::vector<std::string> faults;
+  self.props.Update(faults);
+  for (const std::string& fault : faults)
+    vtkErrorMacro(<< "A prop is left out of haptics: " << fault);
+  if (self.grab.Tool() >= 0 && !self.props.ToolReady(self.grab.Tool()))
+    this->Release();
+  self.grab.Refresh(self.props, self.loop);
+  if (std::exchange(self.wasBaking, self.props.Baking()) && !self.props.Baking())
+    this->InvokeEvent(ReadyEvent);
+}
+
+void vtkHaspHapticInteractor::SendControl()
+{
+  Internals& self = *this->Self;
+  hasp::HapticControl control = self.loop->GetControl();
+  if (this->CameraRelative && self.renderer)
+  {
+    vtkCamera* camera = self.renderer->GetActiveCamera();
+    control.axes = CameraAxes(camera);
+    if (!std::exchange(self.placed, true))
+    {
+      control.place.orientation = control.axes;
+      camera->GetFocalPoint(&control.place.position.x);
+      ++control.placed;
+    }
+  }
+  control.scale = this->Scale;
+  control.clutch = this->ClutchButton >= 0 ? 1U << this->ClutchButton : 0U;
+  control.clutched = self.input.Clutched();
+  control.attract = this->SnapToFit;
+  if (this->SnapToFit && control.contact.attraction == 0.0F)
+    control.contact.attraction = DefaultAttraction;
+  const std::vector<double> isovalues = self.props.Isovalues(self.grab.Tool());
+  std::copy_n(isovalues.begin(), std::min(isovalues.size(), control.isovalues.size()),
+    control.isovalues.begin());
+  self.loop->SetControl(control);
+  const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
+  self.input.At(seen.tool.position, this->Scale);
+}
+
+void vtkHaspHapticInteractor::FollowButtons()
+{
+  Internals& self = *this->Self;
+  const std::uint32_t now = self.loop->GetSnapshot().buttons;
+  const std::uint32_t before = std::exchange(self.buttons, now);
+  static constexpr unsigned long As[3][2] = { { vtkCommand::LeftButtonReleaseEvent,
+                                                vtkCommand::LeftButtonPressEvent },
+    { vtkCommand::RightButtonReleaseEvent, vtkCommand::RightButtonPressEvent },
+    { vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent } };
+  const std::uint32_t changed = now ^ before;
+  for (int button = 0; button < 32 && changed >> button != 0; ++button)
+  {
+    if ((changed >> button & 1U) == 0)
+      continue;
+    const bool held = (now >> button & 1U) != 0;
+    if (button == this->GrabButton && held)
+      this->Grab(self.props.Nearest(self.loop->GetSnapshot().device.position, this->GrabReach));
+    else if (button == this->GrabButton)
+      this->Release();
+    int number = button; // an observer may write to what it is handed
+    this->InvokeEvent(held ? ButtonPressEvent : ButtonReleaseEvent, &number);
+    if (button < 3)
+      this->InvokeEvent(As[button][held ? 1 : 0], &number);
+  }
+}
+
+void vtkHaspHapticInteractor::FollowContact()
+{
+  Internals& self = *this->Self;
+  const bool now = self.grab.Tool() >= 0 && self.loop->GetSnapshot().contacts > 0;
+  if (std::exchange(self.touching, now) != now)
+    this->InvokeEvent(now ? ContactEvent : FreeEvent);
+}
+
+bool vtkHaspHapticInteractor::Grab(int tool)
+{
+  Internals& self = *this->Self;
+  if (tool < 0 || !self.loop->GetStarted())
+    return false;
+  this->Release();
+  try
+  {
+    if (!self.grab.Take(tool, self.props, self.loop))
+      return false;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "This tool is not taken in hand: " << error.what());
+    return false;
+  }
+  this->InvokeEvent(GrabEvent, &tool);
+  return true;
+}
+
+void vtkHaspHapticInteractor::Release()
+{
+  int tool = this->Self->grab.Tool();
+  if (tool < 0)
+    return;
+  this->Self->grab.Drop(this->Self->loop);
+  this->InvokeEvent(ReleaseEvent, &tool);
+}
+
+int vtkHaspHapticInteractor::GetHeldTool() const
+{
+  return this->Self->grab.Tool();
+}
+
+int vtkHaspHapticInteractor::GetState() const
+{
+  const Internals& self = *this->Self;
+  if (self.loop->GetProfile() == nullptr || !self.props.Wanted())
+    return Idle;
+  return self.props.Complete() ? Ready : Baking;
+}
+
+double vtkHaspHapticInteractor::GetProgress() const
+{
+  return this->Self->props.Progress();
+}
+
+vtkHaspHapticLoop* vtkHaspHapticInteractor::GetLoop()
+{
+  return this->Self->loop;
+}
+
+bool vtkHaspHapticInteractor::SetDeviceToWorld(vtkMatrix4x4* matrix)
+{
+  try
+  {
+    hasp::HapticControl control = this->Self->loop->GetControl();
+    control.place = hasp::PoseOf(matrix);
+    control.axes = control.place.orientation;
+    control.scale = this->Scale = 1.0;
+    ++control.placed;
+    this->CameraRelative = false;
+    this->Self->placed = true;
+    this->Self->loop->SetControl(control);
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "The device stays where it stood: " << error.what());
+    return false;
+  }
+}
+
+void vtkHaspHapticInteractor::ListResources(hasp::ResourceList& resources) const
+{
+  this->Self->props.ListResources(resources);
+  this->Self->loop->ListResources(resources);
+}
+
+// What is set and got as it is.
+void vtkHaspHapticInteractor::SetSpacing(double mm)
+{
+  this->Self->props.spacingMm = mm;
+}
+double vtkHaspHapticInteractor::GetSpacing() const
+{
+  return this->Self->props.spacingMm;
+}
+void vtkHaspHapticInteractor::SetDynamicShells(bool on)
+{
+  this->Self->props.dynamicShells = on;
+}
+bool vtkHaspHapticInteractor::GetDynamicShells() const
+{
+  return this->Self->props.dynamicShells;
+}
+void vtkHaspHapticInteractor::SetShowForces(bool on)
+{
+  this->Self->drawing.forces = on;
+}
+bool vtkHaspHapticInteractor::GetShowForces() const
+{
+  return this->Self->drawing.forces;
+}
+void vtkHaspHapticInteractor::SetShowShell(bool on)
+{
+  this->Self->drawing.shell = on;
+}
+bool vtkHaspHapticInteractor::GetShowShell() const
+{
+  return this->Self->drawing.shell;
+}
+void vtkHaspHapticInteractor::SetPointer(vtkProp3D* prop)
+{
+  this->Self->drawing.pointer = prop;
+}
+
+void vtkHaspHapticInteractor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "State: " << this->GetState() << "\n";
+  os << indent << "HeldTool: " << this->GetHeldTool() << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  this->Self->loop->PrintSelf(os, indent.GetNextIndent());
+}

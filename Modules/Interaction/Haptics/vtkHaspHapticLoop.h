@@ -1,0 +1,137 @@
+#ifndef vtkHaspHapticLoop_h
+#define vtkHaspHapticLoop_h
+
+#include "Grid/ResourceUse.h"                // for ListResources
+#include "vtkHaspInteractionHapticsModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <memory> // for Internals
+#include <string> // for reports
+#include <vector> // for shells
+
+class vtkRenderWindow;
+
+// HapticExchange.h and HapticChain.h say what these are; here they would bring GLM to VTK's
+// wrapper.
+namespace hasp
+{
+class HapticDevice;
+class HapticRecorder;
+struct DeviceProfile;
+struct HapticBody;
+struct HapticChainSettings;
+struct HapticControl;
+struct HapticDiscRequest;
+struct HapticShell;
+struct HapticSnapshot;
+struct LoopSettings;
+struct RateCounts;
+struct RigidPose;
+}
+
+/**
+ * @class   vtkHaspHapticLoop
+ * @brief   A device, what its tool is made of and what it can touch, ticking at 1 kHz.
+ *
+ * Owns the thread HAPTIC, and runs hasp::HapticChain there. There is a thread only while it is
+ * started, the tool has a shell and there is a body to be touched; else Update, once a frame, reads
+ * the device, so that its pose and buttons are known all the same. A loop without a device holds
+ * nothing.
+ *
+ * vtkHaspHapticInteractor does what is said here for scenes of actors. Alone it is for programs
+ * that make maps and shells themselves.
+ *
+ * It stops, with no force at the device, when Stop is called, when it is deleted, and when the
+ * window of SetRenderWindow goes or its interactor exits. Where the system refuses what HAPTIC asks
+ * (real-time scheduling, locked memory) it runs without, and GetSchedulingReport says so.
+ *
+ * Units: mm, N, N mm, s. Threads: RENDER for all that is here; the device is HAPTIC's while
+ * IsRunning. Errors: vtkErrorMacro, with what to do; false comes back and nothing has changed.
+ * Cost: 5 us of RENDER a frame; what a tick costs GetRates says. See thesis 2.3.3 and Threads.md.
+ */
+class VTKHASPINTERACTIONHAPTICS_EXPORT vtkHaspHapticLoop : public vtkObject
+{
+public:
+  static vtkHaspHapticLoop* New();
+  vtkTypeMacro(vtkHaspHapticLoop, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /** Takes the device over; null: none. The one before gets no force and is freed. Settings whose
+   * numbers are refused (HapticChain.h) are an error, and the device is freed. */
+  bool SetDevice(std::unique_ptr<hasp::HapticDevice> device);
+  bool SetDevice(
+    std::unique_ptr<hasp::HapticDevice> device, const hasp::HapticChainSettings& settings);
+  ///@}
+  /** Null without a device. Not to be read or written while IsRunning. */
+  hasp::HapticDevice* GetDevice();
+  const hasp::DeviceProfile* GetProfile(); ///< null without a device
+
+  /** How the thread ticks, from the next Start on: period, priority, memory. */
+  void SetLoopSettings(const hasp::LoopSettings& settings);
+
+  /** What the tool is made of, and what it can touch; either may be none. start: the tool is taken
+   * in hand at this pose (world); null: it goes on where it is. What the scene before had as well
+   * is felt on as it is. Makes working memory, about 0.1 ms a pair: between ticks, they wait for
+   * nobody. Number of the scene, which snapshots name once it is felt; 0 after an error. */
+  std::uint64_t SetScene(std::vector<hasp::HapticShell> shells,
+    std::vector<hasp::HapticBody> bodies, const hasp::RigidPose* start = nullptr);
+
+  /** What may change at any time. Felt, gradually, from the next tick on. */
+  void SetControl(const hasp::HapticControl& control);
+  const hasp::HapticControl& GetControl() const;
+
+  /** The newest tick; all zero before the first. Changes with Update alone. */
+  const hasp::HapticSnapshot& GetSnapshot() const;
+
+  /** Each tick is recorded; null: none. Takes it over; refused while started. */
+  bool SetRecorder(std::unique_ptr<hasp::HapticRecorder> recorder);
+
+  /** Asks the next tick for the dynamic shells' points, at most so many; what the last such tick
+   * answered, or null. Costs HAPTIC nothing unless it is called. */
+  const hasp::HapticDiscRequest* AskForDiscs(std::size_t most);
+
+  /** Of the thread's ticks; all zero before the first Start. */
+  hasp::RateCounts GetRates() const;
+#endif
+
+  ///@{
+  /** From Start on there is a thread whenever something can be touched. */
+  bool Start();
+  void Stop();
+  bool GetStarted() const;
+  ///@}
+  /** Whether the thread is there. */
+  bool IsRunning() const;
+
+  /** Once a frame, before it is drawn: takes the newest snapshot and frees what HAPTIC gave back.
+   */
+  void Update();
+
+  /** What the thread did not get of the system, and what it lost, in sentences; empty if all. */
+  std::string GetSchedulingReport() const;
+
+  /** Stops when this window or its interactor goes. Held weakly; null: none. */
+  void SetRenderWindow(vtkRenderWindow* window);
+
+#ifndef __VTK_WRAP__
+  /** "haptic thread", "haptic scene": all 0, with a reason, while nothing can be touched. */
+  void ListResources(hasp::ResourceList& resources) const;
+#endif
+
+protected:
+  vtkHaspHapticLoop();
+  ~vtkHaspHapticLoop() override;
+
+private:
+  vtkHaspHapticLoop(const vtkHaspHapticLoop&) = delete;
+  void operator=(const vtkHaspHapticLoop&) = delete;
+
+  bool RunOrRest();
+
+  struct Internals;
+  std::unique_ptr<Internals> Self;
+};
+
+#endif
