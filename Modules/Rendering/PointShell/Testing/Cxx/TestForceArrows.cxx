@@ -1,4 +1,4 @@
-// Three forces at the corners of a plate; the longest is cut at the cap.
+// Forces about a plate; the longest is cut at the cap.
 #include "vtkHaspForceArrows.h"
 
 #include "HaspRenderTest.h"
