@@ -12,7 +12,7 @@ TEST_F(TouchIsosurface, NothingToTouchIsAFailure)
   EXPECT_EQ(this->Run("TouchIsosurface no.mha 0"), 1) << this->said;
 }
 
-// A ball in hand on the side of the one that is read: points touch.
+// A copy in hand beside the ball that is read, half in it: points touch.
 TEST_F(TouchIsosurface, ABallIsFelt)
 {
   this->WriteBall();

@@ -1,6 +1,7 @@
 #include "BodyBaking.h"
 
 #include "Grid/MinMaxBlocks.h"
+#include "Realtime/SignalsBlocked.h"
 
 #include <chrono>
 #include <utility>
@@ -10,6 +11,7 @@ namespace hasp
 
 BodyBaking::BodyBaking(BakingJob job)
 {
+  const SignalsBlocked inherited;
   this->Result =
     std::async(std::launch::async, [this, job = std::move(job)] { return this->Bake(job); });
 }

@@ -45,9 +45,9 @@ struct BakedBody
 
 /// Makes a body's map and shell on a WORKER of its own, so that RENDER waits for nothing.
 ///
-/// Threads: RENDER, or whoever owns it; the job runs on a thread of this, which ends with it or
-/// with the job. Cancelled when it is deleted: within a batch of work, milliseconds. Cost: about 1
-/// us of CPU time a sample of the body's grid, on all cores.
+/// Threads: RENDER, or whoever owns it; the job runs on a thread of this, which takes no signals
+/// and ends with it or with the job. Cancelled when it is deleted: within a batch of work,
+/// milliseconds. Cost: about 1 us of CPU time a sample of the body's grid, on all cores.
 class BodyBaking
 {
 public:

@@ -3,10 +3,10 @@
 #include "HapticExchange.h"
 #include "PropPose.h"
 #include "vtkHaspForceArrows.h"
-#include "vtkHaspHapticLoop.h"
 #include "vtkHaspPointShellMapper.h"
 
 #include "vtkActor.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <glm/geometric.hpp>
@@ -41,15 +41,15 @@ void HapticDrawing::SetRenderer(vtkRenderer* renderer)
   this->Renderer = renderer;
 }
 
-void HapticDrawing::DrawForces(vtkHaspHapticLoop* loop)
+void HapticDrawing::DrawForces(const HapticSnapshot& seen)
 {
   if (!this->ArrowProp)
   {
     this->ArrowProp = vtkSmartPointer<vtkHaspForceArrows>::New();
     this->ArrowProp->PickableOff();
+    this->ArrowProp->GetProperty()->SetColor(0.9, 0.3, 0.2);
     this->Renderer->AddViewProp(this->ArrowProp);
   }
-  const HapticSnapshot& seen = loop->GetSnapshot();
   std::vector<ForceArrow> arrows;
   for (const Wrench& wrench : { seen.contact, seen.attraction })
     if (glm::length(wrench.force) > 0.0)
@@ -58,7 +58,7 @@ void HapticDrawing::DrawForces(vtkHaspHapticLoop* loop)
   this->ArrowProp->SetArrows(std::move(arrows));
 }
 
-void HapticDrawing::DrawShell(vtkHaspHapticLoop* loop)
+void HapticDrawing::DrawShell(const HapticSnapshot& seen, const HapticDiscRequest* discs)
 {
   if (!this->ShellProp)
   {
@@ -66,24 +66,24 @@ void HapticDrawing::DrawShell(vtkHaspHapticLoop* loop)
     this->ShellProp = vtkSmartPointer<vtkActor>::New();
     this->ShellProp->SetMapper(this->ShellMapper);
     this->ShellProp->PickableOff();
+    this->ShellProp->GetProperty()->SetColor(1.0, 0.8, 0.1);
     this->Renderer->AddViewProp(this->ShellProp);
   }
-  const HapticDiscRequest* said = loop->AskForDiscs(this->mostDiscs);
-  const std::uint32_t count = said != nullptr ? said->count : 0;
+  const std::uint32_t count = discs != nullptr ? discs->count : 0;
   this->ShellProp->SetVisibility(count > 0);
   if (count == 0)
     return;
-  this->ShellMapper->SetDiscs(
-    std::make_shared<const std::vector<ShellDisc>>(said->room.begin(), said->room.begin() + count));
-  SetUserPose(this->ShellProp, loop->GetSnapshot().tool);
+  this->ShellMapper->SetDiscs(std::make_shared<const std::vector<ShellDisc>>(
+    discs->room.begin(), discs->room.begin() + count));
+  SetUserPose(this->ShellProp, seen.tool);
 }
 
-bool HapticDrawing::Update(vtkHaspHapticLoop* loop)
+bool HapticDrawing::Update(const HapticSnapshot& seen, const HapticDiscRequest* discs)
 {
-  const bool moved = loop->GetSnapshot().ticks != this->Ticks;
-  this->Ticks = loop->GetSnapshot().ticks;
+  const bool moved = seen.ticks != this->Ticks;
+  this->Ticks = seen.ticks;
   if (this->pointer && moved)
-    SetUserPose(this->pointer, loop->GetSnapshot().tool);
+    SetUserPose(this->pointer, seen.tool);
   if (!this->Renderer)
     return moved && this->pointer;
   if (!this->forces && this->ArrowProp)
@@ -98,9 +98,9 @@ bool HapticDrawing::Update(vtkHaspHapticLoop* loop)
     this->ShellMapper = nullptr;
   }
   if (this->forces)
-    this->DrawForces(loop);
+    this->DrawForces(seen);
   if (this->shell)
-    this->DrawShell(loop);
+    this->DrawShell(seen, discs);
   return moved && (this->pointer || this->forces || this->shell);
 }
 

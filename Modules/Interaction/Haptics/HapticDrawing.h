@@ -3,6 +3,7 @@
 
 #include "Grid/RigidPose.h"
 
+#include "vtkHaspInteractionHapticsModule.h" // for export macro: tests
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -11,7 +12,6 @@
 
 class vtkActor;
 class vtkHaspForceArrows;
-class vtkHaspHapticLoop;
 class vtkHaspPointShellMapper;
 class vtkProp3D;
 class vtkRenderer;
@@ -19,10 +19,13 @@ class vtkRenderer;
 namespace hasp
 {
 
+struct HapticDiscRequest;
+struct HapticSnapshot;
+
 /// What haptics adds to a picture, each part made when it is first asked for and gone when it is
 /// not: arrows of the forces, the dynamic shell's points, and a prop that stands where the tool is.
 /// Threads: RENDER.
-class HapticDrawing
+class VTKHASPINTERACTIONHAPTICS_EXPORT HapticDrawing
 {
 public:
   HapticDrawing();
@@ -34,13 +37,14 @@ public:
   std::size_t mostDiscs = 4096;
   vtkWeakPointer<vtkProp3D> pointer;
 
-  /// Once a frame. True if something changed.
-  bool Update(vtkHaspHapticLoop* loop);
+  /// Once a frame: the newest tick, and its dynamic shells' points where they are drawn and there
+  /// are any yet; null: none. True if something changed.
+  bool Update(const HapticSnapshot& seen, const HapticDiscRequest* discs);
 
 private:
   void Drop();
-  void DrawForces(vtkHaspHapticLoop* loop);
-  void DrawShell(vtkHaspHapticLoop* loop);
+  void DrawForces(const HapticSnapshot& seen);
+  void DrawShell(const HapticSnapshot& seen, const HapticDiscRequest* discs);
 
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkHaspForceArrows> ArrowProp;

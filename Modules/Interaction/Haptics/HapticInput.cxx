@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace hasp
 {
@@ -56,7 +57,7 @@ void HapticInput::Follow(
   this->Interactor = interactor;
   this->Renderer = renderer;
   this->Device = device;
-  this->Any = this->Turning = this->Shift = false;
+  this->Any = this->Turning = false;
   this->Held = 0;
   if (interactor != nullptr && renderer != nullptr && device != nullptr)
     for (const unsigned long event : Followed)
@@ -85,14 +86,19 @@ double HapticInput::MmPerPixel() const
   return high / height / this->Scale; // of the device
 }
 
+bool HapticInput::Clutched() const
+{
+  return this->Interactor->GetShiftKey() != 0;
+}
+
 void HapticInput::Move()
 {
   const std::array<int, 2> now{ this->Interactor->GetEventPosition()[0],
     this->Interactor->GetEventPosition()[1] };
   const glm::dvec3 pixels(now[0] - this->Before[0], now[1] - this->Before[1], 0.0);
   this->Before = now;
-  if (!std::exchange(this->Any, true))
-    return; // where it came in
+  if (!std::exchange(this->Any, true) || this->Clutched())
+    return; // where it came in, or is put back
   if (this->Turning)
     this->Device->TurnBy(this->turnRadPerPixel * glm::dvec3(-pixels.y, pixels.x, 0.0));
   else
@@ -110,68 +116,76 @@ bool HapticInput::Key()
                           : key == "Prior" ? glm::dvec3(0, 0, -1)
                           : key == "Next"  ? glm::dvec3(0, 0, 1)
                                            : glm::dvec3(0.0);
-  this->Device->MoveBy(this->wheelMm * step);
+  if (!this->Clutched())
+    this->Device->MoveBy(this->wheelMm * step);
   return step != glm::dvec3(0.0);
+}
+
+bool HapticInput::Button(std::uint32_t bit, bool held)
+{
+  if (!held && (this->Held & bit) == 0)
+    return false; // the style had the press
+  this->Held = held ? this->Held | bit : this->Held & ~bit;
+  this->Device->SetButtons(this->Held);
+  return true;
+}
+
+void HapticInput::Rates(const vtkTDxMotionEventInfo& said)
+{
+  const double free = this->Clutched() ? 0.0 : 1.0 / FullDeflection;
+  const glm::dvec3 move(said.X, said.Y, said.Z), axis(said.AxisX, said.AxisY, said.AxisZ);
+  this->Device->SetRates(move * (this->rateMmPerS * free),
+    axis * (said.Angle * this->rateRadPerS * free), MonotonicClock().NowNs());
+}
+
+bool HapticInput::Step(unsigned long event)
+{
+  switch (event)
+  {
+    case vtkCommand::MouseMoveEvent:
+      this->Move();
+      return true;
+    case vtkCommand::LeftButtonPressEvent:
+      return this->Button(1, true);
+    case vtkCommand::RightButtonPressEvent:
+      return this->Button(2, true);
+    case vtkCommand::MiddleButtonPressEvent:
+      return this->Turning = true;
+    case vtkCommand::MouseWheelForwardEvent:
+    case vtkCommand::MouseWheelBackwardEvent:
+      if (!this->Clutched())
+        this->Device->MoveBy(
+          { 0, 0, event == vtkCommand::MouseWheelForwardEvent ? -this->wheelMm : this->wheelMm });
+      return true;
+    case vtkCommand::KeyPressEvent:
+      return this->Key();
+    default:
+      return false;
+  }
 }
 
 bool HapticInput::Handle(unsigned long event, void* data)
 {
   if (this->Device == nullptr || !this->Renderer)
     return false;
-  if (event == vtkCommand::TDxMotionEvent)
-  {
-    const auto* said = static_cast<const vtkTDxMotionEventInfo*>(data);
-    const glm::dvec3 move(said->X, said->Y, said->Z), axis(said->AxisX, said->AxisY, said->AxisZ);
-    this->Device->SetRates(move * (this->rateMmPerS / FullDeflection),
-      axis * (said->Angle * this->rateRadPerS / FullDeflection), MonotonicClock().NowNs());
-    return true;
-  }
-  if (this->Interactor->GetControlKey())
-  {
-    this->Any = false; // the pointer stays where it is, as a mouse that is lifted
-    return false;
-  }
-  this->Shift = this->Interactor->GetShiftKey() != 0;
-  const auto button = [this](std::uint32_t bit, bool held)
-  {
-    this->Held = held ? this->Held | bit : this->Held & ~bit;
-    this->Device->SetButtons(this->Held);
-  };
   switch (event)
   {
-    case vtkCommand::MouseMoveEvent:
-      this->Move();
-      break;
-    case vtkCommand::LeftButtonPressEvent:
-      button(1, true);
-      break;
+    case vtkCommand::TDxMotionEvent:
+      this->Rates(*static_cast<const vtkTDxMotionEventInfo*>(data));
+      return true;
     case vtkCommand::LeftButtonReleaseEvent:
-      button(1, false);
-      break;
-    case vtkCommand::RightButtonPressEvent:
-      button(2, true);
-      break;
+      return this->Button(1, false);
     case vtkCommand::RightButtonReleaseEvent:
-      button(2, false);
-      break;
-    case vtkCommand::MiddleButtonPressEvent:
-      this->Turning = true;
-      break;
+      return this->Button(2, false);
     case vtkCommand::MiddleButtonReleaseEvent:
-      this->Turning = false;
-      break;
-    case vtkCommand::MouseWheelForwardEvent:
-      this->Device->MoveBy({ 0, 0, -this->wheelMm });
-      break;
-    case vtkCommand::MouseWheelBackwardEvent:
-      this->Device->MoveBy({ 0, 0, this->wheelMm });
-      break;
-    case vtkCommand::KeyPressEvent:
-      return this->Key();
+      return std::exchange(this->Turning, false);
     default:
-      return false;
+      break;
   }
-  return true;
+  if (!this->Interactor->GetControlKey())
+    return this->Step(event);
+  this->Any = false; // the pointer stays where it is, as a mouse that is lifted
+  return false;
 }
 
 } // namespace hasp

@@ -3,6 +3,7 @@
 
 #include "Grid/RigidPose.h"
 
+#include "vtkHaspInteractionHapticsModule.h" // for export macro: tests
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
@@ -12,6 +13,7 @@
 class vtkCallbackCommand;
 class vtkRenderWindowInteractor;
 class vtkRenderer;
+class vtkTDxMotionEventInfo;
 
 namespace hasp
 {
@@ -20,12 +22,14 @@ class InputHapticDevice;
 
 /// Feeds an InputHapticDevice from a window: the pointer moves along the screen as the mouse does,
 /// at the tool's depth; the wheel is depth; a middle drag turns; left and right are buttons 0 and
-/// 1; Shift is the clutch; arrow and page keys are steps of the wheel's length; a 3Dconnexion
-/// device's events of VTK (TDx) are rates. With Ctrl held the interactor's style has the mouse.
+/// 1; arrow and page keys are steps of the wheel's length; a 3Dconnexion device's events of VTK
+/// (TDx) are rates. Shift is the clutch: what moves meanwhile does not reach the device, so that no
+/// tick can see a part of it. With Ctrl held the interactor's style has the mouse; who had a
+/// button's press has its release.
 ///
 /// Threads: RENDER. Held weakly: windows, renderers and the device may go (Forget the device
 /// before).
-class HapticInput
+class VTKHASPINTERACTIONHAPTICS_EXPORT HapticInput
 {
 public:
   HapticInput();
@@ -38,7 +42,6 @@ public:
     vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device);
   /// Where the tool is (world), and how large a mm of the device is there: once a frame.
   void At(const glm::dvec3& tool, double scale);
-  bool Clutched() const { return this->Shift; }
 
   double wheelMm = 2.0;                        ///< of the device, a notch or a key
   double turnRadPerPixel = 0.01;               ///< of a middle drag
@@ -46,8 +49,12 @@ public:
 
 private:
   bool Handle(unsigned long event, void* data);
+  bool Step(unsigned long event);
+  bool Button(std::uint32_t bit, bool held);
+  void Rates(const vtkTDxMotionEventInfo& said);
   void Move();
   bool Key();
+  bool Clutched() const;
   double MmPerPixel() const;
 
   vtkNew<vtkCallbackCommand> Command;
@@ -58,7 +65,7 @@ private:
   double Scale = 1.0;
   std::array<int, 2> Before{ 0, 0 };
   std::uint32_t Held = 0;
-  bool Any = false, Turning = false, Shift = false;
+  bool Any = false, Turning = false;
 };
 
 } // namespace hasp

@@ -115,6 +115,7 @@ int HapticProps::AddTool(const std::vector<vtkProp3D*>& group)
     HapticProp& it = this->Find(prop);
     it.tool = tool;
     it.ready = false;
+    it.baked.dynamic = nullptr;
   }
   return tool;
 }
@@ -247,7 +248,7 @@ bool HapticProps::ToolReady(int tool) const
   for (const HapticProp& it : this->Props)
     if (it.tool == tool)
     {
-      if (!it.ready)
+      if (!it.Feels())
         return false;
       any = true;
     }
@@ -258,7 +259,7 @@ std::vector<HapticShell> HapticProps::Shells(int tool, const RigidPose& toolInWo
 {
   std::vector<HapticShell> shells;
   for (const HapticProp& it : this->Props)
-    if (it.tool == tool && tool >= 0 && it.ready && it.prop)
+    if (it.tool == tool && tool >= 0 && it.Feels())
       shells.push_back({ it.baked.shell, toolInWorld.Inverse() * it.Pose(), it.baked.dynamic });
   return shells;
 }
@@ -276,7 +277,7 @@ std::vector<double> HapticProps::Isovalues(int tool) const
 {
   std::vector<double> values;
   for (const HapticProp& it : this->Props)
-    if (it.tool == tool && it.ready && it.prop)
+    if (it.tool == tool && it.Feels())
       values.push_back(
         it.baked.dynamic ? IsovalueOf(it) : std::numeric_limits<double>::quiet_NaN());
   return values;

@@ -34,6 +34,9 @@ struct HapticProp
   double bakedIsovalue = 0.0; ///< of what is baked, or being baked
   bool ready = false, failed = false;
 
+  /// Can be felt with: what a dynamic shell draws from needs no baking anew while the map waits for
+  /// it.
+  bool Feels() const { return this->prop && (this->ready || this->baked.dynamic); }
   /// Of the body's axes, world. Throws as PoseOf.
   RigidPose Pose() const;
 };
@@ -42,7 +45,7 @@ struct HapticProp
 /// after the other on a WORKER as soon as there are both.
 ///
 /// Where a mapper's isovalue changes, what is made of it is made anew; a dynamic shell follows at
-/// once.
+/// once, and stays in hand while the map that others touch is made anew.
 ///
 /// Threads: RENDER. Samples and points are read by the WORKER: shared with the prop's data, which
 /// may be replaced, but not changed in place while State is Baking.

@@ -1,29 +1,17 @@
 #include "vtkHaspHapticInteractor.h"
 
 #include "HapticChain.h"
-#include "HapticDrawing.h"
-#include "HapticGrab.h"
-#include "HapticInput.h"
-#include "HapticProps.h"
+#include "HapticInteractorInternals.h"
 #include "PropPose.h"
-#include "vtkHaspHapticLoop.h"
 
 #include "Devices/InputHapticDevice.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp3D.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkRenderer.h"
 
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -32,45 +20,7 @@ vtkStandardNewMacro(vtkHaspHapticInteractor);
 namespace
 {
 constexpr unsigned long FrameMs = 16;
-constexpr float DefaultAttraction = 0.01F; // N/mm^2, where Snap-to-fit is on and none was said
-
-/// Device x is the camera's right, y its up, z towards the viewer.
-glm::dquat CameraAxes(vtkCamera* camera)
-{
-  glm::dvec3 along, up;
-  camera->GetDirectionOfProjection(&along.x);
-  camera->GetViewUp(&up.x);
-  const glm::dvec3 right = glm::normalize(glm::cross(along, up));
-  return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(right, along), -along)));
 }
-}
-
-struct vtkHaspHapticInteractor::Internals
-{
-  vtkNew<vtkHaspHapticLoop> loop;
-  hasp::HapticProps props;
-  hasp::HapticGrab grab;
-  hasp::HapticDrawing drawing;
-  hasp::HapticInput input;
-  vtkWeakPointer<vtkRenderer> renderer;
-  vtkWeakPointer<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkCallbackCommand> timer;
-  int timerId = 0;
-  std::uint32_t buttons = 0;
-  bool touching = false, wasBaking = false, placed = false, faulty = false;
-
-  void EndTimer()
-  {
-    if (this->interactor)
-    {
-      this->interactor->RemoveObserver(this->timer);
-      if (this->timerId != 0)
-        this->interactor->DestroyTimer(this->timerId);
-    }
-    this->timerId = 0;
-    this->interactor = nullptr;
-  }
-};
 
 vtkHaspHapticInteractor::vtkHaspHapticInteractor() : Self(std::make_unique<Internals>())
 {
@@ -216,109 +166,6 @@ void vtkHaspHapticInteractor::Stop()
   this->Release();
   this->Self->EndTimer();
   this->Self->loop->Stop();
-}
-
-bool vtkHaspHapticInteractor::Update()
-{
-  Internals& self = *this->Self;
-  if (self.loop->GetProfile() == nullptr)
-    return false;
-  self.loop->Update();
-  bool moved = false;
-  try
-  {
-    this->FollowProps();
-    this->SendControl();
-    this->FollowButtons();
-    moved = self.grab.Follow(self.loop);
-    self.faulty = false;
-  }
-  catch (const std::exception& error)
-  {
-    if (!std::exchange(self.faulty, true))
-      vtkErrorMacro(<< "What was in hand is let go: " << error.what());
-    self.grab.Drop(self.loop);
-  }
-  moved = self.drawing.Update(self.loop) || moved;
-  this->FollowContact();
-  return moved;
-}
-
-void vtkHaspHapticInteractor::FollowProps()
-{
-  Internals& self = *this->Self;
-  std::vector<std::string> faults;
-  self.props.Update(faults);
-  for (const std::string& fault : faults)
-    vtkErrorMacro(<< "A prop is left out of haptics: " << fault);
-  if (self.grab.Tool() >= 0 && !self.props.ToolReady(self.grab.Tool()))
-    this->Release();
-  self.grab.Refresh(self.props, self.loop);
-  if (std::exchange(self.wasBaking, self.props.Baking()) && !self.props.Baking())
-    this->InvokeEvent(ReadyEvent);
-}
-
-void vtkHaspHapticInteractor::SendControl()
-{
-  Internals& self = *this->Self;
-  hasp::HapticControl control = self.loop->GetControl();
-  if (this->CameraRelative && self.renderer)
-  {
-    vtkCamera* camera = self.renderer->GetActiveCamera();
-    control.axes = CameraAxes(camera);
-    if (!std::exchange(self.placed, true))
-    {
-      control.place.orientation = control.axes;
-      camera->GetFocalPoint(&control.place.position.x);
-      ++control.placed;
-    }
-  }
-  control.scale = this->Scale;
-  control.clutch = this->ClutchButton >= 0 ? 1U << this->ClutchButton : 0U;
-  control.clutched = self.input.Clutched();
-  control.attract = this->SnapToFit;
-  if (this->SnapToFit && control.contact.attraction == 0.0F)
-    control.contact.attraction = DefaultAttraction;
-  const std::vector<double> isovalues = self.props.Isovalues(self.grab.Tool());
-  std::copy_n(isovalues.begin(), std::min(isovalues.size(), control.isovalues.size()),
-    control.isovalues.begin());
-  self.loop->SetControl(control);
-  const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
-  self.input.At(seen.tool.position, this->Scale);
-}
-
-void vtkHaspHapticInteractor::FollowButtons()
-{
-  Internals& self = *this->Self;
-  const std::uint32_t now = self.loop->GetSnapshot().buttons;
-  const std::uint32_t before = std::exchange(self.buttons, now);
-  static constexpr unsigned long As[3][2] = { { vtkCommand::LeftButtonReleaseEvent,
-                                                vtkCommand::LeftButtonPressEvent },
-    { vtkCommand::RightButtonReleaseEvent, vtkCommand::RightButtonPressEvent },
-    { vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent } };
-  const std::uint32_t changed = now ^ before;
-  for (int button = 0; button < 32 && changed >> button != 0; ++button)
-  {
-    if ((changed >> button & 1U) == 0)
-      continue;
-    const bool held = (now >> button & 1U) != 0;
-    if (button == this->GrabButton && held)
-      this->Grab(self.props.Nearest(self.loop->GetSnapshot().device.position, this->GrabReach));
-    else if (button == this->GrabButton)
-      this->Release();
-    int number = button; // an observer may write to what it is handed
-    this->InvokeEvent(held ? ButtonPressEvent : ButtonReleaseEvent, &number);
-    if (button < 3)
-      this->InvokeEvent(As[button][held ? 1 : 0], &number);
-  }
-}
-
-void vtkHaspHapticInteractor::FollowContact()
-{
-  Internals& self = *this->Self;
-  const bool now = self.grab.Tool() >= 0 && self.loop->GetSnapshot().contacts > 0;
-  if (std::exchange(self.touching, now) != now)
-    this->InvokeEvent(now ? ContactEvent : FreeEvent);
 }
 
 bool vtkHaspHapticInteractor::Grab(int tool)

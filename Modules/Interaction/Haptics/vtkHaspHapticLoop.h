@@ -73,8 +73,9 @@ public:
 
   /** What the tool is made of, and what it can touch; either may be none. start: the tool is taken
    * in hand at this pose (world); null: it goes on where it is. What the scene before had as well
-   * is felt on as it is. Makes working memory, about 0.1 ms a pair: between ticks, they wait for
-   * nobody. Number of the scene, which snapshots name once it is felt; 0 after an error. */
+   * is felt on as it is. Makes working memory while ticks go on and wait for nobody: of 20,000
+   * points before a map of 256^3 10 us a pair, of a dynamic shell 0.2 ms, 1.5 ms for the first of
+   * a process. Number of the scene, which snapshots name once it is felt; 0 after an error. */
   std::uint64_t SetScene(std::vector<hasp::HapticShell> shells,
     std::vector<hasp::HapticBody> bodies, const hasp::RigidPose* start = nullptr);
 

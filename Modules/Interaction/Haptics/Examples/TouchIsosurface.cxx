@@ -1,4 +1,4 @@
-// TouchIsosurface <DICOM folder, .inv3, .mha or .vti> <isovalue>: press a ball on it
+// TouchIsosurface <DICOM folder, .inv3, .mha or .vti> <isovalue>: press its surface on a copy
 #include "Devices/SimulatedHapticDevice.h"
 #include "HapticExchange.h"
 #include "vtkActor.h"
@@ -6,8 +6,6 @@
 #include "vtkHaspHapticInteractor.h"
 #include "vtkHaspHapticLoop.h"
 #include "vtkHaspVolumeReader.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkSphereSource.h"
 #include <iostream>
 
 int main(int argc, char* argv[])
@@ -19,21 +17,16 @@ int main(int argc, char* argv[])
   vtkNew<vtkHaspClusteredCellMapper> bone;
   bone->SetInputConnection(reader->GetOutputPort());
   bone->SetIsoValue(std::stod(argv[2]));
-  vtkNew<vtkActor> skull, ball;
+  vtkNew<vtkActor> skull, copy;
   skull->SetMapper(bone);
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(5.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  ball->SetMapper(mapper);
-  const double *box = skull->GetBounds(), *middle = skull->GetCenter();
-  const double x = 0.5 * (box[1] + middle[0]); // in it, as the hand is
-  ball->SetPosition(x, middle[1], middle[2]);
-  vtkNew<vtkHaspHapticInteractor> haptic; // with SetRenderer and UseMouse: a mouse
+  copy->SetMapper(bone);
+  const double* box = skull->GetBounds();
+  copy->SetPosition(0.25 * (box[1] - box[0]), 0.0, 0.0); // in each other: that is felt at once
+  vtkNew<vtkHaspHapticInteractor> haptic;                // with SetRenderer and UseMouse: a mouse
   haptic->AddTouchable(skull);
-  const int tool = haptic->AddTool(ball);
+  const int tool = haptic->AddTool(copy);
   haptic->SetDevice(std::make_unique<hasp::SimulatedHapticDevice>(
-    hasp::SimulatedDeviceSettings{}, hasp::HandIntention({ { x, middle[1], middle[2] } })));
+    hasp::SimulatedDeviceSettings{}, hasp::HandIntention(hasp::RigidPose{})));
   while (haptic->Update(), haptic->GetState() == vtkHaspHapticInteractor::Baking)
     ; // with a window: draw meanwhile
   for (haptic->Start(), haptic->Grab(tool); haptic->GetLoop()->GetSnapshot().contacts == 0;)

@@ -1,0 +1,133 @@
+// A frame of vtkHaspHapticInteractor: the newest tick on props, what RENDER wants to HAPTIC.
+#include "HapticExchange.h"
+#include "HapticInteractorInternals.h"
+
+#include "vtkCamera.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+constexpr float DefaultAttraction = 0.01F; // N/mm^2, where Snap-to-fit is on and none was said
+
+/// Device x is the camera's right, y its up, z towards the viewer.
+glm::dquat CameraAxes(vtkCamera* camera)
+{
+  glm::dvec3 along, up;
+  camera->GetDirectionOfProjection(&along.x);
+  camera->GetViewUp(&up.x);
+  const glm::dvec3 right = glm::normalize(glm::cross(along, up));
+  return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(right, along), -along)));
+}
+}
+
+bool vtkHaspHapticInteractor::Update()
+{
+  Internals& self = *this->Self;
+  if (self.loop->GetProfile() == nullptr)
+    return false;
+  self.loop->Update();
+  bool moved = false;
+  try
+  {
+    this->FollowProps();
+    this->SendControl();
+    this->FollowButtons();
+    moved = self.grab.Follow(self.loop);
+    self.faulty = false;
+  }
+  catch (const std::exception& error)
+  {
+    if (!std::exchange(self.faulty, true))
+      vtkErrorMacro(<< "What was in hand is let go: " << error.what());
+    self.grab.Drop(self.loop);
+  }
+  const hasp::HapticDiscRequest* discs =
+    self.drawing.shell ? self.loop->AskForDiscs(self.drawing.mostDiscs) : nullptr;
+  moved = self.drawing.Update(self.loop->GetSnapshot(), discs) || moved;
+  this->FollowContact();
+  return moved;
+}
+
+void vtkHaspHapticInteractor::FollowProps()
+{
+  Internals& self = *this->Self;
+  std::vector<std::string> faults;
+  self.props.Update(faults);
+  for (const std::string& fault : faults)
+    vtkErrorMacro(<< "A prop is left out of haptics: " << fault);
+  if (self.grab.Tool() >= 0 && !self.props.ToolReady(self.grab.Tool()))
+    this->Release();
+  self.grab.Refresh(self.props, self.loop);
+  if (std::exchange(self.wasBaking, self.props.Baking()) && !self.props.Baking())
+    this->InvokeEvent(ReadyEvent);
+}
+
+void vtkHaspHapticInteractor::SendControl()
+{
+  Internals& self = *this->Self;
+  hasp::HapticControl control = self.loop->GetControl();
+  if (this->CameraRelative && self.renderer)
+  {
+    vtkCamera* camera = self.renderer->GetActiveCamera();
+    control.axes = CameraAxes(camera);
+    if (!std::exchange(self.placed, true))
+    {
+      control.place.orientation = control.axes;
+      camera->GetFocalPoint(&control.place.position.x);
+      ++control.placed;
+    }
+  }
+  control.scale = this->Scale;
+  control.clutch = this->ClutchButton >= 0 ? 1U << this->ClutchButton : 0U;
+  control.attract = this->SnapToFit;
+  if (this->SnapToFit && control.contact.attraction == 0.0F)
+    control.contact.attraction = DefaultAttraction;
+  const std::vector<double> isovalues = self.props.Isovalues(self.grab.Tool());
+  std::copy_n(isovalues.begin(), std::min(isovalues.size(), control.isovalues.size()),
+    control.isovalues.begin());
+  self.loop->SetControl(control);
+  const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
+  self.input.At(seen.tool.position, this->Scale);
+}
+
+void vtkHaspHapticInteractor::FollowButtons()
+{
+  Internals& self = *this->Self;
+  const std::uint32_t now = self.loop->GetSnapshot().buttons;
+  const std::uint32_t before = std::exchange(self.buttons, now);
+  static constexpr unsigned long As[3][2] = { { vtkCommand::LeftButtonReleaseEvent,
+                                                vtkCommand::LeftButtonPressEvent },
+    { vtkCommand::RightButtonReleaseEvent, vtkCommand::RightButtonPressEvent },
+    { vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent } };
+  const std::uint32_t changed = now ^ before;
+  for (int button = 0; button < 32 && changed >> button != 0; ++button)
+  {
+    if ((changed >> button & 1U) == 0)
+      continue;
+    const bool held = (now >> button & 1U) != 0;
+    if (button == this->GrabButton && held)
+      this->Grab(self.props.Nearest(self.loop->GetSnapshot().device.position, this->GrabReach));
+    else if (button == this->GrabButton)
+      this->Release();
+    int number = button; // an observer may write to what it is handed
+    this->InvokeEvent(held ? ButtonPressEvent : ButtonReleaseEvent, &number);
+    if (button < 3)
+      this->InvokeEvent(As[button][held ? 1 : 0], &number);
+  }
+}
+
+void vtkHaspHapticInteractor::FollowContact()
+{
+  Internals& self = *this->Self;
+  const bool now = self.grab.Tool() >= 0 && self.loop->GetSnapshot().contacts > 0;
+  if (std::exchange(self.touching, now) != now)
+    this->InvokeEvent(now ? ContactEvent : FreeEvent);
+}

@@ -1,0 +1,247 @@
+// A window's events as a device: read in virtual time, so that each step is there at once.
+#include "HapticInput.h"
+
+#include "HapticRenderScene.h"
+
+#include "Devices/InputHapticDevice.h"
+#include "Realtime/LoopThread.h"
+
+#include "vtkGenericRenderWindowInteractor.h"
+#include "vtkTDxMotionEventInfo.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace
+{
+
+using namespace hasp;
+using namespace hasp::testing;
+
+constexpr int Side = 200;          // of the window, pixels
+constexpr double Distance = 100.0; // of the eye from the origin, where the tool is
+constexpr double StepTolerance = 1e-9;
+
+/// A window that looks along -z, and a device that its events move.
+struct Window
+{
+  Window()
+  {
+    this->window->SetSize(Side, Side);
+    this->window->AddRenderer(this->renderer);
+    this->window->SetInteractor(this->interactor);
+    this->renderer->GetActiveCamera()->SetPosition(0, 0, Distance);
+    this->input.Follow(this->interactor, this->renderer, &this->device);
+    this->input.At(glm::dvec3(0.0), 1.0);
+    this->Read();
+  }
+  ~Window() { this->input.Follow(nullptr, nullptr, nullptr); }
+
+  /// An event, with the pointer there.
+  void Say(unsigned long event, const char* keys = "", const char* symbol = nullptr)
+  {
+    const std::string held = keys;
+    this->interactor->SetEventInformation(this->at[0], this->at[1],
+      held.find('c') != std::string::npos, held.find('s') != std::string::npos, 0, 0, symbol);
+    this->interactor->InvokeEvent(event);
+  }
+  void MoveTo(int x, int y, const char* keys = "")
+  {
+    this->at[0] = x;
+    this->at[1] = y;
+    this->Say(vtkCommand::MouseMoveEvent, keys);
+  }
+  void Rates(double x, double angle, const char* keys = "")
+  {
+    vtkTDxMotionEventInfo said{ x, 0.0, 0.0, angle, 0.0, 1.0, 0.0 };
+    this->interactor->SetShiftKey(std::string(keys).find('s') != std::string::npos);
+    this->interactor->InvokeEvent(vtkCommand::TDxMotionEvent, &said);
+  }
+  /// A tick later.
+  DeviceSample Read(int ticks = 1)
+  {
+    DeviceSample sample;
+    for (int n = 0; n < ticks; ++n)
+      this->device.Read(this->nowNs += 1'000'000, sample);
+    return sample;
+  }
+  glm::dvec3 Place() { return this->Read().pose.position; }
+
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  InputHapticDevice device{ { .workspaceMm = glm::dvec3(1e4), .followS = 0.0 } };
+  HapticInput input;
+  int at[2] = { 100, 100 };
+  std::int64_t nowNs = MonotonicClock().NowNs(); ///< rates are said on that clock
+};
+
+/// Of the screen, where the tool is: the view angle's tangent over half of the window.
+double PixelMm(double angleDeg, double depth)
+{
+  return 2.0 * depth * std::tan(0.5 * angleDeg * std::numbers::pi / 180.0) / Side;
+}
+
+TEST(HapticInput, ADragFollowsThePointerAtTheToolsDepth)
+{
+  Window w;
+  w.MoveTo(100, 100); // it comes in: that is no step
+  EXPECT_EQ(w.Place(), glm::dvec3(0.0));
+  w.MoveTo(130, 90);
+  const double mm = PixelMm(w.renderer->GetActiveCamera()->GetViewAngle(), Distance);
+  EXPECT_LT(glm::length(w.Place() - mm * glm::dvec3(30, -10, 0)), StepTolerance);
+  // Half as far away a pixel is half as much; of a device that moves twice as far, a quarter.
+  const glm::dvec3 before = w.Place();
+  w.input.At({ 0, 0, 0.5 * Distance }, 2.0);
+  w.MoveTo(140, 90);
+  EXPECT_LT(glm::length(w.Place() - before - glm::dvec3(0.25 * 10 * mm, 0, 0)), StepTolerance);
+  w.renderer->GetActiveCamera()->ParallelProjectionOn();
+  w.renderer->GetActiveCamera()->SetParallelScale(50.0); // half of the window's height, mm
+  w.input.At(glm::dvec3(0.0), 1.0);
+  const glm::dvec3 there = w.Place();
+  w.MoveTo(140, 110);
+  EXPECT_LT(glm::length(w.Place() - there - glm::dvec3(0, 20 * 100.0 / Side, 0)), StepTolerance);
+}
+
+TEST(HapticInput, TheWheelAndKeysAreSteps)
+{
+  Window w;
+  const double step = w.input.wheelMm;
+  const auto moves = [&](unsigned long event, const char* symbol, const glm::dvec3& by)
+  {
+    const glm::dvec3 before = w.Place();
+    w.Say(event, "", symbol);
+    EXPECT_LT(glm::length(w.Place() - before - step * by), StepTolerance) << (symbol ? symbol : "");
+  };
+  moves(vtkCommand::MouseWheelForwardEvent, nullptr, { 0, 0, -1 }); // away from the viewer
+  moves(vtkCommand::MouseWheelBackwardEvent, nullptr, { 0, 0, 1 });
+  moves(vtkCommand::KeyPressEvent, "Left", { -1, 0, 0 });
+  moves(vtkCommand::KeyPressEvent, "Right", { 1, 0, 0 });
+  moves(vtkCommand::KeyPressEvent, "Up", { 0, 1, 0 });
+  moves(vtkCommand::KeyPressEvent, "Down", { 0, -1, 0 });
+  moves(vtkCommand::KeyPressEvent, "Prior", { 0, 0, -1 });
+  moves(vtkCommand::KeyPressEvent, "Next", { 0, 0, 1 });
+  moves(vtkCommand::KeyPressEvent, "q", { 0, 0, 0 });
+}
+
+TEST(HapticInput, AMiddleDragTurnsAboutTheScreensAxes)
+{
+  Window w;
+  w.MoveTo(100, 100);
+  w.Say(vtkCommand::MiddleButtonPressEvent);
+  w.MoveTo(120, 100); // to the right: about the axis that points up
+  DeviceSample seen = w.Read();
+  EXPECT_LT(glm::length(RotationVector(seen.pose.orientation) -
+                        glm::dvec3(0, 20 * w.input.turnRadPerPixel, 0)),
+    StepTolerance);
+  EXPECT_EQ(seen.pose.position, glm::dvec3(0.0));
+  w.Say(vtkCommand::MiddleButtonReleaseEvent);
+  w.MoveTo(130, 100);
+  EXPECT_GT(w.Place().x, 0.0);
+}
+
+TEST(HapticInput, ASixAxisDevicesDeflectionIsARate)
+{
+  Window w;
+  w.Rates(350.0, 0.0); // all the way to the right: 60 mm/s
+  w.Read();
+  const glm::dvec3 before = w.Place();
+  EXPECT_NEAR(w.Read(20).pose.position.x - before.x, 20 * 0.001 * w.input.rateMmPerS, 1e-6);
+  w.Rates(0.0, 175.0); // half of a turn about up
+  const glm::dquat turned = w.Read().pose.orientation;
+  EXPECT_LT(glm::length(RotationVector(w.Read(20).pose.orientation * glm::conjugate(turned)) -
+                        glm::dvec3(0, 20 * 0.001 * 0.5 * w.input.rateRadPerS, 0)),
+    1e-6);
+  w.Rates(350.0, 175.0, "s"); // the clutch
+  const RigidPose held = w.Read().pose;
+  EXPECT_EQ(w.Read(20).pose.position, held.position);
+  // Let go without a word: after a tenth of a second it does not run on.
+  w.Rates(350.0, 0.0);
+  w.nowNs += 200'000'000;
+  const glm::dvec3 stale = w.Place();
+  EXPECT_EQ(w.Place(), stale);
+}
+
+// However far the pointer is carried meanwhile, and whenever a tick looks: not a micrometre.
+TEST(HapticInput, UnderShiftTheToolStaysAndGoesOnFromThere)
+{
+  Window w;
+  w.MoveTo(100, 100);
+  w.MoveTo(110, 100);
+  const glm::dvec3 held = w.Place();
+  for (int x = 110; x >= 10; x -= 5)
+  {
+    w.MoveTo(x, 100 + x / 2, "s");
+    EXPECT_EQ(w.Place(), held);
+  }
+  w.Say(vtkCommand::MouseWheelForwardEvent, "s");
+  w.Say(vtkCommand::KeyPressEvent, "s", "Right");
+  EXPECT_EQ(w.Place(), held);
+  w.MoveTo(12, 105); // Shift is let go: a step of two pixels, not of a hundred
+  const double mm = PixelMm(w.renderer->GetActiveCamera()->GetViewAngle(), Distance);
+  EXPECT_LT(glm::length(w.Place() - held - glm::dvec3(2 * mm, 0, 0)), StepTolerance);
+}
+
+TEST(HapticInput, WithCtrlTheCameraHasTheMouse)
+{
+  Window w;
+  // As a style listens: behind us.
+  const Count moves(w.interactor, vtkCommand::MouseMoveEvent),
+    presses(w.interactor, vtkCommand::LeftButtonPressEvent),
+    releases(w.interactor, vtkCommand::LeftButtonReleaseEvent);
+  w.MoveTo(100, 100);
+  w.Say(vtkCommand::LeftButtonPressEvent);
+  EXPECT_EQ(w.Read().buttons, 1u);
+  EXPECT_EQ(moves.times + presses.times, 0) << "what is the tool's is not the camera's, too";
+  const glm::dvec3 held = w.Place();
+  w.MoveTo(150, 150, "c");
+  EXPECT_EQ(w.Place(), held);
+  EXPECT_EQ(moves.times, 1);
+  // Who had the press has the release, whatever Ctrl does in between.
+  w.Say(vtkCommand::LeftButtonReleaseEvent, "c");
+  EXPECT_EQ(w.Read().buttons, 0u);
+  EXPECT_EQ(releases.times, 0);
+  w.Say(vtkCommand::LeftButtonPressEvent, "c");
+  w.Say(vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_EQ(presses.times, 1);
+  EXPECT_EQ(releases.times, 1);
+  EXPECT_EQ(w.Read().buttons, 0u);
+  w.MoveTo(50, 60); // put down again: no step
+  EXPECT_EQ(w.Place(), held);
+}
+
+TEST(HapticInput, ButtonsAreZeroAndOneAndEndWithFollowing)
+{
+  Window w;
+  w.Say(vtkCommand::LeftButtonPressEvent);
+  w.Say(vtkCommand::RightButtonPressEvent);
+  EXPECT_EQ(w.Read().buttons, 3u);
+  w.Say(vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_EQ(w.Read().buttons, 2u);
+  w.input.Follow(nullptr, nullptr, nullptr);
+  w.Say(vtkCommand::MouseWheelForwardEvent);
+  EXPECT_EQ(w.Place(), glm::dvec3(0.0));
+}
+
+// The whole way: the axes are the camera's, so right is the viewer's right.
+TEST(HapticInput, TheMouseMovesATouchersPointAlongTheScreen)
+{
+  Frames frames;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  frames.window->SetInteractor(interactor);
+  frames.renderer->GetActiveCamera()->Azimuth(90.0); // from +x: right is -z
+  ASSERT_TRUE(frames.haptic->UseMouse());
+  frames.haptic->Update();
+  const auto point = [&] { return frames.haptic->GetLoop()->GetSnapshot().device.position; };
+  const glm::dvec3 start = point();
+  interactor->SetEventInformation(0, 0, 0, 0, 0, 0, "Right");
+  interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+  // Followed within 15 ms, by the clock: frames until it is there.
+  for (int frame = 0; frame < 1'000'000 && glm::length(point() - start) < 1.999; ++frame)
+    frames.haptic->Update();
+  EXPECT_LT(glm::length(point() - start - glm::dvec3(0, 0, -2)), 0.002);
+}
+
+} // namespace
