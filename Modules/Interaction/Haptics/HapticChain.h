@@ -65,8 +65,8 @@ public:
   /// Each tick from now on; null: none. Not while ticks go on. It must outlive them.
   void Record(HapticRecorder* recorder) noexcept { this->Recorder = recorder; }
   const DeviceProfile& Profile() const noexcept { return this->Device.Profile(); }
-  GuardCounts Counts() const noexcept { return this->Device.Counts(); }
-  HapticDevice& Guarded() noexcept { return this->Device.Guarded(); } ///< not while ticks go on
+  GuardCounts Counts() const noexcept { return this->Device.Counts(); } ///< not while ticks go on
+  HapticDevice& Guarded() noexcept { return this->Device.Guarded(); }   ///< not while ticks go on
 
 private:
   void Run(std::uint64_t number, std::int64_t nowNs, bool forces) noexcept;
