@@ -139,8 +139,8 @@ Wrench HapticChain::Feel(const RigidPose& device) noexcept
 {
   if (!this->Placed)
     this->Step.Place(device);
-  else if (!this->Holding)
-    this->Step.Place(this->Last.tool); // it was away: forces grow from zero
+  else if (!this->Holding || (!this->Device.Whole() && !Has(this->Status, DeviceStatus::Stale)))
+    this->Step.Place(this->Last.tool); // it was away, or silenced: forces grow from zero
   this->Placed = true;
   this->Last = this->Step.Tick(device);
   return this->Mapping.ToDevice(this->Last.onDevice);

@@ -30,8 +30,9 @@ VTKHASPINTERACTIONHAPTICS_EXPORT CouplingSpring SpringFor(const DeviceProfile& p
 ///
 /// Free of VTK and of clocks: the tick is told the time, so that the same object runs on a thread,
 /// in virtual time, or once a frame where there is no thread. A device that takes no force (not
-/// homed, unplugged, at fault) gets zero and the tool stays; when it is back, forces grow from
-/// zero, as they do when a tool is taken in hand.
+/// homed, unplugged, at fault) gets zero and the tool stays; when it is back, or has new poses after
+/// the guard took force away from old ones, forces grow from zero, as they do when a tool is taken
+/// in hand.
 ///
 /// Threads: Tick and Rest on HAPTIC; the four functions of RENDER on RENDER, at the same time;
 /// neither waits. Where no thread runs its owner does both. A tick is noexcept, takes and frees no

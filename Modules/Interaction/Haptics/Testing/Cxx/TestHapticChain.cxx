@@ -159,6 +159,52 @@ TEST(HapticChain, AnUnpluggedDeviceGetsNothingAndForcesGrowWhenItIsBack)
   EXPECT_NEAR(Ticks(chain, 500, now).onDevice.force.z, held, 0.05 * held);
 }
 
+/// A device that has nothing new for a while, after a second.
+struct Stalling : SimulatedHapticDevice
+{
+  using SimulatedHapticDevice::SimulatedHapticDevice;
+  DeviceStatus Read(std::int64_t nowNs, DeviceSample& sample) noexcept override
+  {
+    if (++this->Reads > 1000 && this->Reads <= 1000 + this->Missing)
+    {
+      sample = this->Old;
+      return DeviceStatus::Stale;
+    }
+    const DeviceStatus status = SimulatedHapticDevice::Read(nowNs, sample);
+    this->Old = sample;
+    return status;
+  }
+  DeviceSample Old;
+  int Reads = 0, Missing = 0;
+};
+
+TEST(HapticChain, ForcesGrowAgainAfterTheGuardWentSilent)
+{
+  for (const int missing : { 10, 30, 100 }) // borne, on the way to zero, silent
+  {
+    HapticChainSettings settings = Settings();
+    settings.step.limits.rampInS = 0.5;
+    auto made = std::make_unique<Stalling>(HandSettings(), HandIntention(At(0, 0, BallRadius - 5)));
+    Stalling& device = *made;
+    device.Missing = missing;
+    HapticChain chain(std::move(made), settings);
+    chain.OfferScene(Scene());
+    std::int64_t now = 0;
+    const double held = Ticks(chain, 1000, now).onDevice.force.z;
+    EXPECT_GT(held, 0.1);
+    Ticks(chain, missing, now);
+    const double left = device.Applied().force.z;
+    const double first = missing == 10 ? held : missing == 30 ? 0.5 * held : 0.0;
+    EXPECT_NEAR(left, first, 0.1 * held) << missing;
+    Ticks(chain, 1, now);
+    if (missing == 10)
+      EXPECT_NEAR(device.Applied().force.z, held, 0.05 * held);
+    else
+      EXPECT_LE(device.Applied().force.z, 1.0 / 500.0 * settings.step.limits.force) << missing;
+    EXPECT_NEAR(Ticks(chain, 800, now).onDevice.force.z, held, 0.05 * held) << missing;
+  }
+}
+
 /// A device that says what cannot be, every third tick.
 struct NoPose : SimulatedHapticDevice
 {
