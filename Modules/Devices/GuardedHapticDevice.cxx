@@ -76,7 +76,9 @@ DeviceStatus GuardedHapticDevice::Write(const Wrench& wrench) noexcept
 
 DeviceStatus GuardedHapticDevice::Send() noexcept
 {
-  const ForceNumbers f = this->Dog.At(this->NowNs, TakesForce(this->Status)).force;
+  const WatchedForce out = this->Dog.At(this->NowNs, TakesForce(this->Status));
+  this->Cut = out.state == WatchdogState::Ramping || out.state == WatchdogState::Silent;
+  const ForceNumbers& f = out.force;
   const DeviceStatus status = this->Device->Write(
     ClampToProfile(this->Device->Profile(), { { f[0], f[1], f[2] }, { f[3], f[4], f[5] } }));
   return this->Status | status;

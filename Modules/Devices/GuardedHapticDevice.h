@@ -39,6 +39,8 @@ public:
 
   HapticDevice& Guarded() noexcept { return *this->Device; }
   GuardCounts Counts() const noexcept;
+  /// False once a wrench was let out in part or not at all because it was too old.
+  bool Whole() const noexcept { return !this->Cut; }
 
 private:
   DeviceStatus Send() noexcept;
@@ -49,7 +51,7 @@ private:
   DeviceStatus Status = DeviceStatus::NotHomed; ///< of the last Read
   std::int64_t NowNs = 0;                       ///< of the last Read
   std::int64_t PoseNs = 0;                      ///< of the last Read that was not Stale
-  bool AnyGood = false, Written = false;
+  bool AnyGood = false, Written = false, Cut = false;
   std::uint64_t BadPoses = 0;
 };
 

@@ -12,6 +12,37 @@ namespace hasp
 namespace
 {
 constexpr double LongestTickS = 0.1; // after a pause the clutch's fade does not leap
+
+/// So much of another way between world and device that the hand would feel it as a knock.
+constexpr double KnockTurnRad = 0.1, KnockScale = 1.25;
+
+bool Knocks(const HapticControl& before, const HapticControl& now) noexcept
+{
+  const double cosine = std::abs(glm::dot(before.axes, now.axes)); // of half the turn
+  const double scale = std::max(before.scale / now.scale, now.scale / before.scale);
+  return cosine < std::cos(0.5 * KnockTurnRad) || scale > KnockScale;
+}
+bool IsPositive(double value) noexcept
+{
+  return value > 0.0 && std::isfinite(value);
+}
+bool IsNotNegative(double value) noexcept
+{
+  return value >= 0.0 && std::isfinite(value);
+}
+}
+
+const char* WrongIn(const HapticControl& control) noexcept
+{
+  if (!IsNotNegative(control.contact.stiffness) || !IsNotNegative(control.contact.attraction))
+    return "stiffness and attraction of contact must be finite and not negative";
+  if (!IsPositive(control.contact.captureMm))
+    return "the capture distance of contact must be positive and finite";
+  const CouplingSpring& spring = control.spring;
+  if (!IsPositive(spring.stiffness) || !IsPositive(spring.turnStiffness) ||
+      !IsPositive(spring.forceLimit) || !IsPositive(spring.torqueLimit))
+    return "stiffnesses and limits of the spring must be positive and finite";
+  return nullptr;
 }
 
 CouplingSpring SpringFor(const DeviceProfile& profile, const CouplingSpring& wanted, double scale,
@@ -64,15 +95,20 @@ void HapticChain::TakeControl() noexcept
   if (!this->Controls.Update())
     return;
   const HapticControl before = std::exchange(this->Now, *this->Controls.Latest());
+  if (WrongIn(this->Now) != nullptr)
+  {
+    this->Now.contact = before.contact;
+    this->Now.spring = before.spring;
+  }
   const auto& axes = this->Now.axes;
   if (axes != before.axes && !this->Mapping.SetAxes(axes))
     this->Now.axes = before.axes;
   if (this->Now.scale != before.scale && !this->Mapping.SetScale(this->Now.scale))
     this->Now.scale = before.scale;
+  this->Holding = this->Holding && !Knocks(before, this->Now);
   if (this->Now.placed != before.placed)
   {
     this->Mapping.Place(this->Now.place);
-    this->Now.axes = this->Now.place.orientation;
     this->Placed = false; // the tool comes along
   }
   this->Step.Aim(this->Now.contact);
@@ -139,8 +175,8 @@ Wrench HapticChain::Feel(const RigidPose& device) noexcept
 {
   if (!this->Placed)
     this->Step.Place(device);
-  else if (!this->Holding)
-    this->Step.Place(this->Last.tool); // it was away: forces grow from zero
+  else if (!this->Holding || (!this->Device.Whole() && !Has(this->Status, DeviceStatus::Stale)))
+    this->Step.Place(this->Last.tool); // it was away, or silenced: forces grow from zero
   this->Placed = true;
   this->Last = this->Step.Tick(device);
   return this->Mapping.ToDevice(this->Last.onDevice);

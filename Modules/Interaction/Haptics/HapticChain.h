@@ -26,12 +26,16 @@ struct HapticChainSettings
 VTKHASPINTERACTIONHAPTICS_EXPORT CouplingSpring SpringFor(const DeviceProfile& profile,
   const CouplingSpring& wanted, double scale, double gain, double tickS) noexcept;
 
+/// What in the numbers of contact and spring no tick can count with; null if nothing. Any thread.
+VTKHASPINTERACTIONHAPTICS_EXPORT const char* WrongIn(const HapticControl& control) noexcept;
+
 /// One haptic tick from device to device: read, guard, workspace mapping, HapticStep, and back.
 ///
 /// Free of VTK and of clocks: the tick is told the time, so that the same object runs on a thread,
 /// in virtual time, or once a frame where there is no thread. A device that takes no force (not
-/// homed, unplugged, at fault) gets zero and the tool stays; when it is back, forces grow from
-/// zero, as they do when a tool is taken in hand.
+/// homed, unplugged, at fault) gets zero and the tool stays; when it is back, or has new poses
+/// after the guard took force away from old ones, forces grow from zero, as they do when a tool is
+/// taken in hand.
 ///
 /// Threads: Tick and Rest on HAPTIC; the four functions of RENDER on RENDER, at the same time;
 /// neither waits. Where no thread runs its owner does both. A tick is noexcept, takes and frees no
@@ -65,6 +69,7 @@ public:
   /// Each tick from now on; null: none. Not while ticks go on. It must outlive them.
   void Record(HapticRecorder* recorder) noexcept { this->Recorder = recorder; }
   const DeviceProfile& Profile() const noexcept { return this->Device.Profile(); }
+  double TickS() const noexcept { return this->Settings.step.tickS; }
   GuardCounts Counts() const noexcept { return this->Device.Counts(); } ///< not while ticks go on
   HapticDevice& Guarded() noexcept { return this->Device.Guarded(); }   ///< not while ticks go on
 

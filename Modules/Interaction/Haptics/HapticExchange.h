@@ -17,18 +17,22 @@ namespace hasp
 {
 
 /// RENDER to HAPTIC, the newest wins: what may change while ticks go on. Slewed in the tick, so
-/// that no change of it is felt as a knock.
+/// that no change of it is felt as a knock; after axes that turn by more than 0.1 at once, or a
+/// scale that changes by more than a quarter, forces grow from zero. Contact and spring that
+/// WrongIn names, and axes and scales that WorkspaceMapping refuses, stay as they were.
 struct HapticControl
 {
   ContactSettings contact{};
-  CouplingSpring spring{};       ///< wanted; SpringFor makes of it what the device stands
-  bool attract = false;          ///< Snap-to-fit
-  int levels = 99;               ///< of static shells, at most; >= 1
-  glm::dquat axes{ 1, 0, 0, 0 }; ///< device to world: the camera's, so that right is right
-  double scale = 1.0;            ///< world mm for a mm of the device
-  std::uint32_t clutch = 0;      ///< buttons, as bits: while one is held the tool stays
-  bool clutched = false;         ///< the same, said by RENDER (a key)
-  /// Where the device stands in the world: taken when `placed` changes, and the tool jumps.
+  CouplingSpring spring{}; ///< wanted; SpringFor makes of it what the device stands
+  bool attract = false;    ///< Snap-to-fit
+  int levels = 99;         ///< of static shells, at most; >= 1
+  /// Device to world: the camera's, so that right is right. Taken when they change.
+  glm::dquat axes{ 1, 0, 0, 0 };
+  double scale = 1.0;       ///< world mm for a mm of the device
+  std::uint32_t clutch = 0; ///< buttons, as bits: while one is held the tool stays
+  bool clutched = false;    ///< the same, said by RENDER (a key)
+  /// Where the device stands in the world, its axes too: taken when `placed` changes, and the tool
+  /// jumps.
   RigidPose place{};
   std::uint32_t placed = 0;
   /// Of the scene's shells, those that are dynamic; NaN: as it is.

@@ -10,6 +10,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkWeakPointer.h"
 
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -143,11 +144,17 @@ std::uint64_t vtkHaspHapticLoop::SetScene(std::vector<hasp::HapticShell> shells,
   return this->RunOrRest() ? self.scenes : 0;
 }
 
-void vtkHaspHapticLoop::SetControl(const hasp::HapticControl& control)
+bool vtkHaspHapticLoop::SetControl(const hasp::HapticControl& control)
 {
+  if (const char* wrong = hasp::WrongIn(control))
+  {
+    vtkErrorMacro(<< "The haptic control stays as it was: " << wrong);
+    return false;
+  }
   this->Self->control = control;
   if (this->Self->chain)
     this->Self->chain->Control(control);
+  return true;
 }
 
 const hasp::HapticControl& vtkHaspHapticLoop::GetControl() const
@@ -210,6 +217,7 @@ bool vtkHaspHapticLoop::Start()
     vtkErrorMacro(<< "There is no haptic device to start; call SetDevice first");
     return false;
   }
+  this->FollowWindow();
   this->Self->started = true;
   return this->RunOrRest();
 }
@@ -241,9 +249,18 @@ bool vtkHaspHapticLoop::RunOrRest()
     self.StopThread();
     return true;
   }
+  hasp::HapticChain* chain = self.chain.get();
+  const double periodS = 1e-9 * static_cast<double>(self.settings.periodNs);
+  if (std::abs(periodS - chain->TickS()) > 1e-6 * chain->TickS())
+  {
+    self.started = false;
+    vtkErrorMacro(<< "The haptic thread does not start: the loop's periodNs is "
+                  << self.settings.periodNs << ", the step's tickS " << chain->TickS()
+                  << " s; give both the same time");
+    return false;
+  }
   try
   {
-    hasp::HapticChain* chain = self.chain.get();
     self.thread.Start(self.settings,
       [chain](const hasp::LoopTick& tick) noexcept
       {
@@ -263,6 +280,7 @@ bool vtkHaspHapticLoop::RunOrRest()
 void vtkHaspHapticLoop::Update()
 {
   Internals& self = *this->Self;
+  this->FollowWindow();
   if (!self.chain)
     return;
   self.chain->Collect();
@@ -283,6 +301,13 @@ std::string vtkHaspHapticLoop::GetSchedulingReport() const
       "The haptic thread took too much time and lost its real-time scheduling; give it fewer "
       "points or a faster core\n";
   return report;
+}
+
+void vtkHaspHapticLoop::FollowWindow()
+{
+  vtkRenderWindow* window = this->Self->window;
+  if (window != nullptr && window->GetInteractor() != this->Self->interactor.GetPointer())
+    this->SetRenderWindow(window);
 }
 
 void vtkHaspHapticLoop::SetRenderWindow(vtkRenderWindow* window)

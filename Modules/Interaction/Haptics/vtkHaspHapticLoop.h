@@ -68,7 +68,9 @@ public:
   hasp::HapticDevice* GetDevice();
   const hasp::DeviceProfile* GetProfile(); ///< null without a device
 
-  /** How the thread ticks, from the next Start on: period, priority, memory. */
+  /** How the thread ticks, from the next Start on: period, priority, memory. The period is the
+   * step's tickS (HapticChainSettings): no thread starts with another one, on which neither forces
+   * nor the coupling's limit would be true. */
   void SetLoopSettings(const hasp::LoopSettings& settings);
 
   /** What the tool is made of, and what it can touch; either may be none. start: the tool is taken
@@ -79,8 +81,9 @@ public:
   std::uint64_t SetScene(std::vector<hasp::HapticShell> shells,
     std::vector<hasp::HapticBody> bodies, const hasp::RigidPose* start = nullptr);
 
-  /** What may change at any time. Felt, gradually, from the next tick on. */
-  void SetControl(const hasp::HapticControl& control);
+  /** What may change at any time. Felt, gradually, from the next tick on. Contact or a spring that
+   * no tick can count with (WrongIn) is an error. */
+  bool SetControl(const hasp::HapticControl& control);
   const hasp::HapticControl& GetControl() const;
 
   /** The newest tick; all zero before the first. Changes with Update alone. */
@@ -113,7 +116,8 @@ public:
   /** What the thread did not get of the system, and what it lost, in sentences; empty if all. */
   std::string GetSchedulingReport() const;
 
-  /** Stops when this window or its interactor goes. Held weakly; null: none. */
+  /** Stops when this window or its interactor goes, also one that it is given later. Held weakly;
+   * null: none. */
   void SetRenderWindow(vtkRenderWindow* window);
 
 #ifndef __VTK_WRAP__
@@ -130,6 +134,7 @@ private:
   void operator=(const vtkHaspHapticLoop&) = delete;
 
   bool RunOrRest();
+  void FollowWindow();
 
   struct Internals;
   std::unique_ptr<Internals> Self;

@@ -167,8 +167,9 @@ private:
 
   void AddSpan(float* row, double from, double to, double share) const
   {
-    from = std::max(from + 0.5, 0.0); // voxel i is [i, i + 1] of these
-    to = std::min(to + 0.5, double(this->Target.dims.x));
+    const double end = this->Target.dims.x;
+    from = std::clamp(from + 0.5, 0.0, end); // voxel i is [i, i + 1] of these
+    to = std::min(to + 0.5, end);
     for (int i = int(from); i < to; ++i)
       row[i] +=
         static_cast<float>(share * (std::min(to, double(i) + 1.0) - std::max(from, double(i))));

@@ -72,7 +72,10 @@ void DiscBuffer::Bind(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, 
   {
     this->Units[n] = window->GetTextureUnitManager()->Allocate();
     if (this->Units[n] < 0)
+    {
+      this->Unbind(window); // the one before
       throw std::runtime_error("no texture unit is free for the discs");
+    }
     window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Units[n]);
     const bool made = this->Textures[n] != 0;
     if (!made)

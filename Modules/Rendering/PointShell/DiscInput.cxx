@@ -89,6 +89,12 @@ std::shared_ptr<const Discs> DiscsOfPoints(vtkPolyData* points, const std::strin
     throw std::invalid_argument("the area array has " +
                                 std::to_string(areas->GetNumberOfComponents()) +
                                 " components; an area is one number");
+  for (vtkDataArray* array : { normals, areas })
+    if (array && array->GetNumberOfTuples() != count)
+      throw std::invalid_argument(std::string("there are ") +
+                                  std::to_string(array->GetNumberOfTuples()) +
+                                  (array == normals ? " normals" : " areas") + " for " +
+                                  std::to_string(count) + " points; give one for each");
   discs->resize(static_cast<std::size_t>(count));
   for (vtkIdType n = 0; n < count; ++n)
   {

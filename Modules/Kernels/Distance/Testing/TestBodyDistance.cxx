@@ -148,6 +148,19 @@ TEST(MeshCoverage, BoxAlongTheGridIsExact)
   }
 }
 
+// Farther than integers count, before the grid, beyond it, and on both sides of it.
+TEST(MeshCoverage, WhatLiesFarFromTheGridIsNotInIt)
+{
+  const GridGeometry grid{ { 6, 6, 6 }, glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  for (const double middle : { -3e10, 3e10, 0.0 })
+  {
+    const TurnedBox box{ { middle, 2, 2 }, { 2e10, 40, 40 }, glm::dmat3(1) };
+    const auto coverage = hasp::MeshCoverage(box.Mesh(), grid);
+    for (const float share : coverage)
+      ASSERT_EQ(share, middle == 0.0 ? 1.0F : 0.0F) << middle;
+  }
+}
+
 TEST(MeshCoverage, WindingsTheWrongWayRoundAndTwiceCountOnce)
 {
   const GridGeometry grid = SkewGrid({ 50, 40, 40 }, { 0.9, 1.1, 1.4 }, { 3, -7, 11 });

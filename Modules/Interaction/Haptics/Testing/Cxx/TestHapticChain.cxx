@@ -111,6 +111,75 @@ TEST(HapticChain, AxesScaleAndPlaceAreTaken)
   EXPECT_NEAR(Ticks(chain, 1, now).device.position.x, 114.0, 0.02);
 }
 
+TEST(HapticChain, WhereADeviceStandsItStaysWhateverElseIsSaid)
+{
+  HapticChain chain(HandAt(At(0, 0, 0), { MinimumJerkMotion{ At(0, 4, 0), 0.1 } }), Settings());
+  std::int64_t now = 0;
+  HapticControl control;
+  control.placed = 1;
+  control.place = { { 100, 0, 0 }, TurnBy({ 0, 0, -0.5 * std::numbers::pi }) }; // y to x
+  chain.Control(control);
+  Ticks(chain, 5, now);
+  control.attract = true;
+  chain.Control(control);
+  EXPECT_NEAR(Ticks(chain, 1000, now).device.position.x, 104.0, 0.02);
+  EXPECT_NEAR(chain.Latest()->device.position.y, 0.0, 0.02);
+}
+
+TEST(HapticChain, AViewThatJumpsIsNoKnock)
+{
+  for (const bool turns : { true, false })
+  {
+    HapticChainSettings settings = Settings();
+    settings.step.limits.rampInS = 0.5;
+    HapticChain chain(HandAt(At(0, 0, BallRadius - 5)), settings);
+    chain.OfferScene(Scene());
+    std::int64_t now = 0;
+    const double held = Ticks(chain, 1000, now).onDevice.force.z;
+    EXPECT_GT(held, 0.1);
+    HapticControl control;
+    control.axes = TurnBy({ turns ? 0.05 : 0.0, 0, 0 });
+    control.scale = turns ? 1.0 : 1.1;
+    chain.Control(control); // a little: as a camera that moves
+    EXPECT_GT(Ticks(chain, 1, now).onDevice.force.z, 0.9 * held);
+    control.axes = TurnBy({ turns ? 1.5 : 0.0, 0, 0 });
+    control.scale = turns ? 1.0 : 0.2;
+    chain.Control(control);
+    EXPECT_LE(
+      glm::length(Ticks(chain, 1, now).onDevice.force), 1.001 / 500.0 * settings.step.limits.force);
+  }
+}
+
+TEST(HapticChain, WhatNoTickCanCountWithStaysAsItWas)
+{
+  HapticChain chain(HandAt(At(0, 0, BallRadius - 5)), Settings());
+  chain.OfferScene(Scene());
+  std::int64_t now = 0;
+  const double held = Ticks(chain, 1000, now).onDevice.force.z;
+  EXPECT_GT(held, 0.1);
+  const float nan = std::nanf("");
+  HapticControl control;
+  const auto refused = [&](auto& value, auto bad)
+  {
+    const auto good = std::exchange(value, bad);
+    EXPECT_NE(WrongIn(control), nullptr);
+    chain.Control(control);
+    Ticks(chain, 50, now);
+    value = good;
+    EXPECT_EQ(WrongIn(control), nullptr);
+    chain.Control(control);
+    EXPECT_NEAR(Ticks(chain, 50, now).onDevice.force.z, held, 0.05 * held);
+  };
+  refused(control.contact.stiffness, nan);
+  refused(control.contact.stiffness, -1.0F);
+  refused(control.contact.attraction, nan);
+  refused(control.contact.captureMm, 0.0F);
+  refused(control.spring.stiffness, double(nan));
+  refused(control.spring.turnStiffness, 0.0);
+  refused(control.spring.forceLimit, double(nan));
+  refused(control.spring.torqueLimit, -1.0);
+}
+
 TEST(HapticChain, TheClutchHoldsTheToolAndTakesTheForceAway)
 {
   SimulatedDeviceSettings hand = HandSettings();
@@ -157,6 +226,52 @@ TEST(HapticChain, AnUnpluggedDeviceGetsNothingAndForcesGrowWhenItIsBack)
   EXPECT_LE(first, 3.0 / 500.0 * settings.step.limits.force); // the third tick of the ramp's 500
   EXPECT_LT(first, 0.2 * held);
   EXPECT_NEAR(Ticks(chain, 500, now).onDevice.force.z, held, 0.05 * held);
+}
+
+/// A device that has nothing new for a while, after a second.
+struct Stalling : SimulatedHapticDevice
+{
+  using SimulatedHapticDevice::SimulatedHapticDevice;
+  DeviceStatus Read(std::int64_t nowNs, DeviceSample& sample) noexcept override
+  {
+    if (++this->Reads > 1000 && this->Reads <= 1000 + this->Missing)
+    {
+      sample = this->Old;
+      return DeviceStatus::Stale;
+    }
+    const DeviceStatus status = SimulatedHapticDevice::Read(nowNs, sample);
+    this->Old = sample;
+    return status;
+  }
+  DeviceSample Old;
+  int Reads = 0, Missing = 0;
+};
+
+TEST(HapticChain, ForcesGrowAgainAfterTheGuardWentSilent)
+{
+  for (const int missing : { 10, 30, 100 }) // borne, on the way to zero, silent
+  {
+    HapticChainSettings settings = Settings();
+    settings.step.limits.rampInS = 0.5;
+    auto made = std::make_unique<Stalling>(HandSettings(), HandIntention(At(0, 0, BallRadius - 5)));
+    Stalling& device = *made;
+    device.Missing = missing;
+    HapticChain chain(std::move(made), settings);
+    chain.OfferScene(Scene());
+    std::int64_t now = 0;
+    const double held = Ticks(chain, 1000, now).onDevice.force.z;
+    EXPECT_GT(held, 0.1);
+    Ticks(chain, missing, now);
+    const double left = device.Applied().force.z;
+    const double first = missing == 10 ? held : missing == 30 ? 0.5 * held : 0.0;
+    EXPECT_NEAR(left, first, 0.1 * held) << missing;
+    Ticks(chain, 1, now);
+    if (missing == 10)
+      EXPECT_NEAR(device.Applied().force.z, held, 0.05 * held);
+    else
+      EXPECT_LE(device.Applied().force.z, 1.001 / 500.0 * settings.step.limits.force) << missing;
+    EXPECT_NEAR(Ticks(chain, 800, now).onDevice.force.z, held, 0.05 * held) << missing;
+  }
 }
 
 /// A device that says what cannot be, every third tick.
@@ -227,6 +342,7 @@ TEST(HapticChain, ScenesComeBackToBeFreedByRender)
   {
     chain.OfferScene(Scene(n));
     EXPECT_EQ(Ticks(chain, 1, now).scene, n);
+    EXPECT_EQ(map.use_count(), before + (n > 1 ? 4 : 2)) << "the tick has freed none";
     chain.Collect();
     EXPECT_EQ(map.use_count(), before + 2) << "in the body and its coarse phase, once";
   }

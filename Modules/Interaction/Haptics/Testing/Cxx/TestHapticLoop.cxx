@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -58,6 +59,28 @@ TEST(HapticLoop, WhatLacksADeviceIsRefused)
   EXPECT_NE(ErrorsOf(loop, [&] { EXPECT_EQ(loop->SetScene(Tip(), Ball()), 0u); }).find("periodNs"),
     std::string::npos);
   EXPECT_FALSE(loop->IsRunning());
+  HapticControl control;
+  control.contact.stiffness = std::nanf("");
+  EXPECT_NE(ErrorsOf(loop, [&] { EXPECT_FALSE(loop->SetControl(control)); }).find("stiffness"),
+    std::string::npos);
+  EXPECT_GT(loop->GetControl().contact.stiffness, 0.0F);
+}
+
+TEST(HapticLoop, AThreadTicksAsItsStepDoesOrNotAtAll)
+{
+  vtkNew<vtkHaspHapticLoop> loop;
+  HapticChainSettings settings;
+  settings.step.tickS = 0.002;
+  ASSERT_TRUE(loop->SetDevice(HandAt(At(0, 0, 30)), settings));
+  ASSERT_GT(loop->SetScene(Tip(), Ball()), 0u);
+  EXPECT_NE(
+    ErrorsOf(loop, [&] { EXPECT_FALSE(loop->Start()); }).find("tickS 0.002 s"), std::string::npos);
+  EXPECT_FALSE(loop->IsRunning());
+  LoopSettings slower;
+  slower.periodNs = 2'000'000;
+  loop->SetLoopSettings(slower);
+  EXPECT_TRUE(loop->Start());
+  EXPECT_TRUE(loop->IsRunning());
 }
 
 TEST(HapticLoop, NoThreadUntilATouchIsPossible)
@@ -181,6 +204,14 @@ TEST(HapticLoop, ItStopsWhenTheWindowOrItsInteractorGoes)
   interactor->InvokeEvent(vtkCommand::ExitEvent);
   EXPECT_FALSE(loop->IsRunning());
   EXPECT_FALSE(loop->GetStarted());
+  // An interactor that comes later.
+  vtkNew<vtkRenderWindow> early;
+  loop->SetRenderWindow(early);
+  vtkNew<vtkGenericRenderWindowInteractor> late;
+  early->SetInteractor(late);
+  run();
+  late->InvokeEvent(vtkCommand::ExitEvent);
+  EXPECT_FALSE(loop->IsRunning());
   // Another window: the one before is let go of.
   vtkNew<vtkRenderWindow> other;
   loop->SetRenderWindow(other);

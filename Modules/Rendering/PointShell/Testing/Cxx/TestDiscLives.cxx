@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkTextureUnitManager.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,33 @@ TEST(DiscLives, NothingIsMadeUntilThereIsADisc)
   EXPECT_GT(HeldBy(scene.Mapper).bytes, 200U * 200U * 4U);
 }
 
+/// Names that OpenGL knows in the current context.
+int Alive()
+{
+  int alive = 0;
+  for (GLuint name = 1; name < 2000; ++name)
+    alive += glIsBuffer(name) + glIsTexture(name) + glIsVertexArray(name) + glIsFramebuffer(name);
+  return alive;
+}
+
+TEST(DiscLives, NothingIsLeftInOpenGLOfWhatIsReleased)
+{
+  DiscScene scene;
+  scene.Window->Render();
+  const int before = Alive();
+  for (const bool levels : { false, true })
+  {
+    scene.Mapper->SetColorByLevel(levels);
+    scene.Mapper->SetDiscs(
+      SphereDiscs(levels ? 900 : 256, 20)); // the second does not fit the first
+    scene.Window->Render();
+    EXPECT_GT(Alive(), before + 5);
+  }
+  scene.Mapper->ReleaseGraphicsResources(scene.Window);
+  scene.Window->MakeCurrent();
+  EXPECT_EQ(Alive(), before);
+}
+
 TEST(DiscLives, WhatIsReleasedIsGoneAndComesBack)
 {
   DiscScene scene;
@@ -97,6 +125,12 @@ TEST(DiscLives, OpenGLIsLeftAsItWasFound)
            GL_BLEND_SRC_ALPHA, GL_BLEND_SRC_RGB, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK,
            GL_DRAW_FRAMEBUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_TEXTURE_BUFFER })
       glGetIntegerv(name, &all.emplace_back());
+    for (GLenum unit = 0; unit < 8; ++unit) // the active one is restored
+    {
+      glActiveTexture(GL_TEXTURE0 + unit);
+      glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &all.emplace_back());
+    }
+    glActiveTexture(static_cast<GLenum>(all[5]));
     return all;
   };
   DiscScene scene;
@@ -112,6 +146,43 @@ TEST(DiscLives, OpenGLIsLeftAsItWasFound)
     EXPECT_EQ(state(), before) << levels;
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
   }
+}
+
+// Where no unit is left for the last texture, the ones before it are given back.
+TEST(DiscLives, TextureUnitsAreGivenBack)
+{
+  DiscScene scene;
+  scene.Window->Render();
+  vtkTextureUnitManager* units =
+    vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->GetTextureUnitManager();
+  std::vector<int> taken;
+  const auto takeAll = [&]
+  {
+    for (int unit = units->Allocate(); unit >= 0; unit = units->Allocate())
+      taken.push_back(unit);
+    return taken.size();
+  };
+  const auto giveBack = [&](std::size_t left)
+  {
+    for (; taken.size() > left; taken.pop_back())
+      units->Free(taken.back());
+  };
+  const std::size_t all = takeAll();
+  ASSERT_GT(all, 8U);
+  giveBack(0);
+  scene.Mapper->SetDiscs(SphereDiscs(600, 20));
+  scene.Mapper->ColorByLevelOn();
+  EXPECT_GT(Lit(scene.Colors()), 5000);
+  EXPECT_EQ(takeAll(), all);
+  EXPECT_TRUE(scene.Errors.empty());
+  giveBack(all - 1);
+  scene.Mapper->Render(scene.Renderer, scene.Actor);
+  ASSERT_EQ(scene.Errors.size(), 1U);
+  EXPECT_NE(scene.Errors[0].find("no texture unit"), std::string::npos) << scene.Errors[0];
+  giveBack(0);
+  EXPECT_EQ(takeAll(), all);
+  giveBack(0);
+  EXPECT_GT(Lit(scene.Colors()), 5000);
 }
 
 TEST(DiscLives, TwoWindowsShareAMapper)
@@ -243,6 +314,36 @@ TEST(DiscLives, WhatIsWrongIsRefusedOnce)
     scene.Mapper->SetDiscs(SphereDiscs(64, 20));
     EXPECT_GT(Lit(scene.Colors()), 5000);
     EXPECT_EQ(scene.Errors.size(), 1U);
+  }
+}
+
+TEST(DiscLives, ArraysTooShortForThePointsAreRefused)
+{
+  for (const bool normalsToo : { true, false })
+  {
+    DiscScene scene;
+    vtkNew<vtkPolyData> points;
+    vtkNew<vtkPoints> places;
+    vtkNew<vtkFloatArray> normals, areas;
+    normals->SetNumberOfComponents(3);
+    areas->SetName("share");
+    for (int n = 0; n < 20; ++n)
+    {
+      places->InsertNextPoint(n, 0, 0);
+      if (n < 10 || normalsToo)
+        normals->InsertNextTuple3(0, 0, 1);
+    }
+    areas->InsertNextValue(1);
+    points->SetPoints(places);
+    points->GetPointData()->SetNormals(normals);
+    points->GetPointData()->AddArray(areas);
+    scene.Mapper->SetAreaArrayName("share");
+    scene.Mapper->SetInputDataObject(points);
+    EXPECT_EQ(Lit(scene.Colors()), 0);
+    ASSERT_EQ(scene.Errors.size(), 1U);
+    EXPECT_NE(scene.Errors[0].find(normalsToo ? "1 areas for 20 points" : "10 normals for 20"),
+      std::string::npos)
+      << scene.Errors[0];
   }
 }
 
