@@ -44,6 +44,10 @@ VTKHASPCOMMONVOLUME_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(const Trian
 /// ignored.
 VTKHASPCOMMONVOLUME_EXPORT TriangleMesh MakeTriangleMesh(vtkPolyData* polyData);
 
+/// Triangles of any polydata: strips and polygons of more than three corners are cut up as VTK's
+/// cells do. Throws as MakeTriangleMesh, and for null.
+VTKHASPCOMMONVOLUME_EXPORT TriangleMesh TrianglesOf(vtkPolyData* surface);
+
 } // namespace hasp
 
 #endif

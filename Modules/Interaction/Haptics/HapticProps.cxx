@@ -3,7 +3,6 @@
 #include "Haptics/VirtualCoupling.h"
 #include "PropPose.h"
 #include "vtkHaspClusteredCellMapper.h"
-#include "vtkHaspDistance.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkActor.h"

@@ -1,8 +1,8 @@
 #ifndef vtkHaspDistance_h
 #define vtkHaspDistance_h
 
-#include "Distance/BodyDistance.h"     // for BodyDistance
-#include "vtkHaspCommonVolumeModule.h" // for export macro
+#include "Distance/BodyDistance.h"           // for BodyDistance
+#include "vtkHaspInteractionHapticsModule.h" // for export macro
 
 class vtkImageData;
 class vtkPolyData;
@@ -18,14 +18,10 @@ namespace hasp
 ///           axes of its points: an actor's matrix is not asked
 /// Throws std::invalid_argument as BodyDistance.h and vtkHaspVolumeView.h say; Cancelled. Any
 /// thread, as long as no other changes the VTK object meanwhile.
-VTKHASPCOMMONVOLUME_EXPORT BodyDistance DistanceOfImage(vtkImageData* image, double isovalue,
+VTKHASPINTERACTIONHAPTICS_EXPORT BodyDistance DistanceOfImage(vtkImageData* image, double isovalue,
   const BodyDistanceSettings& settings = {}, const ProgressFunction& progress = {});
-VTKHASPCOMMONVOLUME_EXPORT BodyDistance DistanceOfSurface(vtkPolyData* surface,
+VTKHASPINTERACTIONHAPTICS_EXPORT BodyDistance DistanceOfSurface(vtkPolyData* surface,
   const BodyDistanceSettings& settings = {}, const ProgressFunction& progress = {});
-
-/// Triangles of any polydata: strips and polygons of more than three corners are cut up as VTK's
-/// cells do. Throws as MakeTriangleMesh, and for null.
-VTKHASPCOMMONVOLUME_EXPORT TriangleMesh TrianglesOf(vtkPolyData* surface);
 
 } // namespace hasp
 
