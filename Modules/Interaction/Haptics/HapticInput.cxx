@@ -58,6 +58,7 @@ void HapticInput::Follow(
   this->Renderer = renderer;
   this->Device = device;
   this->Any = this->Turning = false;
+  this->Styles = -1;
   this->Held = 0;
   if (interactor != nullptr && renderer != nullptr && device != nullptr)
     for (const unsigned long event : Followed)
@@ -121,11 +122,27 @@ bool HapticInput::Key()
   return step != glm::dvec3(0.0);
 }
 
-bool HapticInput::Button(std::uint32_t bit, bool held)
+bool HapticInput::Press(int button)
 {
-  if (!held && (this->Held & bit) == 0)
+  const int* at = this->Interactor->GetEventPosition();
+  if (this->takes && !this->Clutched() && !this->takes(button, at[0], at[1]))
+  {
+    this->Styles = button;
+    return false;
+  }
+  this->Held |= 1U << button;
+  this->Device->SetButtons(this->Held);
+  return true;
+}
+
+bool HapticInput::Release(int button)
+{
+  if (this->Styles == button)
+    this->Styles = -1;
+  const std::uint32_t bit = 1U << button;
+  if ((this->Held & bit) == 0)
     return false; // the style had the press
-  this->Held = held ? this->Held | bit : this->Held & ~bit;
+  this->Held &= ~bit;
   this->Device->SetButtons(this->Held);
   return true;
 }
@@ -146,9 +163,9 @@ bool HapticInput::Step(unsigned long event)
       this->Move();
       return true;
     case vtkCommand::LeftButtonPressEvent:
-      return this->Button(1, true);
+      return this->Press(0);
     case vtkCommand::RightButtonPressEvent:
-      return this->Button(2, true);
+      return this->Press(1);
     case vtkCommand::MiddleButtonPressEvent:
       return this->Turning = true;
     case vtkCommand::MouseWheelForwardEvent:
@@ -166,23 +183,23 @@ bool HapticInput::Step(unsigned long event)
 
 bool HapticInput::Handle(unsigned long event, void* data)
 {
-  if (this->Device == nullptr || !this->Renderer)
-    return false;
+  if (this->Device == nullptr || !this->Renderer || !this->Renderer->IsActiveCameraCreated())
+    return false; // before the first picture there is nothing to point at
   switch (event)
   {
     case vtkCommand::TDxMotionEvent:
       this->Rates(*static_cast<const vtkTDxMotionEventInfo*>(data));
       return true;
     case vtkCommand::LeftButtonReleaseEvent:
-      return this->Button(1, false);
+      return this->Release(0);
     case vtkCommand::RightButtonReleaseEvent:
-      return this->Button(2, false);
+      return this->Release(1);
     case vtkCommand::MiddleButtonReleaseEvent:
       return std::exchange(this->Turning, false);
     default:
       break;
   }
-  if (!this->Interactor->GetControlKey())
+  if (!this->Interactor->GetControlKey() && this->Styles < 0)
     return this->Step(event);
   this->Any = false; // the pointer stays where it is, as a mouse that is lifted
   return false;

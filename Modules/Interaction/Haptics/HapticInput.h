@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 class vtkCallbackCommand;
 class vtkRenderWindowInteractor;
@@ -24,8 +25,8 @@ class InputHapticDevice;
 /// at the tool's depth; the wheel is depth; a middle drag turns; left and right are buttons 0 and
 /// 1; arrow and page keys are steps of the wheel's length; a 3Dconnexion device's events of VTK
 /// (TDx) are rates. Shift is the clutch: what moves meanwhile does not reach the device, so that no
-/// tick can see a part of it. With Ctrl held the interactor's style has the mouse; who had a
-/// button's press has its release.
+/// tick can see a part of it. With Ctrl held, and from a press that `takes` does not take, the
+/// interactor's style has the mouse; who had a button's press has its release.
 ///
 /// Threads: RENDER. Held weakly: windows, renderers and the device may go (Forget the device
 /// before).
@@ -43,6 +44,10 @@ public:
   /// Where the tool is (world), and how large a mm of the device is there: once a frame.
   void At(const glm::dvec3& tool, double scale);
 
+  /// Asked when button 0 or 1 goes down at a pixel, and the clutch is not held. None: all of it is
+  /// the device's.
+  std::function<bool(int button, int x, int y)> takes;
+
   double wheelMm = 2.0;                        ///< of the device, a notch or a key
   double turnRadPerPixel = 0.01;               ///< of a middle drag
   double rateMmPerS = 60.0, rateRadPerS = 1.5; ///< of a 6-DOF device's full deflection
@@ -50,7 +55,8 @@ public:
 private:
   bool Handle(unsigned long event, void* data);
   bool Step(unsigned long event);
-  bool Button(std::uint32_t bit, bool held);
+  bool Press(int button);
+  bool Release(int button);
   void Rates(const vtkTDxMotionEventInfo& said);
   void Move();
   bool Key();
@@ -65,6 +71,7 @@ private:
   double Scale = 1.0;
   std::array<int, 2> Before{ 0, 0 };
   std::uint32_t Held = 0;
+  int Styles = -1; ///< the button whose drag is the style's; -1: none
   bool Any = false, Turning = false;
 };
 

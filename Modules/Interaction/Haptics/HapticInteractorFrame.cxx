@@ -74,7 +74,8 @@ void vtkHaspHapticInteractor::SendControl()
 {
   Internals& self = *this->Self;
   hasp::HapticControl control = self.loop->GetControl();
-  if (this->CameraRelative && self.renderer)
+  // Asking for a camera makes one, and then the first picture does not fit the scene into it.
+  if (this->CameraRelative && self.renderer && self.renderer->IsActiveCameraCreated())
   {
     vtkCamera* camera = self.renderer->GetActiveCamera();
     control.axes = CameraAxes(camera);
@@ -96,6 +97,31 @@ void vtkHaspHapticInteractor::SendControl()
   self.loop->SetControl(control);
   const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
   self.input.At(seen.tool.position, this->Scale);
+}
+
+/// A press of the mouse that may take something: the device's point goes to what is seen there, if
+/// a tool is within reach of it. False: it is nothing of haptics.
+bool vtkHaspHapticInteractor::PointAt(int x, int y)
+{
+  Internals& self = *this->Self;
+  if (self.grab.Tool() >= 0)
+    return true; // what is in hand stays where it is
+  const double depth = self.renderer->GetZ(x, y);
+  if (!(depth < 1.0) || !self.loop->GetStarted())
+    return false;
+  self.renderer->SetDisplayPoint(x, y, depth);
+  self.renderer->DisplayToWorld();
+  glm::dvec4 seen;
+  self.renderer->GetWorldPoint(&seen.x);
+  const glm::dvec3 point = glm::dvec3(seen) / seen.w;
+  if (self.props.Nearest(point, this->GrabReach) < 0)
+    return false;
+  hasp::HapticControl control = self.loop->GetControl();
+  const glm::dvec3 device = self.loop->GetSnapshot().raw.position;
+  control.place = { point - control.axes * (control.scale * device), control.axes };
+  ++control.placed;
+  self.placed = true;
+  return self.loop->SetControl(control);
 }
 
 void vtkHaspHapticInteractor::FollowButtons()

@@ -10,9 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -44,16 +41,16 @@ RigidPose BodyInProp(const HapticProp& it)
   return { it.origin, { 1, 0, 0, 0 } };
 }
 
-double IsovalueOf(const HapticProp& it)
-{
-  return it.cells ? it.cells->GetIsoValue() : it.isovalue;
-}
-
 } // namespace
 
 RigidPose HapticProp::Pose() const
 {
   return (this->prop ? PoseOf(this->prop.Get()) : this->fixed) * BodyInProp(*this);
+}
+
+double HapticProp::Isovalue() const
+{
+  return this->cells ? this->cells->GetIsoValue() : this->isovalue;
 }
 
 HapticProps::HapticProps() = default;
@@ -185,7 +182,7 @@ bool HapticProps::DropStale()
     const bool worked = this->Work && it.id == this->WorkOf;
     const bool follows = it.baked.dynamic && !it.touchable;
     if (!it.cells || follows || !(it.ready || it.failed || worked) ||
-        IsovalueOf(it) == it.bakedIsovalue)
+        it.Isovalue() == it.bakedIsovalue)
       continue;
     if (worked)
       this->Work.reset();
@@ -210,7 +207,7 @@ void HapticProps::BeginNext(std::vector<std::string>& faults)
     double bounds[6];
     if (image != nullptr)
     {
-      next->bakedIsovalue = IsovalueOf(*next);
+      next->bakedIsovalue = next->Isovalue();
       job.body = Samples(image, next->bakedIsovalue);
       image->GetBounds(bounds);
     }
@@ -277,48 +274,8 @@ std::vector<double> HapticProps::Isovalues(int tool) const
   std::vector<double> values;
   for (const HapticProp& it : this->Props)
     if (it.tool == tool && it.Feels())
-      values.push_back(
-        it.baked.dynamic ? IsovalueOf(it) : std::numeric_limits<double>::quiet_NaN());
+      values.push_back(it.baked.dynamic ? it.Isovalue() : std::numeric_limits<double>::quiet_NaN());
   return values;
-}
-
-int HapticProps::Nearest(const glm::dvec3& point, double reachMm) const
-{
-  int nearest = -1;
-  double least = reachMm;
-  for (const HapticProp& it : this->Props)
-  {
-    if (it.tool < 0 || !it.prop || !this->ToolReady(it.tool))
-      continue;
-    const glm::dvec3 local = it.Pose().Inverse().Place(point);
-    double far = std::numeric_limits<double>::infinity();
-    const auto take = [&](const ShellDisc& disc)
-    { far = std::min(far, glm::length(glm::dvec3(disc.center) - local)); };
-    if (it.baked.shell)
-    {
-      std::vector<ShellDisc> discs;
-      for (int level = 0; level < std::min(2, it.baked.shell->Levels()); ++level)
-      {
-        discs.resize(it.baked.shell->Level(level).count);
-        discs.resize(CopyDiscs(it.baked.shell->Level(level), 0, discs));
-        std::for_each(discs.begin(), discs.end(), take);
-      }
-    }
-    else
-    {
-      double box[6];
-      std::copy_n(it.prop->GetBounds(), 6, box);
-      const glm::dvec3 inside =
-        glm::clamp(point, glm::dvec3(box[0], box[2], box[4]), glm::dvec3(box[1], box[3], box[5]));
-      far = glm::length(point - inside);
-    }
-    if (far <= least)
-    {
-      least = far;
-      nearest = it.tool;
-    }
-  }
-  return nearest;
 }
 
 void HapticProps::ListResources(ResourceList& list) const

@@ -24,10 +24,10 @@ struct HapticProp
   std::uint64_t id = 0;
   vtkWeakPointer<vtkProp3D> prop; ///< null: it is gone, or it never was one (an image alone)
   vtkSmartPointer<vtkImageData> image;
-  vtkWeakPointer<vtkHaspClusteredCellMapper> cells; ///< whose isovalue counts; null: `isovalue`
-  double isovalue = 0.0;
-  RigidPose fixed{};        ///< where an image alone stands
-  glm::dvec3 origin{ 0.0 }; ///< of the body's axes, in its data
+  vtkWeakPointer<vtkHaspClusteredCellMapper> cells; ///< whose isovalue counts; null: its own
+  double isovalue = 0.0;                            ///< its own
+  RigidPose fixed{};                                ///< where an image alone stands
+  glm::dvec3 origin{ 0.0 };                         ///< of the body's axes, in its data
   bool touchable = false;
   int tool = -1; ///< number of the group it moves with; -1: none
   BakedBody baked;
@@ -39,6 +39,8 @@ struct HapticProp
   bool Feels() const { return this->prop && (this->ready || this->baked.dynamic); }
   /// Of the body's axes, world. Throws as PoseOf.
   RigidPose Pose() const;
+  /// Of the surface that is shown.
+  double Isovalue() const;
 };
 
 /// Which props can be touched and which can be taken in hand, and their maps and shells, baked one
@@ -85,7 +87,7 @@ public:
   /// Of the props of Shells(tool), in that order: the isovalues of dynamic ones, NaN of others.
   std::vector<double> Isovalues(int tool) const;
   /// The tool whose surface is nearest to a point (world), within reachMm; -1: none. Of shells by
-  /// their first points, of dynamic ones by their volume's box.
+  /// their points, of dynamic ones by the cells that their surface crosses: 1 ms or less a tool.
   int Nearest(const glm::dvec3& point, double reachMm) const;
   void ListResources(ResourceList& list) const;
 

@@ -26,10 +26,12 @@ vtkHaspHapticInteractor::vtkHaspHapticInteractor() : Self(std::make_unique<Inter
 {
   this->Self->timer->SetClientData(this);
   this->Self->timer->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*)
+    [](vtkObject*, unsigned long event, void* self, void*)
     {
       auto* haptic = static_cast<vtkHaspHapticInteractor*>(self);
-      if (haptic->Update() && haptic->Self->interactor)
+      if (event == vtkCommand::ModifiedEvent)
+        haptic->BeginTimer();
+      else if (haptic->Update() && haptic->Self->interactor)
         haptic->Self->interactor->Render();
     });
 }
@@ -135,6 +137,8 @@ bool vtkHaspHapticInteractor::UseMouse()
   hasp::InputHapticDevice* feed = device.get();
   if (!this->SetDevice(std::move(device)))
     return false;
+  self.input.takes = [this](int button, int x, int y)
+  { return button != this->GrabButton || this->PointAt(x, y); };
   self.input.Follow(window->GetInteractor(), self.renderer, feed);
   return true;
 }
@@ -157,8 +161,23 @@ void vtkHaspHapticInteractor::StartTimer()
     return;
   self.interactor = window->GetInteractor();
   self.interactor->AddObserver(vtkCommand::TimerEvent, self.timer);
-  if (self.interactor->GetInitialized())
-    self.timerId = self.interactor->CreateRepeatingTimer(FrameMs);
+  // Interactors give timers only once they are initialised, which their Start does: that enables
+  // them, and says so.
+  self.interactor->AddObserver(vtkCommand::ModifiedEvent, self.timer);
+  this->BeginTimer();
+}
+
+void vtkHaspHapticInteractor::BeginTimer()
+{
+  Internals& self = *this->Self;
+  if (self.timerId != 0 || !self.interactor || !self.interactor->GetInitialized())
+    return;
+  self.timerId = self.interactor->CreateRepeatingTimer(FrameMs);
+  if (self.timerId != 0)
+    return;
+  self.EndTimer();
+  vtkWarningMacro(<< "Nobody asks for frames: this interactor has no timers. Without a display, or "
+                     "with a loop of its own, call Update once a frame");
 }
 
 void vtkHaspHapticInteractor::Stop()

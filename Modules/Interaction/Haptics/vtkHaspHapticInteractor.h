@@ -29,8 +29,9 @@ struct RigidPose;
  * Say what can be touched (AddTouchable) and what can be taken in hand (AddTool), give it a device
  * (SetDevice, or UseMouse) and a renderer, Start. A press of button GrabButton takes the tool
  * nearest to the device's point, if its surface is within GrabReach; its actors follow the
- * contact's pose by their user matrices until the button is let go, and stay there.
- * Examples/TouchIsosurface.cxx is a whole program.
+ * contact's pose by their user matrices until the button is let go, and stay there. A mouse takes
+ * what is seen under it: the device's point goes there first. Examples/PressBalls.cxx is a whole
+ * program.
  *
  * Distance maps and pointshells are baked on a WORKER, one prop after the other, as soon as
  * something can be touched and something taken in hand; until then, and without a device, nothing
@@ -39,7 +40,8 @@ struct RigidPose;
  *
  * Call Update once a frame, before it is drawn: all eyes of a frame then see the same pose,
  * whatever draws them. With an interactor (SetRenderer's window has one) Start does it by a timer,
- * and asks for a picture (RenderEvent) when something moved.
+ * and asks for a picture (RenderEvent) when something moved; the timer begins with the interactor,
+ * whichever starts first. One without timers (no display) is a warning.
  *
  * Poses: the device moves along the axes of the renderer's camera (CameraRelative), `Scale` world
  * mm for its mm; or, by SetDeviceToWorld, stands where it really stands (FitCoLocation), so that
@@ -105,8 +107,10 @@ public:
     std::unique_ptr<hasp::HapticDevice> device, const hasp::HapticChainSettings& settings);
   ///@}
 #endif
-  /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what.
-   * The renderer's window needs an interactor. False after an error. */
+  /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what. A
+   * press of GrabButton where the last picture shows nothing within GrabReach of a tool is the
+   * interactor's style's, and so is its drag. The renderer's window needs an interactor. False
+   * after an error. */
   bool UseMouse();
 
   bool Start();
@@ -199,6 +203,8 @@ private:
   void FollowProps();
   void FollowContact();
   void StartTimer();
+  void BeginTimer();
+  bool PointAt(int x, int y);
 
   int GrabButton = 0, ClutchButton = 1;
   double GrabReach = 20.0, Scale = 1.0;

@@ -285,7 +285,7 @@ void vtkHaspHapticLoop::Update()
     return;
   self.chain->Collect();
   // Nobody else reads the device: where it is and what it presses is known all the same.
-  if (!self.thread.Running())
+  if ((self.started || self.snapshot.ticks > 0) && !self.thread.Running())
     self.chain->Poll(hasp::MonotonicClock().NowNs());
   if (const hasp::HapticSnapshot* newest = self.chain->Latest())
     self.snapshot = *newest;

@@ -35,8 +35,8 @@ struct RigidPose;
  *
  * Owns the thread HAPTIC, and runs hasp::HapticChain there. There is a thread only while it is
  * started, the tool has a shell and there is a body to be touched; else Update, once a frame, reads
- * the device, so that its pose and buttons are known all the same. A loop without a device holds
- * nothing.
+ * the device, so that its pose and buttons are known all the same. Before the first Start nobody
+ * reads it: a simulated hand's plan begins then. A loop without a device holds nothing.
  *
  * vtkHaspHapticInteractor does what is said here for scenes of actors. Alone it is for programs
  * that make maps and shells themselves.

@@ -5,6 +5,7 @@
 #include "TouchScene.h"
 #include "vtkHaspHapticInteractor.h"
 #include "vtkHaspHapticLoop.h"
+#include "vtkHaspHeadlessWindows.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -141,6 +142,7 @@ struct Frames
       this->haptic->GetLoop()->IsRunning() && this->haptic->GetLoop()->GetSnapshot().ticks < ticks);
   }
 
+  const bool headless = hasp::UseHeadlessWindows(); ///< before the first window
   vtkSmartPointer<vtkRenderWindow> window = vtkSmartPointer<vtkRenderWindow>::New();
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkHaspHapticInteractor> haptic;

@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace
 {
@@ -233,6 +235,7 @@ TEST(HapticInput, TheMouseMovesATouchersPointAlongTheScreen)
   frames.window->SetInteractor(interactor);
   frames.renderer->GetActiveCamera()->Azimuth(90.0); // from +x: right is -z
   ASSERT_TRUE(frames.haptic->UseMouse());
+  ASSERT_TRUE(frames.haptic->Start());
   frames.haptic->Update();
   const auto point = [&] { return frames.haptic->GetLoop()->GetSnapshot().device.position; };
   const glm::dvec3 start = point();
@@ -242,6 +245,40 @@ TEST(HapticInput, TheMouseMovesATouchersPointAlongTheScreen)
   for (int frame = 0; frame < 1'000'000 && glm::length(point() - start) < 1.999; ++frame)
     frames.haptic->Update();
   EXPECT_LT(glm::length(point() - start - glm::dvec3(0, 0, -2)), 0.002);
+}
+
+TEST(HapticInput, APressThatIsNotTakenIsTheStylesUntilItsRelease)
+{
+  Window w;
+  bool take = false;
+  std::array<int, 3> asked{};
+  w.input.takes = [&](int button, int x, int y)
+  {
+    asked = { button, x, y };
+    return take;
+  };
+  const Count moves(w.interactor, vtkCommand::MouseMoveEvent),
+    presses(w.interactor, vtkCommand::RightButtonPressEvent),
+    releases(w.interactor, vtkCommand::RightButtonReleaseEvent);
+  const auto drag = [&](const char* keys = "")
+  {
+    w.MoveTo(80, 90);
+    w.Say(vtkCommand::RightButtonPressEvent, keys);
+    const DeviceSample held = w.Read();
+    w.MoveTo(120, 90);
+    const glm::dvec3 moved = w.Place() - held.pose.position;
+    w.Say(vtkCommand::RightButtonReleaseEvent);
+    EXPECT_EQ(w.Read().buttons, 0u);
+    return std::pair(held.buttons, moved.x > 0.0);
+  };
+  EXPECT_EQ(drag(), std::pair(0u, false));
+  EXPECT_EQ(asked, (std::array<int, 3>{ 1, 80, 90 }));
+  EXPECT_EQ(presses.times + moves.times + releases.times, 3);
+  take = true;
+  EXPECT_EQ(drag(), std::pair(2u, true)) << "the next press is asked for anew";
+  take = false;
+  EXPECT_EQ(drag("s"), std::pair(2u, true)) << "under the clutch the tool stays where it is";
+  EXPECT_EQ(presses.times + moves.times + releases.times, 3);
 }
 
 } // namespace

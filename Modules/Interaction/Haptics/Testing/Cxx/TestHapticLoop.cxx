@@ -226,6 +226,7 @@ TEST(HapticLoop, DiscsAreAskedForAndAnswered)
   EXPECT_EQ(loop->AskForDiscs(10), nullptr);
   ASSERT_TRUE(loop->SetDevice(HandAt(At(0, 0, 30))));
   EXPECT_EQ(loop->AskForDiscs(10), nullptr) << "the next tick answers";
+  ASSERT_TRUE(loop->Start());
   loop->Update();
   const HapticDiscRequest* discs = loop->AskForDiscs(10);
   ASSERT_NE(discs, nullptr);
