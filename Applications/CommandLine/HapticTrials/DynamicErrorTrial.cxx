@@ -41,12 +41,14 @@ void AddRow(ReportContext& context, const DynamicScene& scene, const std::vector
     alive += share * shell.LastTick().points;
     const Wrench right = scene.Feel(pose, *scene.truth);
     Wrench felt;
-    time = ThreadTimeOf(
+    const Timing tick = ThreadTimeOf(
       [&]
       {
         shell.Update(pose, 0.0);
         felt = scene.Feel(pose, shell.Points());
       });
+    time.wallS += share * tick.wallS;
+    time.cpuS += share * tick.cpuS;
     ofDynamic.Add(felt, right, share);
     ofFixed.Add(scene.Feel(pose, *fixed), right, share);
   }
