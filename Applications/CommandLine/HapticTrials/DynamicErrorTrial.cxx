@@ -55,7 +55,7 @@ void AddRow(ReportContext& context, const DynamicScene& scene, const std::vector
   ReportRow row;
   row.id = IdAt("haptics.dynamic.error", points, 4096);
   row.value = ofDynamic.force / ofFixed.force;
-  row.unit = "error of the dynamic / of the static shell";
+  row.unit = "of the static shell's error of the force";
   char text[200];
   std::snprintf(text, sizeof text,
     "static shell of %d points: off by %.2g of the force, %.2g of "
@@ -68,8 +68,8 @@ void AddRow(ReportContext& context, const DynamicScene& scene, const std::vector
   row.cpuS = time.cpuS;
   row.n = static_cast<int>(poses.size());
   std::snprintf(text, sizeof text,
-    "128^3, poses pressed 0.5 to 1.5 mm, against %u points; room for %d, %.0f used; of the torque "
-    "%.2g; aim 0.25",
+    "128^3, mean of poses pressed 0.5 to 1.5 mm, against %u points; room for %d, %.0f used; of "
+    "the torque %.2g; time of a tick at rest; aim 0.25",
     scene.truth->LevelEnd(scene.truth->Levels() - 1), points, alive,
     ofDynamic.torque / ofFixed.torque);
   row.data = text;

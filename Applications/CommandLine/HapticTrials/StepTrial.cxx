@@ -109,6 +109,7 @@ void AddPoints(ReportContext& context, const TrialBody& body, int points, int ti
   row.q1 = costs.pointsPerMs.q1;
   row.q3 = costs.pointsPerMs.q3;
   row.unit = "points evaluated in 1 ms of CPU time";
+  row.better = Better::Higher;
   row.error = KernelError(body, *shell, ContactTerms::Matrix, Beside);
   row.errorUnit = "of the force";
   row.timeS = costs.wallS;
@@ -140,6 +141,7 @@ void AddSnap(ReportContext& context, const TrialBody& body, int points, int tick
   row.q1 = 1e3 * costs.cpuS.q1;
   row.q3 = 1e3 * costs.cpuS.q3;
   row.unit = "ms of CPU a tick";
+  row.better = Better::Lower;
   row.rival = "the thesis: stable at 1 kHz with 5,000 contact points";
   row.error = KernelError(body, *shell, ContactTerms::Snap, Beside);
   row.errorUnit = "of the force";
@@ -199,7 +201,7 @@ void AddRipple(ReportContext& context, const TrialBody& body)
       hand.name, 100.0 * figures.forceRipple, figures.holdForceN);
     row.data += text;
   }
-  row.unit = "RMS over 5 Hz of the device's largest force";
+  row.unit = "of the device's largest force, RMS over 5 Hz";
   row.rival = "a force that does not change";
   row.error = row.value;
   row.errorUnit = "of the largest force";
