@@ -84,8 +84,9 @@ std::vector<ReportTerm> HapticTerms()
 {
   return {
     { "haptics.simd.static",
-      "contact of a point shell that does not change: forces alone; then the vectors: avx2, "
-      "avx512; native: against plain code compiled for this processor; @256: a map of 256^3 "
+      "contact of a point shell that does not change: forces alone; then the vectors: avx2 or "
+      "avx512 (AVX3 in the data); native: against plain code compiled for this processor; @256: a "
+      "map of 256^3 "
       "samples, else 128^3" },
     { "haptics.simd.matrix", "the same with gradients and the 6x6 stiffness matrix" },
     { "haptics.simd.dynamic",
