@@ -40,10 +40,11 @@ std::vector<ReportTerm> CellTerms()
     { "cells.edit", "time to bring cells up to date after a change of 1 % / to extract all anew" },
     { "cells.frame", "time of a frame / of the mesh's, by renderer; large: of the largest volume" },
     { "cells.growth", "power of the samples along an axis with which bytes or times grow" },
-    { "cells.rays", "rays traced against cells, times as fast as against triangles; ao: short rays "
-                    "for ambient occlusion; memory: bytes of both" },
+    { "cells.rays",
+      "rays traced against cells, times as fast as against triangles; ao: short rays "
+      "for ambient occlusion; packets: against 16 rays at once, incoherent: that go any "
+      "way; memory: bytes of both" },
     { "cells.build.rays", "time from the volume to the first ray / the same with triangles" },
-    { "cells.stereo", "time of the second eye / the first's, and of the pair / of one in mono" },
     { "cells.stream", "a volume on disk, larger than memory: gib held, and time to the first "
                       "picture; @: samples along an axis" },
     { "cells.error_time", "error against time of a frame; lower left is better" },
@@ -74,6 +75,8 @@ std::vector<ReportTerm> RaycachingTerms()
     { "raycaching.ao", "noise of still light: its slope over frames and over casts, and its floor; "
                        "error: the curve" },
     { "raycaching.stereo", "bricks, time of the second eye and of the pair / of one eye" },
+    { "cells.stereo", "time of the second eye / the first's, and of the pair / of one in mono, of "
+                      "active cells; @: by which renderer" },
     { "raycaching.soak",
       "a long walk: growth of memory and cache, bricks that are there twice, and errors" },
     { "raycaching.error_time", "error against time after a change; lower left is better" },
