@@ -71,6 +71,7 @@ ReportRow IsosurfaceComparison::Row(
   row.id = id + "@" + this->Data;
   row.value = value;
   row.unit = unit;
+  row.better = Better::Lower;
   row.rival = measured.name;
   row.timeS = measured.frame.wallS;
   row.cpuS = measured.frame.cpuS;

@@ -25,6 +25,7 @@ void AddExponent(ReportContext& context, const std::string& id, const std::strin
   row.id = id;
   row.value = GrowthExponent(figures);
   row.unit = "power of samples an axis";
+  row.better = Better::Lower;
   row.n = int(figures.size());
   row.data = of + ", " + std::to_string(int(figures.front().first)) + " to " +
              std::to_string(int(figures.back().first)) + " samples an axis";

@@ -95,6 +95,7 @@ void MeasureStream(ReportContext& context, const std::string& volume, int n, con
   ReportRow row;
   row.id = "cells.stream.gib" + tag;
   row.unit = "GiB anonymous and shared memory, resident at most";
+  row.better = Better::Lower;
   row.data = "phantom head, " + std::to_string(n) + "^3 int16 on disk, 300 HU";
   const auto draw = [&](const char* renderer)
   {

@@ -58,6 +58,7 @@ void Compare(ReportContext& context, const ImportSubject& subject, const ImportF
   time.method = "import." + format.id;
   time.value = times.ratio.median;
   time.unit = "ratio";
+  time.better = Better::Lower;
   time.rival = rival.name + ", which puts a marker " + InMm(theirs) + " off";
   time.error = ours;
   time.errorUnit = "mm";

@@ -43,6 +43,7 @@ void ReportFaultyFolders(
     row.method = "import.faults";
     row.value = acceptedByUs;
     row.unit = "folders";
+    row.better = Better::Lower;
     row.rival = rival.name + " accepts " + std::to_string(accepted) + " in " +
                 std::to_string(rivalTime.wallS) + " s";
     row.error = acceptedByUs;

@@ -62,6 +62,7 @@ void AddConvergence(ReportContext& context, const RaycachingScene& scene)
   context.report.rows.push_back(ErrorFigure("raycaching.psnr.one" + scene.cells.tag, { one, "dB" },
     "16 rays a pixel against all active cells", { time.wallS / (n * n), time.cpuS / (n * n) },
     data + ", one picture"));
+  context.report.rows.back().better = Better::Higher;
   add(ErrorFigure("raycaching.psnr.centre" + scene.cells.tag, { centre, "dB" },
         "one exact ray at each pixel's centre, on the CPU",
         { time.wallS / (n * n), time.cpuS / (n * n) }, data + ", one picture"),

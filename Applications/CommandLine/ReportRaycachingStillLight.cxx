@@ -121,6 +121,8 @@ void AddStillLight(ReportContext& context, const RaycachingScene& scene)
     row.value = value;
     row.unit = unit;
     row.n = int(byFrames.size());
+    if (id != "floor") // a slope is to be what theory says
+      row.better = Better::NotSaid;
     row.bars = bars;
     context.report.rows.push_back(row);
   };

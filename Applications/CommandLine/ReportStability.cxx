@@ -93,6 +93,7 @@ void AddShare(ReportContext& context)
     "the prediction: closed forms, the rule by brute force, roots in long double, spectral radii";
   share.n = int(rows.size());
   ReportRow count = share;
+  share.better = Better::Higher;
   count.id = "stability.rows";
   count.value = double(rows.size());
   count.unit = "cases";

@@ -58,6 +58,7 @@ void AddRows(ReportContext& context, BallScene::Ball kind, const std::string& da
   place.id = "stereo.place.max@" + data;
   place.value = ours;
   place.unit = "pixel";
+  place.better = Better::Lower;
   place.rival = std::string(Rival) + ": " + std::to_string(vtks) + " pixel";
   place.error = ours;
   place.errorUnit = "pixel";

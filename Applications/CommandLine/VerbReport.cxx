@@ -3,6 +3,7 @@
 #include "ReportHtml.h"
 #include "ReportJson.h"
 #include "ReportRegistry.h"
+#include "ReportTerms.h"
 #include "ReportText.h"
 #include "Session.h"
 #include "UseText.h"
@@ -69,6 +70,7 @@ ReportRow PeakMemory(const std::string& report)
   row.id = report + ".memory.peak";
   row.value = double(use.ru_maxrss) / (1024.0 * 1024.0);
   row.unit = "GiB resident at most";
+  row.better = Better::Lower;
   row.rival = "all methods of this report together";
   return row;
 }
@@ -82,6 +84,7 @@ Report RunReport(const ReportEntry& entry, const ReportSettings& settings, Sessi
   report.machine = ThisMachine();
   report.seed = settings.seed;
   report.quick = settings.quick;
+  report.terms = TermsOf(report.name);
   session.progress.Step("report " + report.name);
   ReportContext context{ report, settings,
     [&session](double share, const std::string& step)

@@ -25,20 +25,24 @@ double Seconds(std::int64_t ns) noexcept
 {
   return 1e-9 * static_cast<double>(ns);
 }
-} // namespace
 
-HandBody BodyOf(const DeviceProfile& profile) noexcept
+HandBody BodyOf(const SimulatedDeviceSettings& settings)
 {
   HandBody body;
-  body.massKg = profile.movingMassKg;
-  body.viscousNsPerMm = profile.dampingNsPerMm;
+  body.massKg = settings.profile.movingMassKg;
+  body.viscousNsPerMm = settings.profile.dampingNsPerMm;
+  body.inertiaKgMm2 = settings.inertiaKgMm2;
+  body.turnViscousNmmSPerRad = settings.turnViscousNmmSPerRad;
+  body.coulombN = settings.coulombN;
+  body.turnCoulombNmm = settings.turnCoulombNmm;
   return body;
 }
+} // namespace
 
 SimulatedHapticDevice::SimulatedHapticDevice(
   const SimulatedDeviceSettings& settings, HandIntention intention)
   : Settings(settings),
-    Model(settings.body, settings.grip, std::move(intention))
+    Model(BodyOf(settings), settings.grip, std::move(intention))
 {
   ValidateDeviceProfile(settings.profile);
   double beforeS = -1e9;

@@ -9,9 +9,6 @@
 namespace hasp
 {
 
-/// The moving part of such a device, with its mass and damping.
-HandBody BodyOf(const DeviceProfile& profile) noexcept;
-
 // Times in s since the hand's beginning: the first Read.
 struct SimulatedButtons
 {
@@ -25,8 +22,14 @@ struct SimulatedOutage
 
 struct SimulatedDeviceSettings
 {
+  /// The device, and with its movingMassKg and dampingNsPerMm the body that the hand moves.
   DeviceProfile profile = TouchProfile();
-  HandBody body = BodyOf(TouchProfile());
+  ///@{
+  /// What a profile does not say of that body, as in HandBody.
+  glm::dvec3 inertiaKgMm2{ 100.0 };
+  double turnViscousNmmSPerRad = 0.5;
+  double coulombN = 0.0, turnCoulombNmm = 0.0;
+  ///@}
   HandGrip grip = LooseGrip();
   std::vector<SimulatedButtons> buttons{}; ///< times increase
   std::vector<SimulatedOutage> outages{};

@@ -87,7 +87,7 @@ public:
   virtual void Place(const RigidPose& tool) = 0;
   /// What the device is to do from now on. timeS: since the start, for scenes that change.
   virtual Wrench Tick(const RigidPose& device, double timeS) = 0;
-  /// The deepest point of the tool as the tick left it, mm, <= 0; and what is unbalanced, in
+  /// The deepest point of the tool as the tick left it, mm, negative inside; what is unbalanced, in
   /// shares of the spring's limit.
   virtual double DeepestMm() = 0;
   virtual double Residual() = 0;
@@ -105,8 +105,10 @@ struct BenchFigures
   double holdForceN = 0.0;  ///< mean norm in the hold phase
   double energyMj = 0.0;    ///< at the device's port, at the end
   double lowestEnergyMj = 0.0;
-  double deepestMm = 0.0;     ///< of the whole run, >= 0
-  double holdDeepestMm = 0.0; ///< in the hold phase
+  ///@{
+  /// Depths, so positive inside: -DeepestMm(), the largest of the whole run, and in the hold phase.
+  double deepestMm = 0.0, holdDeepestMm = 0.0;
+  ///@}
   double largestForceN = 0.0, largestTorqueNmm = 0.0;
   double longestFlightS = 0.0;   ///< off in the hold phase: a tool thrown off looks quiet
   double slowestRecoveryS = 0.0; ///< longest time on end that the tool was out of balance

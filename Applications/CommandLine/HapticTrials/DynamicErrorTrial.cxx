@@ -41,19 +41,21 @@ void AddRow(ReportContext& context, const DynamicScene& scene, const std::vector
     alive += share * shell.LastTick().points;
     const Wrench right = scene.Feel(pose, *scene.truth);
     Wrench felt;
-    time = ThreadTimeOf(
+    const Timing tick = ThreadTimeOf(
       [&]
       {
         shell.Update(pose, 0.0);
         felt = scene.Feel(pose, shell.Points());
       });
+    time.wallS += share * tick.wallS;
+    time.cpuS += share * tick.cpuS;
     ofDynamic.Add(felt, right, share);
     ofFixed.Add(scene.Feel(pose, *fixed), right, share);
   }
   ReportRow row;
   row.id = IdAt("haptics.dynamic.error", points, 4096);
   row.value = ofDynamic.force / ofFixed.force;
-  row.unit = "error of the dynamic / of the static shell";
+  row.unit = "of the static shell's error of the force";
   char text[200];
   std::snprintf(text, sizeof text,
     "static shell of %d points: off by %.2g of the force, %.2g of "
@@ -66,8 +68,8 @@ void AddRow(ReportContext& context, const DynamicScene& scene, const std::vector
   row.cpuS = time.cpuS;
   row.n = static_cast<int>(poses.size());
   std::snprintf(text, sizeof text,
-    "128^3, poses pressed 0.5 to 1.5 mm, against %u points; room for %d, %.0f used; of the torque "
-    "%.2g; aim 0.25",
+    "128^3, mean of poses pressed 0.5 to 1.5 mm, against %u points; room for %d, %.0f used; of "
+    "the torque %.2g; time of a tick at rest; aim 0.25",
     scene.truth->LevelEnd(scene.truth->Levels() - 1), points, alive,
     ofDynamic.torque / ofFixed.torque);
   row.data = text;

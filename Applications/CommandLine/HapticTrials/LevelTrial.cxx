@@ -116,7 +116,7 @@ void AddCurves(
   ReportRow row;
   row.id = "haptics.error.falls@" + name;
   row.value = worst;
-  row.unit = "largest error of a level / of the coarser one's, a quarter of its points";
+  row.unit = "of the error with a quarter of the points, worst level";
   row.rival = std::to_string(Points) + " points";
   row.error = errors[static_cast<std::size_t>(scene.Last()) - 1];
   row.errorUnit = "of the force, RMS, finest level but one";

@@ -102,6 +102,7 @@ void AddRow(ReportContext& context, const char* name, double ours, double bare, 
   row.id = std::string("haptics.loop.") + name;
   row.value = ours;
   row.unit = unit;
+  row.better = Better::Lower;
   row.rival = Text(bare, unit);
   row.n = static_cast<int>(figures.ticks);
   row.data = data;
@@ -133,9 +134,12 @@ void TryLoop(
     ours.Add(trial.Run(seconds / turns, true, beside));
     bare.Add(trial.Run(seconds / turns, false, beside));
   }
-  char text[200];
+  char text[240];
   std::snprintf(text, sizeof text,
-    "20,000 points, half in contact, beside %s; %.0f s of each loop in turns", what, seconds);
+    "20,000 points, half in contact, beside %s; %.0f s of each loop in turns; no bar: what else "
+    "the "
+    "machine does counts",
+    what, seconds);
   std::string data = text;
   if (!ours.shortfalls.empty())
     data += "; not given: " + ours.shortfalls;

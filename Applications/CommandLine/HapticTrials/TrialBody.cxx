@@ -111,8 +111,13 @@ std::vector<RigidPose> PressPoses(int count, double radius, std::uint64_t seed)
 double WrenchError(const Wrench& wrench, const Wrench& truth, double radius)
 {
   const double size = std::max(glm::length(truth.force), 1e-12);
-  return std::max(glm::length(wrench.force - truth.force) / size,
+  return WorseOf(glm::length(wrench.force - truth.force) / size,
     glm::length(wrench.torque - truth.torque) / (size * radius));
+}
+
+double WorseOf(double a, double b)
+{
+  return a >= b || std::isnan(a) ? a : b; // std::max would lose a NaN, and an error with it
 }
 
 std::string IdAt(const std::string& id, int figure, int plain)

@@ -55,6 +55,9 @@ std::vector<RigidPose> PressPoses(int count, double radius, std::uint64_t seed);
 /// What `wrench` is off by: of the force, or of the torque at the radius, relative to the force.
 double WrenchError(const Wrench& wrench, const Wrench& truth, double radius);
 
+/// The larger one; what is no number is worse than any.
+double WorseOf(double a, double b);
+
 /// "id", or "id@figure" where the figure is not the one that the plain id stands for.
 std::string IdAt(const std::string& id, int figure, int plain);
 

@@ -17,14 +17,15 @@ Quartiles Turned(const Quartiles& ratio, bool over)
 
 /// `beside`: the other clock's ratio.
 ReportRow RatioRow(const std::string& id, const PairedTimes& times, const Quartiles& ratio,
-  double beside, const std::string& clock)
+  double beside, const std::string& clock, bool faster)
 {
   ReportRow row;
   row.id = id;
   row.value = ratio.median;
   row.q1 = ratio.q1;
   row.q3 = ratio.q3;
-  row.unit = "ratio";
+  row.unit = faster ? "times as fast" : "ratio";
+  row.better = faster ? Better::Higher : Better::Lower;
   row.timeS = times.a.wallS;
   row.cpuS = times.a.cpuS;
   row.n = times.pairs;
@@ -40,8 +41,8 @@ ReportRow RatioRow(const std::string& id, const PairedTimes& times, const Quarti
 ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
   const MeasuredError& error, const std::string& data, bool faster)
 {
-  ReportRow row =
-    RatioRow(id, times, Turned(times.ratio, faster), Turned(times.cpuRatio, faster).median, "CPU");
+  ReportRow row = RatioRow(
+    id, times, Turned(times.ratio, faster), Turned(times.cpuRatio, faster).median, "CPU", faster);
   row.rival = rival;
   row.error = error.value;
   row.errorUnit = error.unit;
@@ -52,8 +53,8 @@ ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std:
 ReportRow CpuRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
   const MeasuredError& error, const std::string& data, bool faster)
 {
-  ReportRow row =
-    RatioRow(id, times, Turned(times.cpuRatio, faster), Turned(times.ratio, faster).median, "wall");
+  ReportRow row = RatioRow(
+    id, times, Turned(times.cpuRatio, faster), Turned(times.ratio, faster).median, "wall", faster);
   row.rival = rival;
   row.error = error.value;
   row.errorUnit = error.unit;
@@ -79,6 +80,7 @@ ReportRow ErrorFigure(const std::string& id, const MeasuredError& error, const s
   row.id = id;
   row.value = row.error = error.value;
   row.unit = row.errorUnit = error.unit;
+  row.better = Better::Lower;
   row.rival = truth;
   row.timeS = time.wallS;
   row.cpuS = time.cpuS;

@@ -12,8 +12,8 @@ struct MeasuredError
   std::string unit = "voxel";
 };
 
-/// A ratio of times, pair by pair, and beside it of CPU times; `faster` turns it over: rival /
-/// ours.
+/// A ratio of times, pair by pair, and beside it of CPU times; `faster` turns it over: how many
+/// times as fast as the rival.
 ReportRow TimedRatio(const std::string& id, const PairedTimes& times, const std::string& rival,
   const MeasuredError& error, const std::string& data, bool faster = false);
 

@@ -46,7 +46,10 @@ void CheckRow(const ReportRow& row, Faults& faults)
   for (const ReportBar& bar : row.bars)
     faults.Check(row.value && (bar.least || bar.most) && Finite(bar.least) && Finite(bar.most),
       row.id, "has a bar that says nothing");
-  if (row.value && row.unit == "ratio" && row.timeS)
+  const bool ratio = row.value && (row.unit == "ratio" || row.unit == "times as fast");
+  faults.Check(!ratio || BetterOf(row) != Better::NotSaid, row.id,
+    "is a ratio that does not say which way it is better");
+  if (ratio && row.timeS)
   {
     faults.Check(row.q1 && row.q3, row.id, "is a timed ratio without quartiles");
     faults.Check(row.n >= 9, row.id, "is a timed ratio of fewer than 9 pairs");
@@ -75,6 +78,19 @@ void CheckOnce(const Report& report, Faults& faults)
     once(curve.id + ", curve of " + curve.method);
   for (const ReportCase& row : report.stability)
     once(row.id + ", case " + row.testCase);
+}
+
+void CheckIds(const Report& report, Faults& faults)
+{
+  std::set<std::string> ids;
+  for (const ReportRow& row : report.rows)
+    ids.insert(row.id);
+  for (const ReportCurve& curve : report.curves)
+    ids.insert(curve.id);
+  for (const std::string& id : ids)
+    faults.Check(std::any_of(report.terms.begin(), report.terms.end(),
+                   [&](const ReportTerm& term) { return Explains(term, id); }),
+      id, "is explained nowhere: ReportTerms.cxx");
 }
 
 void CheckCurve(const ReportCurve& curve, Faults& faults)
@@ -116,6 +132,20 @@ std::string MethodOf(const ReportRow& row)
   return row.method.empty() ? row.id.substr(0, row.id.find('.')) : row.method;
 }
 
+Better BetterOf(const ReportRow& row)
+{
+  for (const ReportBar& bar : row.bars)
+    if (bar.of.empty())
+      return bar.least && bar.most ? Better::NotSaid : bar.least ? Better::Higher : Better::Lower;
+  return row.better;
+}
+
+bool Explains(const ReportTerm& term, const std::string& id)
+{
+  const std::size_t end = term.id.size();
+  return id.starts_with(term.id) && (id.size() == end || id[end] == '.' || id[end] == '@');
+}
+
 bool Missed(const ReportRow& row, const ReportBar& bar)
 {
   const double figure = bar.of.empty() ? row.value.value_or(std::nan("")) : bar.figure;
@@ -145,6 +175,7 @@ std::vector<std::string> ReportFaults(const Report& report)
     faults.Check(use.bytes == 0 && use.milliseconds == 0.0, use.resource,
       "is listed as unused but holds bytes or took time");
   CheckRivals(report, faults);
+  CheckIds(report, faults);
   CheckOnce(report, faults);
   return faults.list;
 }

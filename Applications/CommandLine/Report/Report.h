@@ -20,16 +20,23 @@ struct ReportBar
   double figure = 0.0;               ///< if `of` is given; one that is not finite misses the bar
 };
 
-/// One figure. A ratio is ours / rival; when its id says speedup, simd, speed or rays it is
-/// rival / ours in time: larger is better.
+enum class Better
+{
+  NotSaid, ///< a count, or a figure that is to be just so
+  Lower,
+  Higher
+};
+
+/// One figure. "ratio" is ours / the rival's, "times as fast" the rival's time / ours.
 struct ReportRow
 {
-  std::string id;              ///< "cells.extract", or "cells.extract@dataset" on other data
-  std::string method;          ///< what is measured; empty: the id up to its first dot
-  std::optional<double> value; ///< the ratio or figure; absent rows have none
-  std::string unit;            ///< "ratio", "mm", "share", "s", ...
-  std::string rival;           ///< its name, version and settings; empty: no rival in this row
-  std::optional<double> error; ///< of ours, in errorUnit; a row with timeS has it too
+  std::string id;                  ///< "cells.extract", or "cells.extract@dataset" on other data
+  std::string method;              ///< what is measured; empty: the id up to its first dot
+  std::optional<double> value;     ///< the ratio or figure; absent rows have none
+  std::string unit;                ///< "ratio", "times as fast", "mm", "share", "s", ...
+  Better better = Better::NotSaid; ///< which way the value is; where a bar says it, need not be set
+  std::string rival;               ///< its name, version and settings; empty: no rival in this row
+  std::optional<double> error;     ///< of ours, in errorUnit; a row with timeS has it too
   std::string errorUnit;
   std::optional<double> timeS; ///< wall time of ours, s; a row with error has it too
   std::optional<double> cpuS;  ///< CPU time of ours, all threads, s
@@ -63,6 +70,13 @@ struct ReportCase
   std::string unit;
 };
 
+/// What ids that begin so stand for: "haptics.simd" explains "haptics.simd.static@256".
+struct ReportTerm
+{
+  std::string id;
+  std::string meaning;
+};
+
 struct ReportMachine
 {
   std::string cpu;
@@ -79,6 +93,7 @@ struct Report
   ReportMachine machine;
   std::uint64_t seed = 1;
   bool quick = false;
+  std::vector<ReportTerm> terms; ///< of rows and curves; more than there are may be told
   std::vector<ReportRow> rows;
   std::vector<ReportCurve> curves;
   std::vector<ReportCase> stability;
@@ -87,6 +102,11 @@ struct Report
 
 /// The row's method, or the part of its id before the first dot.
 std::string MethodOf(const ReportRow& row);
+
+/// Which way the row's value is better: as its bar has it, else as the row says.
+Better BetterOf(const ReportRow& row);
+/// Does the term explain this id of a row or curve?
+bool Explains(const ReportTerm& term, const std::string& id);
 
 /// Is the row beyond the bar?
 bool Missed(const ReportRow& row, const ReportBar& bar);
@@ -98,6 +118,7 @@ bool Missed(const ReportRow& row);
 ///  - a method with neither a rival nor an absent row; an absent row with a value
 ///  - an id emitted twice
 ///  - a figure that is not finite, a ratio without quartiles or with fewer than 9 pairs
+///  - a ratio that does not say which way it is better; an id that no term explains
 ///  - a bar without an end, or of a row without a value
 ///  - an unused resource that holds bytes or took time
 ///  - a report that says nothing

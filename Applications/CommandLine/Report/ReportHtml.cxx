@@ -37,8 +37,9 @@ std::string RowsTable(const Report& report)
 {
   if (report.rows.empty())
     return "";
-  std::string html = "<h2>Figures</h2>\n" + Head({ "id", "value", "quartiles", "n", "error", "time",
-                                              "CPU time", "rival", "data", "bar" });
+  std::string html = "<h2>Figures</h2>\n<p>" + EscapeHtml(LegendText()) + "</p>\n" +
+                     Head({ "id", "value", "better", "quartiles", "n", "error", "time", "CPU time",
+                       "rival", "data", "bar" });
   for (const ReportRow& row : report.rows)
   {
     const std::string quartiles =
@@ -46,12 +47,25 @@ std::string RowsTable(const Report& report)
     html += "<tr>" + Cell(row.id + (report.quick ? " (quick)" : ""));
     html += row.absent.empty() ? Cell(FigureText(row.value, row.unit), "figure")
                                : Cell("absent: " + row.absent, "faint");
+    html += Cell(BetterText(row));
     html += Cell(quartiles, "figure") + Cell(row.n > 0 ? std::to_string(row.n) : "", "figure") +
             Cell(FigureText(row.error, row.errorUnit), "figure") +
             Cell(FigureText(row.timeS, "s"), "figure") + Cell(FigureText(row.cpuS, "s"), "figure") +
             Cell(row.rival) + Cell(row.data) + Cell(BarText(row), Missed(row) ? "bad" : "") +
             "</tr>\n";
   }
+  return html + "</table>\n";
+}
+
+std::string TermsTable(const Report& report)
+{
+  const std::vector<ReportTerm> terms = TermsUsed(report);
+  if (terms.empty())
+    return "";
+  std::string html =
+    "<h2>What the ids stand for</h2>\n" + Head({ "ids that begin with", "stand for" });
+  for (const ReportTerm& term : terms)
+    html += "<tr>" + Cell(term.id) + Cell(term.meaning) + "</tr>\n";
   return html + "</table>\n";
 }
 
@@ -101,7 +115,8 @@ std::string Section(const Report& report)
                            std::to_string(report.seed) + (report.quick ? ", quick." : ".");
   return "<h1>hasp report " + EscapeHtml(report.name) + "</h1>\n<p class=\"faint\">" +
          EscapeHtml(made) + "<br>Research use only, not a medical device.</p>\n" +
-         RowsTable(report) + Charts(report) + StabilityTable(report) + UnusedTable(report);
+         RowsTable(report) + TermsTable(report) + Charts(report) + StabilityTable(report) +
+         UnusedTable(report);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "ReportJson.h"
 
+#include "ReportText.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -60,6 +62,7 @@ Json RowJson(const ReportRow& row, bool quick)
   Put(json, "method", row.method);
   Put(json, "value", row.value, row.id);
   Put(json, "unit", row.unit);
+  Put(json, "better", BetterText(row));
   Put(json, "rival", row.rival);
   Put(json, "error", row.error, row.id);
   Put(json, "error_unit", row.errorUnit);

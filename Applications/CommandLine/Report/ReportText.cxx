@@ -1,5 +1,6 @@
 #include "ReportText.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace hasp
@@ -18,6 +19,8 @@ std::string RowText(const ReportRow& row)
   if (!row.absent.empty())
     return start + "absent: " + row.absent + " (" + row.rival + ")\n";
   std::string text = start + Padded(FigureText(row.value, row.unit), 18);
+  if (const std::string better = BetterText(row); !better.empty())
+    text.append("(").append(better).append(" is better) ");
   if (row.q1 && row.q3)
     text.append("[")
       .append(FigureText(row.q1))
@@ -67,6 +70,35 @@ std::string MissedText(const Report& report)
 
 } // namespace
 
+std::string LegendText()
+{
+  return "An id is report.figure.variant@data; what each stands for is told below the figures. "
+         "Each row says which way its value is better; one that does not is a count, or is to be "
+         "just so. ratio: ours / the rival's. times as fast: the rival's time / ours. In brackets "
+         "or as quartiles: the middle half of n pairs of runs. error, time, CPU time: of ours "
+         "where there is a rival, else of the method measured. bar: what the value is asked to "
+         "reach, "
+         "aim: what would be good; a row without a bar is told beside those that have one.";
+}
+
+std::string BetterText(const ReportRow& row)
+{
+  const Better better = row.value ? BetterOf(row) : Better::NotSaid;
+  return better == Better::NotSaid ? "" : better == Better::Lower ? "lower" : "higher";
+}
+
+std::vector<ReportTerm> TermsUsed(const Report& report)
+{
+  std::vector<ReportTerm> used;
+  for (const ReportTerm& term : report.terms)
+    if (std::any_of(report.rows.begin(), report.rows.end(),
+          [&](const ReportRow& row) { return Explains(term, row.id); }) ||
+        std::any_of(report.curves.begin(), report.curves.end(),
+          [&](const ReportCurve& curve) { return Explains(term, curve.id); }))
+      used.push_back(term);
+  return used;
+}
+
 std::string FigureText(const std::optional<double>& value, const std::string& unit)
 {
   if (!value)
@@ -98,14 +130,13 @@ std::string BarText(const ReportRow& row)
 
 std::string ReportText(const Report& report)
 {
-  std::string text =
-    "report " + report.name + (report.quick ? " (quick)" : "") + ", seed " +
-    std::to_string(report.seed) + "\n" +
-    "ratio: ours / rival, below 1 is better for us (ids with speedup, simd, speed or rays: "
-    "above 1). error, time, CPU: of ours in a ratio, else of the method measured.\n";
+  std::string text = "report " + report.name + (report.quick ? " (quick)" : "") + ", seed " +
+                     std::to_string(report.seed) + "\n" + LegendText() + "\n";
   for (const ReportRow& row : report.rows)
     text += RowText(row);
   text += MissedText(report);
+  for (const ReportTerm& term : TermsUsed(report))
+    text += Padded("id " + term.id, 34) + term.meaning + "\n";
   for (const ReportCase& row : report.stability)
     text += Padded(row.id, 34) + (row.pass ? "holds  " : "FAILS  ") +
             FigureText(row.figure, row.unit) + " (limit " + FigureText(row.limit) + ")  " +

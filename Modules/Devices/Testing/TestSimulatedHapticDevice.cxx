@@ -24,7 +24,6 @@ SimulatedDeviceSettings Exact(int delayTicks = 0)
   SimulatedDeviceSettings settings{ .profile = PremiumProfile() };
   settings.profile.positionQuantumMm = settings.profile.angleQuantumRad = 0.0;
   settings.profile.delayTicks = delayTicks;
-  settings.body = BodyOf(settings.profile);
   return settings;
 }
 
@@ -223,7 +222,7 @@ TEST(SimulatedHapticDevice, AForceActsUntilTheNextAndWithinTheProfile)
 
 TEST(SimulatedHapticDevice, ThreeAxesKnowNoTurnAndFeelNone)
 {
-  SimulatedDeviceSettings settings{ .profile = FalconProfile(), .body = BodyOf(FalconProfile()) };
+  const SimulatedDeviceSettings settings{ .profile = FalconProfile() };
   SimulatedHapticDevice device(
     settings, HandIntention({}, { MinimumJerkMotion{ { {}, TurnBy({ 0.3, 0.0, 0.0 }) }, 0.1 } }));
   DeviceSample sample;
@@ -235,6 +234,26 @@ TEST(SimulatedHapticDevice, ThreeAxesKnowNoTurnAndFeelNone)
     EXPECT_EQ(device.Applied().torque, glm::dvec3(0.0));
   }
   EXPECT_GT(glm::length(RotationVector(device.Hand().Pose().orientation)), 0.1);
+}
+
+// m v' = F - b v - c: what the profile says of the device is what the hand feels of it.
+TEST(SimulatedHapticDevice, MovesTheMassAndDampingOfItsProfile)
+{
+  for (const DeviceProfile& profile : { FalconProfile(), TouchProfile(), PremiumProfile() })
+    for (const double dry : { 0.0, 0.4 })
+    {
+      SimulatedDeviceSettings settings{ .profile = profile, .grip = NoGrip() };
+      settings.coulombN = dry;
+      SimulatedHapticDevice device(settings, HandIntention());
+      DeviceSample sample;
+      device.Read(0, sample);
+      device.Write({ { 1, 0, 0 } });
+      for (int ms = 1; ms <= 100; ++ms)
+        device.Read(ms * Ms, sample);
+      const double b = profile.dampingNsPerMm, perS = 1000.0 * b / profile.movingMassKg;
+      const double mmPerS = (1.0 - dry) / b * (1.0 - std::exp(-0.1 * perS));
+      EXPECT_NEAR(device.Hand().VelocityMmPerS().x, mmPerS, 1e-3 * mmPerS) << profile.name;
+    }
 }
 
 TEST(SimulatedHapticDevice, ButtonsAndOutagesComeWhenTheyAreSaid)
@@ -283,8 +302,8 @@ double StablestSpring(double massKg, double damping, const HandGrip& grip, int d
 {
   SimulatedDeviceSettings settings = Exact(delayTicks);
   settings.profile.peakForceN = 1000.0; // stays linear
-  settings.body.massKg = massKg;
-  settings.body.viscousNsPerMm = damping;
+  settings.profile.movingMassKg = massKg;
+  settings.profile.dampingNsPerMm = damping;
   settings.grip = grip;
   const auto grows = [&](double stiffness)
   {

@@ -58,7 +58,8 @@ struct HapticSnapshot
   Wrench onDevice{};  ///< sent to the motors, before the device's own limits; device axes
   Wrench felt{};      ///< the same in the world, about the device's point; unscaled
   Wrench contact{}, attraction{}; ///< on the tool; world, about its origin
-  double contactAreaMm2 = 0.0, attractedAreaMm2 = 0.0, deepestMm = 0.0;
+  double contactAreaMm2 = 0.0, attractedAreaMm2 = 0.0;
+  double deepestMm = 0.0; ///< the least distance felt: negative inside, 0 without contact
   double levels = 0.0;
   std::uint32_t contacts = 0, points = 0;
   std::uint32_t stepStatus = 0; ///< CouplingTick::Status

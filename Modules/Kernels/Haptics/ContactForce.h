@@ -63,7 +63,7 @@ struct ContactSums
   std::array<double, 21> matrix{};
   double contactArea = 0.0;   ///< mm^2
   double attractedArea = 0.0; ///< mm^2 with f > 0 within R
-  double deepestMm = 0.0;     ///< <= 0
+  double deepestMm = 0.0;     ///< the least distance felt: negative inside, 0 without contact
   double energy = 0.0;        ///< N mm: contact's
   std::uint32_t contacts = 0; ///< points
 

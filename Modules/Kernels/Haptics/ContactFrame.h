@@ -80,7 +80,7 @@ struct ShellSums
   double squares = 0.0;            ///< of A d^2: twice the energy, in k
   double area = 0.0;
   double attractedArea = 0.0;
-  double deepestMm = 0.0;
+  double deepestMm = 0.0; ///< the least distance: negative inside
   std::uint32_t contacts = 0;
 
   /// Of sums that were made of points of area 1, of depths and pushes in other units.

@@ -60,6 +60,7 @@ struct DynamicPointShell::Internals
     double mm; ///< of the block's middle from the other body
     glm::ivec3 block;
   };
+  static bool Nearer(const Waiting& a, const Waiting& b) noexcept { return a.mm < b.mm; }
 
   Internals(ShellVolume v, std::shared_ptr<const DistanceMap> map, const glm::dvec3& o,
     const DynamicPointShellSettings& s);
@@ -77,6 +78,7 @@ struct DynamicPointShell::Internals
   }
   void MoveToIsovalue() noexcept;
   void FindNear() noexcept;
+  void Await(const glm::ivec3& block) noexcept;
   void SeeNear(ServedBlock& served) noexcept;
   MapClearance::State LookFor(const glm::ivec3& block) const noexcept;
   void ServeBlocks() noexcept;
@@ -169,6 +171,21 @@ void DynamicPointShell::Internals::GiveUp(ServedBlock& served) noexcept
     --this->end;
 }
 
+/// Onto the list of those that are near and not served. When it is full the farther half goes: no
+/// tick serves as many.
+void DynamicPointShell::Internals::Await(const glm::ivec3& block) noexcept
+{
+  if (this->waiting.size() == this->waiting.capacity())
+  {
+    const auto middle =
+      this->waiting.begin() + static_cast<std::ptrdiff_t>(this->waiting.size() / 2);
+    std::nth_element(this->waiting.begin(), middle, this->waiting.end(), Nearer);
+    this->waiting.erase(middle, this->waiting.end());
+  }
+  this->waiting.push_back(
+    { this->clearance.DistanceAt(this->nearBlocks.BallOf(block, 1).center), block });
+}
+
 void DynamicPointShell::Internals::FindNear() noexcept
 {
   for (ServedBlock& served : this->Live())
@@ -182,9 +199,8 @@ void DynamicPointShell::Internals::FindNear() noexcept
       const std::int32_t at = this->servedAt[this->nearBlocks.IndexOf(block)];
       if (at != PointRing::None)
         this->SeeNear(this->all[at]);
-      else if (this->waiting.size() < this->waiting.capacity())
-        this->waiting.push_back(
-          { this->clearance.DistanceAt(this->nearBlocks.BallOf(block, 1).center), block });
+      else
+        this->Await(block);
     });
   for (ServedBlock& served : this->Live())
     if (served.used && !served.near)
@@ -250,8 +266,7 @@ void DynamicPointShell::Internals::ServeBlocks() noexcept
   const auto count =
     std::min<std::size_t>(this->waiting.size(), std::max(this->budget, 0) / BlockCost);
   std::partial_sort(this->waiting.begin(),
-    this->waiting.begin() + static_cast<std::ptrdiff_t>(count), this->waiting.end(),
-    [](const Waiting& a, const Waiting& b) { return a.mm < b.mm; });
+    this->waiting.begin() + static_cast<std::ptrdiff_t>(count), this->waiting.end(), Nearer);
   if (count > 0)
     BlockSurface::Prefetch(this->volume.grid, this->waiting[0].block);
   for (std::size_t n = 0; n < count && this->budget >= BlockCost; ++n)
@@ -358,15 +373,15 @@ void DynamicPointShell::Update(const RigidPose& bodyInMap, double reachMm) noexc
   const bool none = std::isnan(in.wantedIsovalue) && std::isnan(in.volume.isovalue);
   if (in.wantedIsovalue != in.volume.isovalue && !none)
     in.MoveToIsovalue();
+  const double reachBefore = in.reachMm;
   in.reachMm = std::clamp(reachMm, 0.0, in.rangeMm);
   in.aheadMm = std::min(in.settings.marginMm, in.rangeMm - in.reachMm);
   const bool known = in.clearance.Begin(bodyInMap, in.reachMm + in.aheadMm);
   if (!known)
-  {
     in.nearBlocks.Forget();
+  if (!known || in.reachMm != reachBefore) // the clearance knows of reach and margin together
     for (ServedBlock& served : in.Live())
       served.hot = {};
-  }
   const double pose = glm::dot(bodyInMap.position, bodyInMap.position) +
                       glm::dot(bodyInMap.orientation, bodyInMap.orientation);
   if (std::isfinite(pose))

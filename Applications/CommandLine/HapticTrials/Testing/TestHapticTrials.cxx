@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace
@@ -66,6 +67,11 @@ TEST(HapticTrials, ErrorsAreSharesOfTheForce)
   EXPECT_EQ(WrenchError(truth, truth, 10.0), 0.0);
   EXPECT_DOUBLE_EQ(WrenchError({ { 0.5, 3.0, 4.0 }, truth.torque }, truth, 10.0), 0.1);
   EXPECT_DOUBLE_EQ(WrenchError({ truth.force, { 0.0, 0.0, 0.0 } }, truth, 10.0), 0.2);
+  const double nan = std::nan("");
+  EXPECT_TRUE(std::isnan(WrenchError({ truth.force, { nan, 0.0, 0.0 } }, truth, 10.0)));
+  EXPECT_TRUE(std::isnan(WrenchError({ { nan, 0.0, 0.0 }, truth.torque }, truth, 10.0)));
+  EXPECT_TRUE(std::isnan(WorseOf(0.1, nan)) && std::isnan(WorseOf(nan, 0.1)));
+  EXPECT_EQ(WorseOf(0.1, 0.2), 0.2);
 }
 
 TEST(HapticTrials, SizesOfPosesAndIdsAreTold)

@@ -13,6 +13,7 @@ inline hasp::Report SampleReport()
   extract.id = "cells.extract";
   extract.value = 0.8;
   extract.unit = "ratio";
+  extract.better = hasp::Better::Lower;
   extract.rival = "vtkFlyingEdges3D 9.1, normals on";
   extract.error = 0.001;
   extract.errorUnit = "voxel";
@@ -25,6 +26,9 @@ inline hasp::Report SampleReport()
   rays.id = "cells.rays";
   rays.rival = "Embree 3 triangles";
   rays.absent = "HASP_ENABLE_EMBREE is OFF";
+  report.terms = { { "cells.extract", "time from the volume to the cells" },
+    { "cells.rays", "rays a second" }, { "cells.error_time", "of a frame" },
+    { "distance", "not in this report" } };
   report.rows = { extract, rays };
   report.curves = { { "cells.error_time", "cells", "ms", "voxel", { { 1, 0.1 }, { 10, 0.001 } } },
     { "cells.error_time", "mesh", "ms", "voxel", { { 2, 0.1 } } } };

@@ -1,4 +1,5 @@
 #include "Report.h"
+#include "ReportTerms.h"
 #include "SampleReport.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,47 @@ TEST(Report, AnIdIsEmittedOnce)
                 r.rows.back().id += "@cranium";
               }),
     "");
+}
+
+TEST(Report, EachIdIsExplained)
+{
+  ExpectFault([](Report& r) { r.terms.erase(r.terms.begin()); }, "cells.extract: is explained");
+  ExpectFault([](Report& r) { r.terms[2].id = "cells.error"; }, "cells.error_time: is explained");
+  EXPECT_EQ(FaultsAfter(
+              [](Report& r)
+              {
+                r.rows[0].id = "cells.extract.next@bone";
+                r.rows[0].unit = "times as fast";
+              }),
+    "");
+  for (const char* name :
+    { "isosurface", "cells", "raycaching", "stability", "haptics", "import", "stereo" })
+    EXPECT_TRUE(hasp::Explains(hasp::TermsOf(name).back(), name + std::string(".memory.peak")));
+  EXPECT_TRUE(hasp::TermsOf("nonsense").empty());
+}
+
+TEST(Report, ARatioSaysWhichWayItIsBetter)
+{
+  using hasp::Better;
+  for (const char* unit : { "ratio", "times as fast" })
+    ExpectFault(
+      [&](Report& r)
+      {
+        r.rows[0].unit = unit;
+        r.rows[0].better = Better::NotSaid;
+      },
+      "which way it is better");
+  hasp::ReportRow row;
+  row.better = Better::Lower;
+  EXPECT_EQ(hasp::BetterOf(row), Better::Lower);
+  row.bars = { { 3.0, {}, "dB", 4.0 } }; // of another figure
+  EXPECT_EQ(hasp::BetterOf(row), Better::Lower);
+  row.bars.push_back({ 8.0, {} });
+  EXPECT_EQ(hasp::BetterOf(row), Better::Higher);
+  row.bars = { { {}, 8.0 } };
+  EXPECT_EQ(hasp::BetterOf(row), Better::Lower);
+  row.bars = { { 1.0, 1.0 } };
+  EXPECT_EQ(hasp::BetterOf(row), Better::NotSaid);
 }
 
 TEST(Report, TwoReportsDoNotShareAnId)

@@ -25,9 +25,9 @@ TEST(ReportJson, HasTheKeysThatReadersExpect)
   EXPECT_EQ(report.at("machine").at("simd"), "AVX2");
   const json row = report.at("rows").at(0);
   EXPECT_EQ(row, (json{ { "id", "cells.extract" }, { "value", 0.8 }, { "unit", "ratio" },
-                   { "rival", "vtkFlyingEdges3D 9.1, normals on" }, { "error", 0.001 },
-                   { "error_unit", "voxel" }, { "time_s", 0.12 }, { "q1", 0.7 }, { "q3", 0.9 },
-                   { "n", 9 }, { "data", "sphere@64" } }));
+                   { "better", "lower" }, { "rival", "vtkFlyingEdges3D 9.1, normals on" },
+                   { "error", 0.001 }, { "error_unit", "voxel" }, { "time_s", 0.12 }, { "q1", 0.7 },
+                   { "q3", 0.9 }, { "n", 9 }, { "data", "sphere@64" } }));
   EXPECT_FALSE(report.at("rows").at(1).contains("value"));
   EXPECT_EQ(report.at("rows").at(1).at("absent"), "HASP_ENABLE_EMBREE is OFF");
   EXPECT_EQ(report.at("curves").at(0).at("points"), (json{ { 1.0, 0.1 }, { 10.0, 0.001 } }));
@@ -101,10 +101,33 @@ TEST(ReportText, SaysEveryFigureOnALine)
   EXPECT_NE(text.find("0 bytes, 0 ms"), std::string::npos) << text;
 }
 
+TEST(ReportText, SaysWhichWayIsBetterAndWhatIdsStandFor)
+{
+  hasp::Report report = SampleReport();
+  for (const bool higher : { false, true })
+  {
+    report.rows[0].better = higher ? hasp::Better::Higher : hasp::Better::Lower;
+    const std::string text = hasp::ReportText(report), page = hasp::ReportHtml({ report });
+    const std::string better = higher ? "higher" : "lower";
+    EXPECT_NE(text.find("0.8 ratio         (" + better + " is better) ["), std::string::npos)
+      << text;
+    EXPECT_NE(page.find("0.8 ratio</td><td>" + better + "</td>"), std::string::npos) << page;
+    for (const std::string& output : { text, page })
+    {
+      EXPECT_NE(output.find(hasp::LegendText()), std::string::npos) << output;
+      EXPECT_NE(output.find("time from the volume to the cells"), std::string::npos) << output;
+      EXPECT_EQ(output.find("not in this report"), std::string::npos) << output;
+    }
+  }
+  report.rows[0].better = hasp::Better::NotSaid;
+  EXPECT_EQ(hasp::ReportText(report).find("is better)"), std::string::npos);
+}
+
 TEST(ReportText, FlagsBarsThatAreMissed)
 {
   hasp::Report report = SampleReport();
-  EXPECT_EQ(hasp::ReportText(report).find("bar"), std::string::npos);
+  EXPECT_EQ(hasp::ReportText(report).find("  bar"), std::string::npos);
+  EXPECT_EQ(hasp::ReportText(report).find("missed their bar"), std::string::npos);
   const auto said = [&](
                       bool missed, const std::vector<hasp::ReportBar>& bars, const std::string& bar)
   {

@@ -67,6 +67,56 @@ TEST(DynamicPointShellTicks, WithLittleRoomTheContactComesFirst)
   EXPECT_LT(most, 0.4);
 }
 
+// A plane's corner on a floor, the last of its blocks: more are near than there is a list for.
+TEST(DynamicPointShellTicks, TheNearestBlocksAreServedHoweverManyAreNear)
+{
+  const auto flat = [](int width, int height)
+  {
+    hasp::GridGeometry grid = CubeGrid(width);
+    grid.dims.y = height;
+    grid.origin.y = -0.5 * (height - 1);
+    return grid;
+  };
+  const auto floor = std::make_shared<DistanceMap>(
+    SampledDistance(HalfSpace({}, { 0, 1, 0 }), flat(141, 41)).View());
+  const GreyBody plane(HalfSpace({}, { 0, -1, 0 }), flat(121, 9));
+  const double corner = 60.0 * std::sqrt(2.0), angle = 0.28;
+  const RigidPose pose{ { 0.0, corner * std::sin(angle) - 1.0, 0.0 },
+    hasp::TurnBy(angle * std::sqrt(0.5) * glm::dvec3(1.0, 0.0, -1.0)) };
+  const double leg = 1.0 / std::sin(angle); // of the corner's triangle, to its middle
+  for (const int room : { 512, 16'384 })
+  {
+    hasp::DynamicPointShellSettings settings;
+    settings.points = room;
+    settings.pointsPerTick = 128;
+    settings.marginMm = 16.0;
+    DynamicPointShell shell(plane.Volume, floor, {}, settings);
+    for (int tick = 0; tick < 60; ++tick)
+      shell.Update(pose, 0.0);
+    EXPECT_GT(shell.LastTick().nearBlocks, 80U); // 16 of 512 points, and a list of 64
+    EXPECT_NEAR(TouchOnFloor(shell, pose).area, leg * leg, 0.25 * leg * leg) << room;
+  }
+}
+
+TEST(DynamicPointShellTicks, AnotherReachIsDrawnForThoughTheMarginMakesUpForIt)
+{
+  const auto floor =
+    std::make_shared<DistanceMap>(SampledDistance(HalfSpace({}, { 0, 1, 0 }), CubeGrid(49)).View(),
+      hasp::DistanceMapSettings{ .rangeMm = 4.0 });
+  const GreyBody ball(Ball({}, 4.0), CubeGrid(41, 0.25));
+  hasp::DynamicPointShellSettings settings;
+  settings.marginMm = 4.0; // with the range: 4 mm of reach and margin together, always
+  const RigidPose pose{ { 0.0, 7.0, 0.0 }, {} };
+  DynamicPointShell changed(ball.Volume, floor, {}, settings);
+  DynamicPointShell always(ball.Volume, floor, {}, settings);
+  for (int tick = 0; tick < 80; ++tick)
+  {
+    changed.Update(pose, tick < 40 ? 0.0 : 4.0);
+    always.Update(pose, 4.0);
+  }
+  EXPECT_EQ(changed.LastTick().points, always.LastTick().points);
+}
+
 TEST(DynamicPointShellTicks, ForcesDoNotJumpWhileItIsFilled)
 {
   const GreyBody ball(Ball({}, 9.0), SkewGrid({ 40, 28, 22 }));
