@@ -1,6 +1,6 @@
 #include "Devices/InputHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -150,14 +150,14 @@ TEST(InputHapticDevice, ATickTakesNoMemory)
 {
   InputHapticDevice device;
   DeviceSample sample;
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (int ms = 1; ms <= 100; ++ms)
   {
     device.MoveBy({ 0.1, 0, 0 });
     device.SetRates({ 1, 1, 1 }, { 1, 1, 1 }, ms * Ms);
     device.Read(ms * Ms, sample);
   }
-  EXPECT_EQ(CountedAllocations(), before);
+  EXPECT_EQ(test::NewCountOfAllThreads(), before);
 }
 
 /// One thread moves, another looks: no step is lost, however they meet.

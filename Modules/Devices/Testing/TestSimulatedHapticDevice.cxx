@@ -1,6 +1,6 @@
 #include "Devices/SimulatedHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -355,15 +355,15 @@ TEST(SimulatedHapticDevice, ATickTakesNoMemory)
   SimulatedHapticDevice device(
     {}, HandIntention({}, { ChirpMotion{ { 5, 0, 0 } } }, { .reachMm = 0.1 }));
   DeviceSample sample;
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (int ms = 1; ms <= 50; ++ms)
   {
     device.Read(ms * Ms, sample);
     device.Write({ -0.1 * sample.pose.position });
   }
-  EXPECT_EQ(CountedAllocations(), before);
+  EXPECT_EQ(test::NewCountOfAllThreads(), before);
   ::operator delete(::operator new(1));
-  EXPECT_EQ(CountedAllocations(), before + 1) << "the counter counts";
+  EXPECT_EQ(test::NewCountOfAllThreads(), before + 1) << "the counter counts";
 }
 
 } // namespace

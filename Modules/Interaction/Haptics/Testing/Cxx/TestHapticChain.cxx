@@ -2,7 +2,7 @@
 
 #include "Devices/InputHapticDevice.h"
 #include "Devices/ReplayHapticDevice.h"
-#include "Haptics/Testing/CountNew.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <gtest/gtest.h>
 
