@@ -146,6 +146,21 @@ TEST(InputHapticDevice, APoseFollowsWithItsTimeConstant)
   }
 }
 
+/// A recording may say any, and a clock be set: the longest tick is all that goes by.
+TEST(InputHapticDevice, AnyTwoTimesAreATick)
+{
+  constexpr std::int64_t First = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t Last = std::numeric_limits<std::int64_t>::max();
+  InputHapticDevice device({ .followS = 0.1 });
+  DeviceSample sample;
+  device.Read(First, sample);
+  device.MoveBy({ 10, 0, 0 });
+  device.SetRates({ 1000, 0, 0 }, {}, First);
+  EXPECT_EQ(device.Read(Last, sample), DeviceStatus::Ok);
+  EXPECT_NEAR(sample.pose.position.x, 10.0 * (1.0 - std::exp(-1.0)), 1e-10) << "no old rate";
+  EXPECT_EQ(device.Read(First, sample), DeviceStatus::Stale);
+}
+
 TEST(InputHapticDevice, ATickTakesNoMemory)
 {
   InputHapticDevice device;
