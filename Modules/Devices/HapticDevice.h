@@ -2,6 +2,7 @@
 #include "Grid/RigidPose.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 /// Haptic devices as the HAPTIC thread uses them: once a tick Read, then Write.
@@ -79,6 +80,18 @@ struct DeviceSample
   RigidPose pose{};          ///< device axes; orientation the identity where poseAxes is 3
   std::uint32_t buttons = 0; ///< bit n: button n is held
 };
+
+/// From one time to another, ns. Any two will do, as a recording may say any: where they are
+/// farther apart than 64 bits reach, as far as those do.
+constexpr std::int64_t NsBetween(std::int64_t fromNs, std::int64_t toNs) noexcept
+{
+  using Limits = std::numeric_limits<std::int64_t>;
+  if (fromNs < 0 && toNs > Limits::max() + fromNs)
+    return Limits::max();
+  if (fromNs > 0 && toNs < Limits::min() + fromNs)
+    return Limits::min();
+  return toNs - fromNs;
+}
 
 /// A device, whatever it is made of.
 ///

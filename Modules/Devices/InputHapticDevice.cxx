@@ -109,13 +109,14 @@ void InputHapticDevice::Follow(double dtS) noexcept
 DeviceStatus InputHapticDevice::Read(std::int64_t nowNs, DeviceSample& sample) noexcept
 {
   const bool news = !this->Any || nowNs > this->NowNs;
-  const double dtS = this->Any && news
-                       ? std::min(1e-9 * static_cast<double>(nowNs - this->NowNs), LongestTickS)
-                       : 0.0;
+  const double dtS =
+    this->Any && news
+      ? std::min(1e-9 * static_cast<double>(NsBetween(this->NowNs, nowNs)), LongestTickS)
+      : 0.0;
   if (this->Exchange.Update())
     this->TakeSteps(*this->Exchange.Latest());
   const Input& heard = this->Heard;
-  if (std::abs(static_cast<double>(nowNs - heard.ratesNs)) <= 1e9 * this->Settings.staleS)
+  if (std::abs(static_cast<double>(NsBetween(heard.ratesNs, nowNs))) <= 1e9 * this->Settings.staleS)
   {
     this->Goal.position += dtS * heard.mmPerS;
     this->Goal.orientation =

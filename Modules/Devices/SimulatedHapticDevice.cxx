@@ -92,7 +92,8 @@ DeviceStatus SimulatedHapticDevice::Read(std::int64_t nowNs, DeviceSample& sampl
   if (!this->Began)
     this->ReadNs = nowNs;
   const std::int64_t handNs =
-    this->Model.TimeNs() + std::clamp<std::int64_t>(nowNs - this->ReadNs, 0, LongestReadNs);
+    this->Model.TimeNs() +
+    std::clamp<std::int64_t>(NsBetween(this->ReadNs, nowNs), 0, LongestReadNs);
   const bool news = nowNs > this->ReadNs || this->Sent == 0;
   this->Began = true;
   this->ReadNs = std::max(this->ReadNs, nowNs);

@@ -1,7 +1,7 @@
 #include "Devices/GuardedHapticDevice.h"
 #include "Devices/SimulatedHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -219,13 +219,13 @@ TEST(GuardedHapticDevice, LeavesADeviceWithoutForce)
 TEST(GuardedHapticDevice, ATickTakesNoMemory)
 {
   Bench bench;
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (int ms = 1; ms <= 100; ++ms)
   {
     bench.Read(ms);
     bench.guard->Write(ms % 3 ? Push : Wrench{ glm::dvec3(std::nan("")) });
   }
-  EXPECT_EQ(CountedAllocations(), before);
+  EXPECT_EQ(test::NewCountOfAllThreads(), before);
 }
 
 } // namespace

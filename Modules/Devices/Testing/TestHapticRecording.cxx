@@ -2,7 +2,7 @@
 #include "Devices/HapticRecording.h"
 #include "Devices/ReplayHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 #include "TemporaryFile.h"
 
 #include <gtest/gtest.h>
@@ -251,10 +251,10 @@ TEST(HapticRecorder, EveryTickIsInTheFile)
   const TemporaryFile file;
   const auto records = SomeRecords(3000);
   HapticRecorder recorder(file.Path, { .peakForceN = 8.9 });
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (const HapticRecord& record : records)
     recorder.Push(record);
-  EXPECT_EQ(CountedAllocations(), before) << "neither the tick nor the writer takes memory";
+  EXPECT_EQ(test::NewCountOfAllThreads(), before) << "neither the tick nor the writer takes memory";
   recorder.Finish();
   recorder.Finish();
   EXPECT_EQ(recorder.Counts().written, records.size());

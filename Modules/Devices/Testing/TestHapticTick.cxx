@@ -9,7 +9,7 @@
 #include "Realtime/LoopThread.h"
 #include "Realtime/TripleBuffer.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -86,14 +86,14 @@ TEST(HapticTick, WhatAThreadRecordedIsReplayedToTheLastBit)
   loop.Start({ .periodNs = 250'000 },
     [&](const LoopTick& tick) noexcept
     {
-      const std::size_t before = CountedAllocations();
+      const std::size_t before = test::NewCountOfAllThreads();
       if (tick.number == 0)
         startNs = tick.nowNs;
       // A tick every quarter of a ms that tells the device of a ms: seconds go by in less.
       recorder.Push(haptic.Run(tick.number, 4 * (tick.nowNs - startNs)));
       poses.Write(haptic.mapping.Tool());
       // RENDER takes none while it waits below, so that what is counted is the tick's.
-      allocations.fetch_add(CountedAllocations() - before, std::memory_order_relaxed);
+      allocations.fetch_add(test::NewCountOfAllThreads() - before, std::memory_order_relaxed);
       return tick.number + 1 < Ticks;
     });
   std::uint64_t seen = 0, faults = 0;

@@ -1,6 +1,6 @@
 #include "Devices/InputHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -146,18 +146,33 @@ TEST(InputHapticDevice, APoseFollowsWithItsTimeConstant)
   }
 }
 
+/// A recording may say any, and a clock be set: the longest tick is all that goes by.
+TEST(InputHapticDevice, AnyTwoTimesAreATick)
+{
+  constexpr std::int64_t First = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t Last = std::numeric_limits<std::int64_t>::max();
+  InputHapticDevice device({ .followS = 0.1 });
+  DeviceSample sample;
+  device.Read(First, sample);
+  device.MoveBy({ 10, 0, 0 });
+  device.SetRates({ 1000, 0, 0 }, {}, First);
+  EXPECT_EQ(device.Read(Last, sample), DeviceStatus::Ok);
+  EXPECT_NEAR(sample.pose.position.x, 10.0 * (1.0 - std::exp(-1.0)), 1e-10) << "no old rate";
+  EXPECT_EQ(device.Read(First, sample), DeviceStatus::Stale);
+}
+
 TEST(InputHapticDevice, ATickTakesNoMemory)
 {
   InputHapticDevice device;
   DeviceSample sample;
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (int ms = 1; ms <= 100; ++ms)
   {
     device.MoveBy({ 0.1, 0, 0 });
     device.SetRates({ 1, 1, 1 }, { 1, 1, 1 }, ms * Ms);
     device.Read(ms * Ms, sample);
   }
-  EXPECT_EQ(CountedAllocations(), before);
+  EXPECT_EQ(test::NewCountOfAllThreads(), before);
 }
 
 /// One thread moves, another looks: no step is lost, however they meet.

@@ -2,7 +2,7 @@
 #include "Devices/ReplayHapticDevice.h"
 #include "Devices/SimulatedHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 #include "TemporaryFile.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(ReplayHapticDevice, TheSameStepGivesTheSameBitsAgain)
   {
     DeviceSample sample;
     std::uint64_t ticks = 0, pressed = 0;
-    const std::size_t before = CountedAllocations();
+    const std::size_t before = test::NewCountOfAllThreads();
     while (const auto now = replay.NextNs())
     {
       EXPECT_EQ(*now, static_cast<std::int64_t>(ticks) * Ms);
@@ -72,7 +72,7 @@ TEST(ReplayHapticDevice, TheSameStepGivesTheSameBitsAgain)
       pressed += sample.pose.position.x < 0.0;
       ++ticks;
     }
-    EXPECT_EQ(CountedAllocations(), before);
+    EXPECT_EQ(test::NewCountOfAllThreads(), before);
     EXPECT_EQ(ticks, 300u);
     EXPECT_GT(pressed, 50u);
     EXPECT_EQ(replay.Differences().compared, 300u);

@@ -1,6 +1,6 @@
 #include "Devices/SimulatedHapticDevice.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -203,6 +203,36 @@ TEST(SimulatedHapticDevice, APauseIsNoLongerThanTheLongestReadForTheHand)
   EXPECT_EQ(device.Hand().TimeNs(), 2 * Longest + Ms) << "and goes on from there";
 }
 
+/// A recording may say any, and a clock be set.
+TEST(SimulatedHapticDevice, AnyTwoTimesAreATick)
+{
+  constexpr std::int64_t First = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t Last = std::numeric_limits<std::int64_t>::max();
+  SimulatedHapticDevice device(Exact(), HandIntention());
+  DeviceSample sample;
+  device.Read(First, sample);
+  EXPECT_EQ(device.Read(Last, sample), DeviceStatus::Ok);
+  EXPECT_EQ(sample.timeNs, Last);
+  EXPECT_EQ(device.Hand().TimeNs(), SimulatedHapticDevice::LongestReadNs);
+  EXPECT_EQ(device.Read(First, sample), DeviceStatus::Stale);
+  EXPECT_EQ(device.Hand().TimeNs(), SimulatedHapticDevice::LongestReadNs) << "none goes back";
+}
+
+TEST(NsBetween, IsExactWhereItFitsAndAsFarAsItReachesWhereNot)
+{
+  constexpr std::int64_t First = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t Last = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t from : { First, First + 1, -Ms, std::int64_t(0), Ms, Last - 1, Last })
+    for (const std::int64_t to : { First, First + 1, -Ms, std::int64_t(0), Ms, Last - 1, Last })
+    {
+      // 64 bits hold what fits exactly, and round what does not to beyond the end.
+      const long double between = static_cast<long double>(to) - static_cast<long double>(from);
+      const auto held =
+        std::clamp(between, static_cast<long double>(First), static_cast<long double>(Last));
+      EXPECT_EQ(NsBetween(from, to), static_cast<std::int64_t>(held)) << from << " " << to;
+    }
+}
+
 TEST(SimulatedHapticDevice, AForceActsUntilTheNextAndWithinTheProfile)
 {
   SimulatedDeviceSettings settings = Exact();
@@ -355,15 +385,15 @@ TEST(SimulatedHapticDevice, ATickTakesNoMemory)
   SimulatedHapticDevice device(
     {}, HandIntention({}, { ChirpMotion{ { 5, 0, 0 } } }, { .reachMm = 0.1 }));
   DeviceSample sample;
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (int ms = 1; ms <= 50; ++ms)
   {
     device.Read(ms * Ms, sample);
     device.Write({ -0.1 * sample.pose.position });
   }
-  EXPECT_EQ(CountedAllocations(), before);
+  EXPECT_EQ(test::NewCountOfAllThreads(), before);
   ::operator delete(::operator new(1));
-  EXPECT_EQ(CountedAllocations(), before + 1) << "the counter counts";
+  EXPECT_EQ(test::NewCountOfAllThreads(), before + 1) << "the counter counts";
 }
 
 } // namespace

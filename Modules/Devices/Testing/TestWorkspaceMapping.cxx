@@ -1,6 +1,6 @@
 #include "Devices/WorkspaceMapping.h"
 
-#include "CountedAllocations.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <glm/geometric.hpp>
 
@@ -196,14 +196,14 @@ TEST(WorkspaceMapping, PowerIsConservedUpToTheScale)
 TEST(WorkspaceMapping, ATickTakesNoMemory)
 {
   WorkspaceMapping mapping;
-  const std::size_t before = CountedAllocations();
+  const std::size_t before = test::NewCountOfAllThreads();
   for (int tick = 0; tick < 100; ++tick)
   {
     mapping.SetAxes(TurnBy({ 0.01 * tick, 0, 0 }));
     mapping.Update(Loop(0.01 * tick), tick % 10 == 0, Tick);
     mapping.ToDevice({ { 1, 2, 3 } });
   }
-  EXPECT_EQ(CountedAllocations(), before);
+  EXPECT_EQ(test::NewCountOfAllThreads(), before);
 }
 
 /// A time or place that is none must not stay: forces come back, and the tool does.

@@ -193,7 +193,7 @@ void HapticChain::Run(std::uint64_t number, std::int64_t nowNs, bool forces) noe
   const double dtS =
     this->Ticks == 0
       ? this->Settings.step.tickS
-      : std::clamp(1e-9 * static_cast<double>(nowNs - this->BeforeNs), 0.0, LongestTickS);
+      : std::clamp(1e-9 * static_cast<double>(NsBetween(this->BeforeNs, nowNs)), 0.0, LongestTickS);
   const bool held = this->Now.clutched || (this->Sample.buttons & this->Now.clutch) != 0;
   if (takes)
     this->Mapping.Update(this->Sample.pose, held, dtS);

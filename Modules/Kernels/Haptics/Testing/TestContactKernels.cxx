@@ -1,8 +1,8 @@
 // Kernels against each other: vectors against one point after the other, int16 against float.
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/CoarsePhase.h"
 #include "Haptics/PointShell.h"
 #include "Testing/ContactReaders.h"
-#include "Testing/CountNew.h"
 
 #include <gtest/gtest.h>
 

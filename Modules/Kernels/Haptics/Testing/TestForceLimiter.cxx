@@ -1,4 +1,4 @@
-#include "CountNew.h"
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/ForceLimiter.h"
 #include "Haptics/PassivityObserver.h"
 

@@ -1,9 +1,9 @@
 // What runs in a tick takes no memory: the global operator is replaced by one that counts.
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/BlockKernels.h"
 #include "Haptics/BlockOctree.h"
 #include "Haptics/CoarsePhase.h"
 #include "Haptics/DynamicPointShell.h"
-#include "Haptics/Testing/CountNew.h"
 #include "Haptics/Testing/SampledDistance.h"
 
 #include <gtest/gtest.h>

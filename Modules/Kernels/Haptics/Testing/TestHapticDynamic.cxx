@@ -1,6 +1,6 @@
 // Dynamic shells in a scene and in a whole step: a grey plate, 24 mm wide, pressed on a floor.
-#include "CountNew.h"
 #include "GreyBodyOnFloor.h"
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/HapticStep.h"
 #include "StepScenes.h"
 

@@ -1,4 +1,4 @@
-#include "CountNew.h"
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/HapticStep.h"
 #include "Haptics/Solve6.h"
 #include "StepScenes.h"

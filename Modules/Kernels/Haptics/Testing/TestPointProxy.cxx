@@ -1,5 +1,5 @@
 #include "AnalyticFields.h"
-#include "CountNew.h"
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/MapField.h"
 #include "Haptics/PointProxy.h"
 #include "SampledDistance.h"

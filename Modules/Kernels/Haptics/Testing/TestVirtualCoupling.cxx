@@ -1,5 +1,5 @@
 #include "AnalyticFields.h"
-#include "CountNew.h"
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/ExplicitCoupling.h"
 #include "Haptics/FieldContact.h"
 

@@ -2,7 +2,7 @@
 
 #include "Devices/InputHapticDevice.h"
 #include "Devices/ReplayHapticDevice.h"
-#include "Haptics/Testing/CountNew.h"
+#include "Grid/Testing/CountNew.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -303,6 +304,24 @@ TEST(HapticChain, NaNNeverLeaves)
     ASSERT_TRUE(IsFinite(truth.Applied()));
   }
   EXPECT_EQ(chain.Counts().badPoses, 100u);
+}
+
+// A recording may say any: the longest tick is what goes by, enough for the clutch to fade in.
+TEST(HapticChain, AnyTwoTimesAreATick)
+{
+  HapticChain chain(HandAt(At(0, 0, BallRadius - 5)), Settings());
+  chain.OfferScene(Scene());
+  std::int64_t now = std::numeric_limits<std::int64_t>::min();
+  EXPECT_GT(Ticks(chain, 500, now).onDevice.force.z, 0.1);
+  HapticControl control;
+  control.clutched = true;
+  chain.Control(control);
+  EXPECT_EQ(Ticks(chain, 100, now).onDevice.force, glm::dvec3(0.0));
+  chain.Control({});
+  chain.Tick(600, std::numeric_limits<std::int64_t>::max());
+  EXPECT_GT(chain.Latest()->onDevice.force.z, 0.0);
+  chain.Tick(601, std::numeric_limits<std::int64_t>::min());
+  EXPECT_TRUE(IsFinite(chain.Latest()->onDevice));
 }
 
 TEST(HapticChain, ATickTakesNoMemory)

@@ -5,7 +5,7 @@
 
 #include "Devices/HapticRecorder.h"
 #include "Devices/InputHapticDevice.h"
-#include "Haptics/Testing/CountNew.h"
+#include "Grid/Testing/CountNew.h"
 #include "Haptics/Testing/GreyBodyOnFloor.h"
 #include "Realtime/LoopThread.h"
 
