@@ -37,8 +37,9 @@ struct HapticBody
 class HapticScene : public ToolContact
 {
 public:
-  /// Throws std::invalid_argument if a body is null, a shell is none or both, a pose is none, or as
-  /// DynamicPointShell does. kernels: the fastest here unless given.
+  /// Throws std::invalid_argument if a body is null, a shell is none or both, a pose is none
+  /// (IsPose; what its turn's length is off by is taken away), or as DynamicPointShell does.
+  /// kernels: the fastest here unless given.
   HapticScene(std::vector<HapticShell> shells, std::vector<HapticBody> bodies,
     const ContactKernels& kernels = FastestContactKernels());
 
