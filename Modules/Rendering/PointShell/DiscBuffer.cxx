@@ -40,8 +40,8 @@ void DiscBuffer::Allocate(std::size_t count)
   const std::size_t bytes = this->Bytes();
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   this->Release();
-  throw std::runtime_error("the GPU has no room for " + std::to_string(bytes >> 10) +
-                           " KiB of discs; draw fewer levels");
+  throw std::runtime_error(
+    "the GPU has no room for " + std::to_string(bytes >> 10) + " KiB of discs; draw fewer levels");
 }
 
 void DiscBuffer::Upload(std::shared_ptr<const Discs> discs)
