@@ -16,8 +16,9 @@ class HapticGrab
 public:
   /// The tool's shells and what it can touch become the loop's scene, its isovalues the control's.
   /// False if the loop refuses (it has said why) or the tool is not ready. Throws as
-  /// HapticProp::Pose. Cost: loop->SetScene's, 0.002 ms a static prop and body, 0.2 ms a dynamic
-  /// one, more the first times; Refresh's is the same where something has changed.
+  /// HapticProp::Pose. Cost on RENDER: loop->SetScene's, 0.002 ms a static prop and body, 0.2 ms a
+  /// dynamic prop and body, several times that at first; Refresh's is the same where something has
+  /// changed.
   bool Take(int tool, const HapticProps& props, vtkHaspHapticLoop* loop);
   /// The props stay where they are.
   void Drop(vtkHaspHapticLoop* loop);

@@ -88,10 +88,12 @@ public:
    * name once it is felt; 0 after an error: no device, a start that is no pose, what HapticScene
    * refuses, or a thread that does not start (as Start).
    *
-   * Makes a HapticScene, on RENDER, while ticks go on and wait for nobody. Each pair of a shell and
-   * a body: a static shell 0.002 ms, 0.5 ms the first time in a process; a dynamic one 0.2 ms, 1.4
-   * ms the first time. The most that was seen of a scene: 5.1 ms, of four bodies before a dynamic
-   * shell (a fragment of 20,000 points or of a volume before maps of 256^3). */
+   * Makes a HapticScene, on RENDER, while ticks go on and wait for nobody. A pair of a shell and a
+   * body costs 0.002 ms where the shell is static (20,000 points before a map of 256^3; up to 0.5
+   * ms the first time) and 0.2 ms where it is dynamic (1.4 ms the first time, of four pairs 5.1 ms:
+   * memory that is new; twice as much on a busy machine). The first scene of a process also times
+   * the kernels, 5 ms (FastestContactKernels): who cannot wait for it calls that on a WORKER
+   * before, as vtkHaspHapticInteractor does. */
   std::uint64_t SetScene(std::vector<hasp::HapticShell> shells,
     std::vector<hasp::HapticBody> bodies, const hasp::RigidPose* start = nullptr);
 

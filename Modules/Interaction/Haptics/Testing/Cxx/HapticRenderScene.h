@@ -172,8 +172,10 @@ struct Frames
   void UntilTicks(std::uint64_t ticks)
   {
     do
+    {
       this->haptic->Update();
-    while (
+      std::this_thread::yield();
+    } while (
       this->haptic->GetLoop()->IsRunning() && this->haptic->GetLoop()->GetSnapshot().ticks < ticks);
   }
 

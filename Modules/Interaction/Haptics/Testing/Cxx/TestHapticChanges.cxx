@@ -18,6 +18,7 @@ using namespace hasp::testing;
 TEST(HapticChanges, ANewToolFeelsItsOwnIsovalueFromTheFirstTick)
 {
   Frames frames;
+  frames.haptic->SetSpacing(1.0); // who is pressed, not how hard
   frames.haptic->SetDynamicShells(true);
   const auto ground = BallActor(15.0), large = GreyBallActor(6.0, { 0, 0, 19.5 }),
              small = GreyBallActor(3.0, { 0, 0, 19.5 });
@@ -49,6 +50,7 @@ class TouchedData : public ::testing::Test
 protected:
   void Begin(vtkActor* body, double height)
   {
+    frames.haptic->SetSpacing(1.0); // who is pressed, not how hard
     ball->SetPosition(0, 0, height);
     frames.haptic->AddTouchable(body);
     tool = frames.haptic->AddTool(ball);

@@ -48,7 +48,7 @@ protected:
       Settings()));
     ASSERT_TRUE(frames.haptic->Start());
     ASSERT_TRUE(frames.haptic->Grab(tool));
-    frames.UntilTicks(1500);
+    frames.UntilTicks(800); // twice what the motion takes
   }
   const HapticSnapshot& Seen() { return frames.haptic->GetLoop()->GetSnapshot(); }
   void SetRadius(double radius)

@@ -163,7 +163,7 @@ TEST(HapticLoop, AToolTakenBeforeStartIsTakenThere)
     ASSERT_GT(loop->SetScene(Tip(), Plate(), &start), 0u);
     before[n](loop);
     ASSERT_TRUE(loop->Start());
-    FramesUntil(loop, 200, [] { return false; });
+    FramesUntil(loop, 50, [] { return false; });
     EXPECT_NEAR(loop->GetSnapshot().tool.position.z, PlateTop, 1.0) << n;
     EXPECT_EQ(loop->GetSnapshot().contacts, 1u) << n;
   }
@@ -178,7 +178,7 @@ TEST(HapticLoop, AToolThatIsPutDownWaitsForNoStart)
   ASSERT_GT(loop->SetScene({}, {}), 0u);
   ASSERT_GT(loop->SetScene(Tip(), Plate()), 0u);
   ASSERT_TRUE(loop->Start());
-  FramesUntil(loop, 200, [] { return false; });
+  FramesUntil(loop, 50, [] { return false; });
   EXPECT_LT(loop->GetSnapshot().tool.position.z, -PlateTop);
   loop->Stop();
   RigidPose none = start;
@@ -260,6 +260,15 @@ TEST(HapticLoop, ItEndsWithoutForceWhereverItEnds)
   EXPECT_EQ(Watched::Gone, 2);
   EXPECT_EQ(Watched::LastForce, 0.0);
   EXPECT_FALSE(loop->IsRunning());
+  EXPECT_TRUE(loop->GetStarted()) << "the next device ticks as soon as it has a scene";
+  EXPECT_TRUE(loop->SetDevice(HandAt(At(0, 0, 30))));
+  EXPECT_FALSE(loop->IsRunning());
+  EXPECT_GT(loop->SetScene(Tip(), Ball()), 0u);
+  EXPECT_TRUE(loop->IsRunning());
+  HapticChainSettings wrong;
+  wrong.workspace.scale = 0.0;
+  ErrorsOf(loop, [&] { EXPECT_FALSE(loop->SetDevice(HandAt({}), wrong)); });
+  EXPECT_EQ(loop->GetDevice(), nullptr) << "nor is the one before there";
 }
 
 TEST(HapticLoop, ItStopsWhenTheWindowOrItsInteractorGoes)
