@@ -30,7 +30,7 @@ struct HapticBody
 };
 
 /// What the tool is made of and what it meets: every shell before every body, as one ToolContact.
-/// Working memory of the HAPTIC thread: made by a WORKER, given to the step, given back by it.
+/// Working memory of the HAPTIC thread: made elsewhere, given to the step, given back by it.
 ///
 /// A dynamic shell has a DynamicPointShell for each body; without dynamic shells none is made. Its
 /// points have no levels: they count with the coarsest, which is always summed.
