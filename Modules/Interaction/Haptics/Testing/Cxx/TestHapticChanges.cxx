@@ -154,6 +154,7 @@ TEST(HapticChanges, ANewDeviceBeginsAsAFreshOne)
   Frames frames;
   const auto begin = [&] { return frames.haptic->SetDevice(HandAt(At(2, 0, 0))); };
   ASSERT_TRUE(begin());
+  ASSERT_TRUE(frames.haptic->Start()); // or nobody reads it
   vtkNew<vtkMatrix4x4> matrix;
   Set(matrix, { { 100, 0, 0 }, TurnBy({ 0, 0, 0.5 * std::numbers::pi }) });
   ASSERT_TRUE(frames.haptic->SetDeviceToWorld(matrix));
