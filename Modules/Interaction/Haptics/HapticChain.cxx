@@ -80,7 +80,13 @@ HapticChain::HapticChain(std::unique_ptr<HapticDevice> device, const HapticChain
 void HapticChain::OfferScene(std::unique_ptr<HapticSceneOffer> offer) noexcept
 {
   if (offer && offer->scene)
+  {
+    const auto untaken = this->Scenes.Offer(nullptr);
+    const bool tool = offer->scene->Levels() > 0;
+    if (untaken && tool && !offer->start)
+      offer->start = untaken->start;
     this->Scenes.Offer(std::move(offer));
+  }
   this->Scenes.Collect();
 }
 
@@ -139,15 +145,24 @@ void HapticChain::TakeScene() noexcept
   this->Step.Swap(offer->scene);
   this->Scene = offer->number;
   if (offer->start)
-  {
-    this->Last = {};
-    this->Last.tool = *offer->start;
-    this->Step.Place(*offer->start);
-    this->Placed = true;
-  }
+    this->Take(*offer->start);
   this->Isovalues = HapticControl().isovalues; // it was told nothing
   this->SetIsovalues();
   this->Scenes.GiveBack(std::move(offer));
+}
+
+void HapticChain::Take(const RigidPose& tool) noexcept
+{
+  this->Last = {};
+  this->Last.tool = tool;
+  this->Step.Place(tool);
+  this->Placed = true;
+}
+
+void HapticChain::Place(const RigidPose& tool) noexcept
+{
+  this->TakeControl(); // which may place the device, and the tool with it: that came before
+  this->Take(tool);
 }
 
 void HapticChain::AnswerDiscs() noexcept

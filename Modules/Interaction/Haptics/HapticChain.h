@@ -53,12 +53,16 @@ public:
   /// Where nobody ticks: the device is read, gets no force, and the tool goes along with it. At any
   /// rate, once a frame say.
   void Poll(std::int64_t nowNs) noexcept;
+  /// Before the first tick, after Polls: the tool is taken in hand at this pose (world) with all
+  /// that Control was told so far.
+  void Place(const RigidPose& tool) noexcept;
   /// No force until the next tick: after the last one.
   void Rest() noexcept;
 
   // RENDER
   void Control(const HapticControl& control) noexcept { this->Controls.Write(control); }
   /// The scene is felt from the next tick on; null is ignored. What comes back is to be collected.
+  /// The start of an offer that no tick has taken goes on to one that has a tool and no start.
   void OfferScene(std::unique_ptr<HapticSceneOffer> offer) noexcept;
   /// Frees what came back; once a frame.
   void Collect() noexcept { this->Scenes.Collect(); }
@@ -78,6 +82,7 @@ private:
   Wrench Feel(const RigidPose& device) noexcept;
   void TakeControl() noexcept;
   void TakeScene() noexcept;
+  void Take(const RigidPose& tool) noexcept;
   void SetIsovalues() noexcept;
   void AnswerDiscs() noexcept;
   void Publish(std::int64_t nowNs, const Wrench& onDevice) noexcept;

@@ -31,6 +31,17 @@ bool HapticGrab::Bring(const HapticProps& props, vtkHaspHapticLoop* loop, const 
   return true;
 }
 
+/// Before the scene goes out: its first tick is to feel them, not those of the tool before.
+void HapticGrab::SayIsovalues(const HapticProps& props, vtkHaspHapticLoop* loop) const
+{
+  HapticControl control = loop->GetControl();
+  const std::vector<double> now = props.Isovalues(this->Held);
+  control.isovalues = HapticControl().isovalues;
+  std::copy_n(
+    now.begin(), std::min(now.size(), control.isovalues.size()), control.isovalues.begin());
+  loop->SetControl(control);
+}
+
 bool HapticGrab::Take(int tool, const HapticProps& props, vtkHaspHapticLoop* loop)
 {
   if (!props.ToolReady(tool))
@@ -44,6 +55,7 @@ bool HapticGrab::Take(int tool, const HapticProps& props, vtkHaspHapticLoop* loo
       parts.push_back({ it.prop, start.Inverse() * UserPose(it.prop) });
   this->Shells = props.Shells(tool, start);
   this->Held = tool;
+  this->SayIsovalues(props, loop);
   if (!this->Bring(props, loop, &start))
   {
     this->Held = -1;

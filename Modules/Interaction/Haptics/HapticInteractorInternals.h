@@ -31,6 +31,7 @@ struct vtkHaspHapticInteractor::Internals
   int timerId = 0;
   std::uint32_t buttons = 0;
   bool touching = false, wasBaking = false, placed = false, faulty = false;
+  bool stands = false; ///< SetDeviceToWorld has put CameraRelative off
 
   void EndTimer()
   {

@@ -41,6 +41,17 @@ RigidPose BodyInProp(const HapticProp& it)
   return { it.origin, { 1, 0, 0, 0 } };
 }
 
+/// What is there to be touched now; null: nothing.
+vtkDataSet* DataOf(const HapticProp& it)
+{
+  if (it.image)
+    return it.image;
+  if (it.cells)
+    return it.cells->GetImage();
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(MapperOf(it.prop));
+  return mapper != nullptr ? mapper->GetInput() : nullptr;
+}
+
 } // namespace
 
 RigidPose HapticProp::Pose() const
@@ -179,13 +190,20 @@ bool HapticProps::DropStale()
   bool changed = false;
   for (HapticProp& it : this->Props)
   {
+    if (it.prop)
+      it.cells = vtkHaspClusteredCellMapper::SafeDownCast(MapperOf(it.prop));
     const bool worked = this->Work && it.id == this->WorkOf;
+    vtkDataSet* data = DataOf(it);
+    const bool other =
+      data != it.bakedData || (data != nullptr && data->GetMTime() != it.bakedTime);
     const bool follows = it.baked.dynamic && !it.touchable;
-    if (!it.cells || follows || !(it.ready || it.failed || worked) ||
-        it.Isovalue() == it.bakedIsovalue)
+    const bool moved = it.cells && !follows && it.Isovalue() != it.bakedIsovalue;
+    if (!(it.ready || it.failed || worked) || !(other || moved))
       continue;
     if (worked)
       this->Work.reset();
+    if (other)
+      it.baked.dynamic = nullptr;
     changed = changed || it.ready;
     it.ready = it.failed = false;
   }
@@ -201,25 +219,20 @@ void HapticProps::BeginNext(std::vector<std::string>& faults)
   try
   {
     BakingJob job;
-    if (next->cells)
-      next->cells->Update();
-    vtkImageData* image = next->cells ? next->cells->GetImage() : next->image.Get();
-    double bounds[6];
-    if (image != nullptr)
-    {
-      next->bakedIsovalue = next->Isovalue();
-      job.body = Samples(image, next->bakedIsovalue);
-      image->GetBounds(bounds);
-    }
-    else
-    {
-      auto* mapper = vtkPolyDataMapper::SafeDownCast(MapperOf(next->prop));
-      if (mapper == nullptr)
-        throw std::invalid_argument("its mapper has no volume and no surface");
+    if (vtkMapper* mapper = MapperOf(next->prop))
       mapper->Update();
-      job.body = TrianglesOf(mapper->GetInput());
-      mapper->GetInput()->GetBounds(bounds);
-    }
+    vtkDataSet* data = DataOf(*next);
+    next->bakedIsovalue = next->Isovalue();
+    next->bakedData = data;
+    next->bakedTime = data != nullptr ? data->GetMTime() : 0;
+    if (auto* image = vtkImageData::SafeDownCast(data))
+      job.body = Samples(image, next->bakedIsovalue);
+    else if (auto* surface = vtkPolyData::SafeDownCast(data))
+      job.body = TrianglesOf(surface);
+    else
+      throw std::invalid_argument("its mapper has no volume and no surface");
+    double bounds[6];
+    data->GetBounds(bounds);
     for (int axis = 0; axis < 3; ++axis)
       next->origin[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
     job.origin = next->origin;

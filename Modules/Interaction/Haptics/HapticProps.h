@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataSet;
 class vtkHaspClusteredCellMapper;
 class vtkImageData;
 class vtkProp3D;
@@ -31,7 +32,10 @@ struct HapticProp
   bool touchable = false;
   int tool = -1; ///< number of the group it moves with; -1: none
   BakedBody baked;
-  double bakedIsovalue = 0.0; ///< of what is baked, or being baked
+  // Of what is baked, or being baked.
+  double bakedIsovalue = 0.0;
+  vtkWeakPointer<vtkDataSet> bakedData;
+  vtkMTimeType bakedTime = 0; ///< of the data: images that share samples may share it, too
   bool ready = false, failed = false;
 
   /// Can be felt with: what a dynamic shell draws from needs no baking anew while the map waits for
@@ -47,7 +51,9 @@ struct HapticProp
 /// after the other on a WORKER as soon as there are both.
 ///
 /// Where a mapper's isovalue changes, what is made of it is made anew; a dynamic shell follows at
-/// once, and stays in hand while the map that others touch is made anew.
+/// once, and stays in hand while the map that others touch is made anew. Where an actor is given
+/// another mapper, a mapper other data, or data is Modified, all that is made of it is made anew,
+/// and nothing of it is felt meanwhile. Pipelines are not asked for newer data: pictures do that.
 ///
 /// Threads: RENDER. Samples and points are read by the WORKER: shared with the prop's data, which
 /// may be replaced, but not changed in place while State is Baking.

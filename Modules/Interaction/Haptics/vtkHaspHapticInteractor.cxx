@@ -13,6 +13,7 @@
 #include "vtkRenderWindow.h"
 
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 vtkStandardNewMacro(vtkHaspHapticInteractor);
@@ -118,8 +119,12 @@ bool vtkHaspHapticInteractor::SetDevice(
   self.input.Follow(nullptr, nullptr, nullptr);
   self.buttons = 0;
   self.placed = false;
+  if (std::exchange(self.stands, false))
+    this->CameraRelative = true;
+  if (!self.loop->SetDevice(std::move(device), settings))
+    return false;
   this->Scale = settings.workspace.scale;
-  return self.loop->SetDevice(std::move(device), settings);
+  return true;
 }
 
 bool vtkHaspHapticInteractor::UseMouse()
@@ -243,14 +248,17 @@ bool vtkHaspHapticInteractor::SetDeviceToWorld(vtkMatrix4x4* matrix)
 {
   try
   {
-    hasp::HapticControl control = this->Self->loop->GetControl();
+    Internals& self = *this->Self;
+    hasp::HapticControl control = self.loop->GetControl();
     control.place = hasp::PoseOf(matrix);
+    if (self.loop->GetProfile() == nullptr)
+      throw std::invalid_argument("there is none; call SetDevice before SetDeviceToWorld");
     control.axes = control.place.orientation;
     control.scale = this->Scale = 1.0;
     ++control.placed;
-    this->CameraRelative = false;
-    this->Self->placed = true;
-    this->Self->loop->SetControl(control);
+    self.stands = std::exchange(this->CameraRelative, false) || self.stands;
+    self.placed = true;
+    self.loop->SetControl(control);
     return true;
   }
   catch (const std::exception& error)

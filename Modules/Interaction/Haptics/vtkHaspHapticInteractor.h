@@ -101,7 +101,9 @@ public:
 
 #ifndef __VTK_WRAP__
   ///@{
-  /** As vtkHaspHapticLoop's. */
+  /** As vtkHaspHapticLoop's, with its errors. What is in hand is let go, the mouse with it. The new
+   * device takes nothing over: it stands as the camera does (CameraRelative is on again if
+   * SetDeviceToWorld had put it off), Scale is settings.workspace.scale, 1 unless said. */
   bool SetDevice(std::unique_ptr<hasp::HapticDevice> device);
   bool SetDevice(
     std::unique_ptr<hasp::HapticDevice> device, const hasp::HapticChainSettings& settings);
@@ -113,6 +115,7 @@ public:
    * after an error. */
   bool UseMouse();
 
+  /** False after an error, as vtkHaspHapticLoop's: no device, above all. */
   bool Start();
   void Stop(); ///< lets go, too
   /** Once a frame; true if something moved. */
@@ -182,8 +185,8 @@ public:
   ///@}
   /** Stands where the tool is: a stylus, say. Its own axes are the device's. Null: none. */
   void SetPointer(vtkProp3D* prop);
-  /** Device axes to world: where the device stands (FitCoLocation). CameraRelative off, Scale 1.
-   * False after an error: not rigid. */
+  /** Device axes to world: where the device that is there stands (FitCoLocation), until the next
+   * SetDevice. CameraRelative off, Scale 1. False after an error: not rigid, or no device. */
   bool SetDeviceToWorld(vtkMatrix4x4* matrix);
 
 #ifndef __VTK_WRAP__

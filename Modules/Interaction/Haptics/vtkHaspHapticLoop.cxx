@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 vtkStandardNewMacro(vtkHaspHapticLoop);
@@ -29,6 +30,7 @@ struct vtkHaspHapticLoop::Internals
   bool started = false, touchable = false;
   std::uint64_t scenes = 0;
   std::size_t sceneBytes = 0;
+  std::optional<hasp::RigidPose> start; // of the tool, as long as it is not started
 
   vtkNew<vtkCallbackCommand> goes;
   vtkWeakPointer<vtkRenderWindow> window;
@@ -76,6 +78,8 @@ bool vtkHaspHapticLoop::SetDevice(
   self.snapshot = {};
   self.discs.reset();
   self.asked = self.touchable = false;
+  self.control = {};
+  self.start.reset();
   this->Modified();
   if (!device)
     return true;
@@ -120,7 +124,13 @@ std::uint64_t vtkHaspHapticLoop::SetScene(std::vector<hasp::HapticShell> shells,
     vtkErrorMacro(<< "A haptic scene needs a device; call SetDevice before SetScene");
     return 0;
   }
-  const bool touchable = !shells.empty() && !bodies.empty();
+  if (start != nullptr && !hasp::IsPose(*start))
+  {
+    vtkErrorMacro(<< "The haptic scene stays as it was: the start of the tool is no pose; give it "
+                     "finite numbers and a turn of length 1");
+    return 0;
+  }
+  const bool touchable = !shells.empty() && !bodies.empty(), tool = !shells.empty();
   auto offer = std::make_unique<hasp::HapticSceneOffer>();
   try
   {
@@ -132,7 +142,9 @@ std::uint64_t vtkHaspHapticLoop::SetScene(std::vector<hasp::HapticShell> shells,
     return 0;
   }
   if (start != nullptr)
-    offer->start = *start;
+    offer->start = { start->position, glm::normalize(start->orientation) };
+  if (offer->start || !tool)
+    self.start = offer->start;
   offer->number = ++self.scenes;
   hasp::ResourceList made;
   offer->scene->ListResources(made);
@@ -141,7 +153,11 @@ std::uint64_t vtkHaspHapticLoop::SetScene(std::vector<hasp::HapticShell> shells,
     self.sceneBytes += touchable ? use.bytes : 0;
   self.touchable = touchable;
   self.chain->OfferScene(std::move(offer));
-  return this->RunOrRest() ? self.scenes : 0;
+  if (!this->RunOrRest())
+    return 0;
+  if (self.started)
+    self.start.reset(); // the chain's from here on
+  return self.scenes;
 }
 
 bool vtkHaspHapticLoop::SetControl(const hasp::HapticControl& control)
@@ -218,8 +234,14 @@ bool vtkHaspHapticLoop::Start()
     return false;
   }
   this->FollowWindow();
-  this->Self->started = true;
-  return this->RunOrRest();
+  Internals& self = *this->Self;
+  self.started = true;
+  if (self.start)
+    self.chain->Place(*self.start); // Update has let the tool go along with the device since
+  if (!this->RunOrRest())
+    return false;
+  self.start.reset();
+  return true;
 }
 
 void vtkHaspHapticLoop::Stop()

@@ -46,7 +46,8 @@ struct RigidPose;
  * (real-time scheduling, locked memory) it runs without, and GetSchedulingReport says so.
  *
  * Units: mm, N, N mm, s. Threads: RENDER for all that is here; the device is HAPTIC's while
- * IsRunning. Errors: vtkErrorMacro, with what to do; false comes back and nothing has changed.
+ * IsRunning. Errors: vtkErrorMacro, with what to do; false comes back and nothing has changed,
+ * but where a call says what has.
  * Cost: 5 us of RENDER a frame; what a tick costs GetRates says. See thesis 2.3.3 and Threads.md.
  */
 class VTKHASPINTERACTIONHAPTICS_EXPORT vtkHaspHapticLoop : public vtkObject
@@ -58,8 +59,16 @@ public:
 
 #ifndef __VTK_WRAP__
   ///@{
-  /** Takes the device over; null: none. The one before gets no force and is freed. Settings whose
-   * numbers are refused (HapticChain.h) are an error, and the device is freed. */
+  /** Takes the device over; null: none. The one before is stopped without force and freed, and its
+   * scene, snapshot and control with it: a new one begins with all of HapticControl at its defaults
+   * (it stands unturned at the world's origin, nothing attracts) but contact, spring and scale,
+   * which are the settings'. So SetControl and SetScene come after SetDevice. What was started
+   * stays so, and ticks again from the next scene on.
+   *
+   * False after an error alone: settings whose numbers are refused (the message says which, and
+   * what is legal: HapticStep.h, WorkspaceMapping.h, GuardedHapticDevice.h). There is no device
+   * then, neither this one nor the one before. Whether a device works is not asked: that is the
+   * snapshot's status. */
   bool SetDevice(std::unique_ptr<hasp::HapticDevice> device);
   bool SetDevice(
     std::unique_ptr<hasp::HapticDevice> device, const hasp::HapticChainSettings& settings);
@@ -74,10 +83,17 @@ public:
   void SetLoopSettings(const hasp::LoopSettings& settings);
 
   /** What the tool is made of, and what it can touch; either may be none. start: the tool is taken
-   * in hand at this pose (world); null: it goes on where it is. What the scene before had as well
-   * is felt on as it is. Makes working memory while ticks go on and wait for nobody: of 20,000
-   * points before a map of 256^3 10 us a pair, of a dynamic shell 0.2 ms, 1.5 ms for the first of
-   * a process. Number of the scene, which snapshots name once it is felt; 0 after an error. */
+   * in hand at this pose (world), before Start as soon as it is started; null: it goes on where it
+   * is. What the scene before had as well is felt on as it is. Number of the scene, which snapshots
+   * name once it is felt; 0 after an error: no device, a start that is no pose, what HapticScene
+   * refuses, or a thread that does not start (as Start).
+   *
+   * Makes a HapticScene, on RENDER, while ticks go on and wait for nobody. A pair of a shell and a
+   * body costs 0.002 ms where the shell is static (20,000 points before a map of 256^3; up to 0.5
+   * ms the first time) and 0.2 ms where it is dynamic (1.4 ms the first time, of four pairs 5.1 ms:
+   * memory that is new; twice as much on a busy machine). The first scene of a process also times
+   * the kernels, 5 ms (FastestContactKernels): who cannot wait for it calls that on a WORKER
+   * before, as vtkHaspHapticInteractor does. */
   std::uint64_t SetScene(std::vector<hasp::HapticShell> shells,
     std::vector<hasp::HapticBody> bodies, const hasp::RigidPose* start = nullptr);
 
@@ -101,7 +117,14 @@ public:
 #endif
 
   ///@{
-  /** From Start on there is a thread whenever something can be touched. */
+  /** From Start on there is a thread whenever something can be touched: at once, or as soon as
+   * SetScene says so. Again, once started: nothing happens, true.
+   *
+   * False, and it is not started, after an error: there is no device (SetDevice comes first), the
+   * loop's periodNs is not the step's tickS, a number of SetLoopSettings is refused, or the system
+   * gives no thread. Where SetScene finds one of these its 0 says so, and it is stopped. What the
+   * system refuses of priority and memory is none: GetSchedulingReport. A device that is unplugged
+   * is none either: it gets no force until it is back. */
   bool Start();
   void Stop();
   bool GetStarted() const;

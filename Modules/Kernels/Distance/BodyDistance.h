@@ -35,9 +35,9 @@ struct BodyDistance
 /// off by the volume's border, that is its surface. Of a closed mesh: the grid has the world's
 /// axes. Error of samples within three spacings of the surface, in spacings (TestBodyDistance
 /// prints and holds it): balls of 20 spacings 0.03 rms, 0.1 at most; flat faces 0.02 rms; within
-/// three spacings of sharp edges and corners 0.3 to 0.5 rms, 1.5 at most, because
-/// CoverageDistance's elements reach a little over an edge. What is thinner than a spacing may be
-/// missing.
+/// three spacings of sharp edges and corners 0.3 to 0.5 rms, 1.5 at most (1.65 of boxes that are
+/// turned otherwise), because CoverageDistance's elements reach over an edge: it says more. What is
+/// thinner than a spacing may be missing.
 ///
 /// Throws std::invalid_argument on bad geometry, settings (with value and range), a mesh that
 /// MeshCoverage refuses, if there is no body (nothing inside), and if the grid would have more than

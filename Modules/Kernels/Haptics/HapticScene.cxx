@@ -110,10 +110,11 @@ HapticScene::HapticScene(
     FinestMm(std::numeric_limits<double>::infinity())
 {
   int levels = 0;
-  for (const HapticShell& shell : this->Shells)
+  for (HapticShell& shell : this->Shells)
   {
     if (!IsPose(shell.shellInTool))
       throw std::invalid_argument("A shell of a haptic scene has no pose");
+    shell.shellInTool.orientation = glm::normalize(shell.shellInTool.orientation);
     if ((shell.shell == nullptr) == (shell.dynamic == nullptr))
       throw std::invalid_argument(
         "A shell of a haptic scene is neither static nor dynamic, or both; set one of them");
@@ -121,10 +122,11 @@ HapticScene::HapticScene(
     const double radius = shell.shell ? shell.shell->Radius() : RadiusOf(*shell.dynamic);
     this->FarthestMm = std::max(this->FarthestMm, glm::length(shell.shellInTool.position) + radius);
   }
-  for (const HapticBody& body : this->Bodies)
+  for (HapticBody& body : this->Bodies)
   {
     if (!body.map || !IsPose(body.mapInWorld))
       throw std::invalid_argument("A body of a haptic scene is null or has no pose");
+    body.mapInWorld.orientation = glm::normalize(body.mapInWorld.orientation);
     this->FinestMm = std::min(this->FinestMm, body.map->SmallestSpacing());
   }
   this->Near.resize(static_cast<std::size_t>(levels));

@@ -30,15 +30,16 @@ struct HapticBody
 };
 
 /// What the tool is made of and what it meets: every shell before every body, as one ToolContact.
-/// Working memory of the HAPTIC thread: made by a WORKER, given to the step, given back by it.
+/// Working memory of the HAPTIC thread: made elsewhere, given to the step, given back by it.
 ///
 /// A dynamic shell has a DynamicPointShell for each body; without dynamic shells none is made. Its
 /// points have no levels: they count with the coarsest, which is always summed.
 class HapticScene : public ToolContact
 {
 public:
-  /// Throws std::invalid_argument if a body is null, a shell is none or both, a pose is none, or as
-  /// DynamicPointShell does. kernels: the fastest here unless given.
+  /// Throws std::invalid_argument if a body is null, a shell is none or both, a pose is none
+  /// (IsPose; what its turn's length is off by is taken away), or as DynamicPointShell does.
+  /// kernels: the fastest here unless given.
   HapticScene(std::vector<HapticShell> shells, std::vector<HapticBody> bodies,
     const ContactKernels& kernels = FastestContactKernels());
 

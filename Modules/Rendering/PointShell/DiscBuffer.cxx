@@ -27,11 +27,21 @@ void DiscBuffer::Allocate(std::size_t count)
     throw std::runtime_error("this OpenGL draws " + std::to_string(most) + " discs at most, not " +
                              std::to_string(count) + "; draw fewer levels");
   this->Release();
+  for (int old = 0; old < 32 && glGetError() != GL_NO_ERROR; ++old) // somebody else's; a lost
+  {                                                                 // context has no end of them
+  }
   glGenBuffers(1, &this->Buffer);
   glGenVertexArrays(1, &this->Array);                 // core profiles draw nothing without one
   this->Capacity = std::min(count + count / 4, most); // a dynamic shell's number varies
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Bytes()), nullptr, GL_DYNAMIC_DRAW);
+  if (glGetError() == GL_NO_ERROR)
+    return;
+  const std::size_t bytes = this->Bytes();
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  this->Release();
+  throw std::runtime_error(
+    "the GPU has no room for " + std::to_string(bytes >> 10) + " KiB of discs; draw fewer levels");
 }
 
 void DiscBuffer::Upload(std::shared_ptr<const Discs> discs)

@@ -15,7 +15,8 @@ class DiscBuffer
 {
 public:
   /// Uploads blocks of discs that are not those of last time; keeps the vector to compare with.
-  /// Throws std::runtime_error if OpenGL cannot hold them.
+  /// Throws std::runtime_error, and holds none, if there are more than OpenGL can read or the GPU
+  /// has room for.
   void Upload(std::shared_ptr<const Discs> discs);
   /// withBits: also as integers. Samplers are `discs` and `discBits`; until Unbind.
   void Bind(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, bool withBits);

@@ -118,6 +118,35 @@ TEST(HapticStep, PosesOfBodiesAndShellsChangeNothing)
     EXPECT_NEAR(again.matrix[i], expected.matrix[i], 1e-6 * 40.0 * 400.0);
 }
 
+// A turn is one however long its quaternion is within what counts as a pose: 200 mm out, two
+// thousandths of the way would be more than a contact is deep.
+TEST(HapticStep, QuaternionsOfNearlyUnitLengthAreTakenAsTurns)
+{
+  const RigidPose body{ { 100, -50, 30 }, hasp::TurnBy({ 0.4, -1.0, 0.7 }) };
+  const RigidPose shell{ { 150, 3, -80 }, hasp::TurnBy({ -0.3, 0.2, 1.1 }) };
+  const RigidPose tool = body * At(1, -2, -0.05) * shell.Inverse();
+  const auto sums = [&](double bodyLength, double shellLength)
+  {
+    HapticScene scene({ { Foot(), { shell.position, shell.orientation * shellLength } } },
+      { { Ground(), { body.position, body.orientation * bodyLength } } });
+    hasp::HapticScene::Plan plan;
+    plan.finest = 9;
+    plan.contact.stiffness = 0.1F;
+    scene.Set(plan);
+    return scene.At(tool).sums;
+  };
+  const hasp::ContactSums expected = sums(1.0, 1.0);
+  const double size = glm::length(expected.contact.force);
+  ASSERT_GT(size, 1.0);
+  for (const double length : { 0.9991, 1.0009 })
+    for (const bool ofBody : { true, false })
+    {
+      const hasp::Wrench felt = sums(ofBody ? length : 1.0, ofBody ? 1.0 : length).contact;
+      EXPECT_LT(glm::distance(felt.force, expected.contact.force), 1e-6 * size) << length;
+      EXPECT_LT(glm::distance(felt.torque, expected.contact.torque), 1e-4 * size) << length;
+    }
+}
+
 // w(x + dx) = w(x) - K dx for points that stay in contact: the matrix is the wrench's slope, seen
 // from the world about the tool's origin.
 TEST(HapticStep, MatrixIsTheSlopeOfTheWrench)

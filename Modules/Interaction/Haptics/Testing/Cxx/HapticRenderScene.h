@@ -3,6 +3,7 @@
 
 // Actors, frames and listeners for tests of the render side.
 #include "TouchScene.h"
+#include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspHapticInteractor.h"
 #include "vtkHaspHapticLoop.h"
 #include "vtkHaspHeadlessWindows.h"
@@ -10,14 +11,18 @@
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <thread>
@@ -88,6 +93,36 @@ inline vtkSmartPointer<vtkActor> BallActor(
   return actor;
 }
 
+/// About the origin, samples 0.5 mm apart, to 10 mm: the isosurface of -r is a ball of radius r.
+/// flatter: its depth counts for so much less, and the ball of radius r is one of r / flatter high.
+inline vtkSmartPointer<vtkImageData> GreyBall(double flatter = 1.0)
+{
+  constexpr int side = 41;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(side, side, side);
+  image->SetOrigin(-10, -10, -10);
+  image->SetSpacing(0.5, 0.5, 0.5);
+  vtkNew<vtkFloatArray> values;
+  for (vtkIdType n = 0; n < side * side * side; ++n)
+  {
+    double p[3];
+    image->GetPoint(n, p);
+    values->InsertNextValue(static_cast<float>(-std::hypot(p[0], p[1], flatter * p[2])));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+inline vtkSmartPointer<vtkActor> GreyBallActor(double radius, const glm::dvec3& at)
+{
+  vtkNew<vtkHaspClusteredCellMapper> mapper;
+  mapper->SetInputData(GreyBall());
+  mapper->SetIsoValue(-radius);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetPosition(at.x, at.y, at.z);
+  return actor;
+}
+
 inline RigidPose Pose(vtkProp3D* prop)
 {
   glm::dmat3 axes;
@@ -137,8 +172,10 @@ struct Frames
   void UntilTicks(std::uint64_t ticks)
   {
     do
+    {
       this->haptic->Update();
-    while (
+      std::this_thread::yield();
+    } while (
       this->haptic->GetLoop()->IsRunning() && this->haptic->GetLoop()->GetSnapshot().ticks < ticks);
   }
 

@@ -87,6 +87,21 @@ TEST(HapticChain, APressedBallPushesBackAsThreeSpringsInSeries)
   EXPECT_NEAR(truth.Applied().force.z, seen.onDevice.force.z, 1e-12);
 }
 
+// The hand is below the plate: where the tool is taken decides on which side it is held.
+TEST(HapticChain, AStartThatNoTickHasTakenGoesOnToTheNextScene)
+{
+  HapticChain chain(HandAt(At(0, 0, -8)), Firm());
+  auto first = Scene(1, Plate());
+  first->start = At(0, 0, 8);
+  chain.OfferScene(std::move(first));
+  chain.OfferScene(Scene(2, Plate()));
+  std::int64_t now = 0;
+  const HapticSnapshot& seen = Ticks(chain, 200, now);
+  EXPECT_EQ(seen.scene, 2u);
+  EXPECT_EQ(seen.contacts, 1u);
+  EXPECT_NEAR(seen.tool.position.z, PlateTop, 1.0);
+}
+
 /// Three times the world, and the world's x is the device's y: what a camera on its side gives.
 TEST(HapticChain, AxesScaleAndPlaceAreTaken)
 {

@@ -4,9 +4,6 @@
 #include "vtkHaspClusteredCellMapper.h"
 #include "vtkHaspPointShellMapper.h"
 
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkPointData.h"
 #include "vtkPropCollection.h"
 
 #include <gtest/gtest.h>
@@ -21,31 +18,6 @@ using namespace hasp;
 using namespace hasp::testing;
 
 constexpr double GroundRadius = 15.0;
-
-/// About the origin, samples 0.5 mm apart: the isosurface of -r is a ball of radius r.
-vtkSmartPointer<vtkActor> GreyBallActor(double radius, const glm::dvec3& at)
-{
-  constexpr int side = 41;
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(side, side, side);
-  image->SetOrigin(-10, -10, -10);
-  image->SetSpacing(0.5, 0.5, 0.5);
-  vtkNew<vtkFloatArray> values;
-  for (vtkIdType n = 0; n < side * side * side; ++n)
-  {
-    double p[3];
-    image->GetPoint(n, p);
-    values->InsertNextValue(static_cast<float>(-std::hypot(p[0], p[1], p[2])));
-  }
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkHaspClusteredCellMapper> mapper;
-  mapper->SetInputData(image);
-  mapper->SetIsoValue(-radius);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->SetPosition(at.x, at.y, at.z);
-  return actor;
-}
 
 /// The actor that draws discs; null: there is none.
 vtkActor* ShellActor(vtkRenderer* renderer)
@@ -76,7 +48,7 @@ protected:
       Settings()));
     ASSERT_TRUE(frames.haptic->Start());
     ASSERT_TRUE(frames.haptic->Grab(tool));
-    frames.UntilTicks(1500);
+    frames.UntilTicks(800); // twice what the motion takes
   }
   const HapticSnapshot& Seen() { return frames.haptic->GetLoop()->GetSnapshot(); }
   void SetRadius(double radius)

@@ -136,6 +136,92 @@ TEST(HapticLoop, ABallIsPressedOnTheThread)
   EXPECT_EQ(loop->GetSnapshot().onDevice.force, glm::dvec3(0.0));
 }
 
+// The hand is below the plate, the tool is taken above it: it is held there, whatever is said and
+// drawn before the thread starts. (The device is read by frames once it was started.)
+TEST(HapticLoop, AToolTakenBeforeStartIsTakenThere)
+{
+  const RigidPose start = At(0, 0, 8);
+  HapticControl placed;
+  placed.placed = 1;
+  using Loop = vtkHaspHapticLoop;
+  const std::function<void(Loop*)> before[] = { [](Loop*) {}, [](Loop* loop) { loop->Update(); },
+    [](Loop* loop) { loop->SetScene(Tip(), Plate()); },
+    [](Loop* loop)
+    {
+      loop->Update();
+      loop->SetScene(Tip(), Plate());
+    },
+    [&](Loop* loop)
+    {
+      loop->Update();
+      loop->SetControl(placed);
+    } };
+  for (std::size_t n = 0; n < std::size(before); ++n)
+  {
+    vtkNew<vtkHaspHapticLoop> loop;
+    ASSERT_TRUE(loop->SetDevice(HandAt(At(0, 0, -8)), Firm()));
+    ASSERT_TRUE(loop->Start());
+    loop->Update();
+    loop->Stop();
+    ASSERT_GT(loop->SetScene(Tip(), Plate(), &start), 0u);
+    before[n](loop);
+    ASSERT_TRUE(loop->Start());
+    FramesUntil(loop, 50, [] { return false; });
+    EXPECT_NEAR(loop->GetSnapshot().tool.position.z, PlateTop, 1.0) << n;
+    EXPECT_EQ(loop->GetSnapshot().contacts, 1u) << n;
+  }
+}
+
+TEST(HapticLoop, AToolThatIsPutDownWaitsForNoStart)
+{
+  vtkNew<vtkHaspHapticLoop> loop;
+  const RigidPose start = At(0, 0, 8);
+  ASSERT_TRUE(loop->SetDevice(HandAt(At(0, 0, -8)), Firm()));
+  ASSERT_GT(loop->SetScene(Tip(), Plate(), &start), 0u);
+  ASSERT_GT(loop->SetScene({}, {}), 0u);
+  ASSERT_GT(loop->SetScene(Tip(), Plate()), 0u);
+  ASSERT_TRUE(loop->Start());
+  FramesUntil(loop, 50, [] { return false; });
+  EXPECT_LT(loop->GetSnapshot().tool.position.z, -PlateTop);
+  loop->Stop();
+  RigidPose none = start;
+  none.position.x = std::nan("");
+  EXPECT_NE(
+    ErrorsOf(loop, [&] { EXPECT_EQ(loop->SetScene(Tip(), Plate(), &none), 0u); }).find("pose"),
+    std::string::npos);
+}
+
+TEST(HapticLoop, ANewDeviceIsToldNothingOfTheOneBefore)
+{
+  vtkNew<vtkHaspHapticLoop> loop;
+  const RigidPose start = At(0, 0, 8);
+  ASSERT_TRUE(loop->SetDevice(HandAt(At(2, 0, 0)), Settings()));
+  HapticControl control;
+  control.place = At(100, 0, 0);
+  control.placed = 7;
+  control.attract = true;
+  control.isovalues[0] = 3.0;
+  ASSERT_TRUE(loop->SetControl(control));
+  ASSERT_TRUE(loop->Start());
+  loop->Update();
+  EXPECT_NEAR(loop->GetSnapshot().device.position.x, 102.0, 0.01);
+  loop->Stop();
+  ASSERT_GT(loop->SetScene(Tip(), Plate(), &start), 0u);
+  HapticChainSettings settings = Firm();
+  settings.workspace.scale = 2.0;
+  ASSERT_TRUE(loop->SetDevice(HandAt(At(2, 0, -4)), settings));
+  EXPECT_EQ(loop->GetControl().placed, 0u);
+  EXPECT_EQ(loop->GetControl().scale, 2.0);
+  EXPECT_FALSE(loop->GetControl().attract);
+  EXPECT_TRUE(std::isnan(loop->GetControl().isovalues[0]));
+  ASSERT_GT(loop->SetScene(Tip(), Plate()), 0u);
+  ASSERT_TRUE(loop->Start());
+  FramesUntil(loop, 50, [] { return false; });
+  EXPECT_NEAR(loop->GetSnapshot().device.position.x, 4.0, 0.01);
+  // Nor of the tool that was taken with it, above the plate.
+  EXPECT_LT(loop->GetSnapshot().tool.position.z, -PlateTop);
+}
+
 /// Says when it is gone, and what force it was left with.
 struct Watched : SimulatedHapticDevice
 {
@@ -178,6 +264,15 @@ TEST(HapticLoop, ItEndsWithoutForceWhereverItEnds)
   EXPECT_EQ(Watched::Gone, 2);
   EXPECT_EQ(Watched::LastForce, 0.0);
   EXPECT_FALSE(loop->IsRunning());
+  EXPECT_TRUE(loop->GetStarted()) << "the next device ticks as soon as it has a scene";
+  EXPECT_TRUE(loop->SetDevice(HandAt(At(0, 0, 30))));
+  EXPECT_FALSE(loop->IsRunning());
+  EXPECT_GT(loop->SetScene(Tip(), Ball()), 0u);
+  EXPECT_TRUE(loop->IsRunning());
+  HapticChainSettings wrong;
+  wrong.workspace.scale = 0.0;
+  ErrorsOf(loop, [&] { EXPECT_FALSE(loop->SetDevice(HandAt({}), wrong)); });
+  EXPECT_EQ(loop->GetDevice(), nullptr) << "nor is the one before there";
 }
 
 TEST(HapticLoop, ItStopsWhenTheWindowOrItsInteractorGoes)

@@ -19,24 +19,25 @@
 namespace hasp::testing
 {
 
-inline constexpr double BallRadius = 15.0, PointArea = 200.0; // mm, mm^2
+inline constexpr double BallRadius = 15.0, PlateTop = 3.0, PointArea = 200.0; // mm, mm^2
 
 inline RigidPose At(double x, double y, double z)
 {
   return { { x, y, z }, { 1, 0, 0, 0 } };
 }
 
-/// About the world's origin, samples 0.5 mm apart: the distance itself, within int16 steps.
+/// Samples 0.5 mm apart, 20 mm each way: the distance itself, within int16 steps.
+inline std::shared_ptr<const DistanceMap> MapOf(double (*distance)(const glm::dvec3&))
+{
+  const GridGeometry grid{ glm::ivec3(81), glm::dvec3(-20), glm::dvec3(0.5), glm::dmat3(1) };
+  const auto samples = SampleAnalytic<float>({ "body", distance, 1.0 }, grid, 1.0, 0.0);
+  return std::make_shared<const DistanceMap>(GridView<const float>{ samples.data(), grid });
+}
+
+/// About the world's origin.
 inline std::shared_ptr<const DistanceMap> BallMap()
 {
-  static const auto made = []
-  {
-    const GridGeometry grid{ glm::ivec3(81), glm::dvec3(-20), glm::dvec3(0.5), glm::dmat3(1) };
-    const AnalyticVolume ball{ "ball",
-      [](const glm::dvec3& p) { return glm::length(p) - BallRadius; }, 1.0 };
-    const auto samples = SampleAnalytic<float>(ball, grid, 1.0, 0.0);
-    return std::make_shared<const DistanceMap>(GridView<const float>{ samples.data(), grid });
-  }();
+  static const auto made = MapOf([](const glm::dvec3& p) { return glm::length(p) - BallRadius; });
   return made;
 }
 
@@ -55,11 +56,18 @@ inline std::vector<HapticBody> Ball()
 {
   return { { BallMap(), {} } };
 }
+/// Level, as far down as up: nothing slides off it.
+inline std::vector<HapticBody> Plate()
+{
+  static const auto made = MapOf([](const glm::dvec3& p) { return std::abs(p.z) - PlateTop; });
+  return { { made, {} } };
+}
 
-inline std::unique_ptr<HapticSceneOffer> Scene(std::uint64_t number = 1)
+inline std::unique_ptr<HapticSceneOffer> Scene(
+  std::uint64_t number = 1, std::vector<HapticBody> bodies = Ball())
 {
   auto offer = std::make_unique<HapticSceneOffer>();
-  offer->scene = std::make_unique<HapticScene>(Tip(), Ball());
+  offer->scene = std::make_unique<HapticScene>(Tip(), std::move(bodies));
   offer->number = number;
   return offer;
 }
@@ -86,6 +94,14 @@ inline std::unique_ptr<SimulatedHapticDevice> HandAt(
 {
   return std::make_unique<SimulatedHapticDevice>(
     HandSettings(), HandIntention(start, std::move(motions)));
+}
+
+/// Contact so hard that no hand gets through a body.
+inline HapticChainSettings Firm()
+{
+  HapticChainSettings settings = Settings();
+  settings.step.contact.stiffness = 0.02F;
+  return settings;
 }
 
 /// Hand, coupling and contact in series where the hand wants to be `deep` mm under the ball's top:

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace
 {
 using hasp::testing::DiscScene;
@@ -183,6 +185,26 @@ TEST(DiscLives, TextureUnitsAreGivenBack)
   EXPECT_EQ(takeAll(), all);
   giveBack(0);
   EXPECT_GT(Lit(scene.Colors()), 5000);
+}
+
+// No window has room for 64 TiB.
+TEST(DiscLives, WhereTheGPUHasNoRoomThereIsAWordAndNoPicture)
+{
+  static decltype(glBufferData) whole = nullptr;
+  DiscScene scene;
+  scene.Window->Render();
+  scene.Mapper->SetDiscs(SphereDiscs(600, 20));
+  whole = std::exchange(glBufferData, [](GLenum target, GLsizeiptr, const void* data, GLenum use)
+    { whole(target, GLsizeiptr{ 1 } << 46, data, use); });
+  scene.Mapper->Render(scene.Renderer, scene.Actor);
+  scene.Mapper->Render(scene.Renderer, scene.Actor);
+  glBufferData = whole;
+  ASSERT_EQ(scene.Errors.size(), 1U);
+  EXPECT_NE(scene.Errors[0].find("no room"), std::string::npos) << scene.Errors[0];
+  EXPECT_EQ(HeldBy(scene.Mapper).bytes, 0U);
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+  EXPECT_GT(Lit(scene.Colors()), 5000) << "it is tried again";
+  EXPECT_EQ(scene.Errors.size(), 1U);
 }
 
 TEST(DiscLives, TwoWindowsShareAMapper)
