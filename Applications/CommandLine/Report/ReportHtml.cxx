@@ -88,7 +88,7 @@ std::string StabilityTable(const Report& report)
     "<h2>Stiff and extreme cases</h2>\n" + Head({ "id", "case", "outcome", "figure", "limit" });
   for (const ReportCase& row : report.stability)
     html += "<tr>" + Cell(row.id) + Cell(row.testCase) +
-            (row.pass ? Cell("holds") : Cell("FAILS", "bad")) +
+            (row.pass ? Cell("as predicted") : Cell("NOT AS PREDICTED", "bad")) +
             Cell(FigureText(row.figure) + " " + row.unit, "figure") +
             Cell(FigureText(row.limit) + " " + row.unit, "figure") + "</tr>\n";
   return html + "</table>\n";

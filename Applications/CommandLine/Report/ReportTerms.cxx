@@ -143,7 +143,12 @@ std::vector<ReportTerm> OthersOf(const std::string& report)
   if (report == "stability")
     return {
       { "stability.pass", "share of the cases below that came out as predicted" },
-      { "stability.rows", "how many cases there are" },
+      { "stability.rows",
+        "how many cases there are, all told below: id, outcome, the figure that the prediction "
+        "rests on and its limit, what was tried. Of haptics: stable below the limit; else it "
+        "oscillates (the figure is above 1: that is predicted, too), gives the hand energy (more "
+        "than 1 mJ), gets deep (half a voxel, or half of a plate) or through; k: contact in N/mm, "
+        "T: tick in ms, d: ticks of delay, F: share of what a plate stands" },
     };
   return {};
 }

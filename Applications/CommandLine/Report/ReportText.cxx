@@ -138,9 +138,14 @@ std::string ReportText(const Report& report)
   for (const ReportTerm& term : TermsUsed(report))
     text += Padded("id " + term.id, 34) + term.meaning + "\n";
   for (const ReportCase& row : report.stability)
-    text += Padded(row.id, 34) + (row.pass ? "holds  " : "FAILS  ") +
+    text += Padded(row.id, 34) + (row.pass ? "as predicted  " : "NOT AS PREDICTED  ") +
             FigureText(row.figure, row.unit) + " (limit " + FigureText(row.limit) + ")  " +
             row.testCase + "\n";
+  if (!report.stability.empty())
+    text += Padded("cases as predicted", 34) +
+            std::to_string(std::count_if(report.stability.begin(), report.stability.end(),
+              [](const ReportCase& row) { return row.pass; })) +
+            " of " + std::to_string(report.stability.size()) + "\n";
   for (const ResourceUse& use : report.unused)
     text += Padded("unused: " + use.resource, 34) + std::to_string(use.bytes) + " bytes, " +
             FigureText(use.milliseconds, "ms") + "\n";

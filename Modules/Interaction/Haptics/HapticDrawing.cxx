@@ -11,13 +11,22 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace hasp
 {
 
-HapticDrawing::HapticDrawing() = default;
+namespace
+{
+/// Equal to no pose.
+const RigidPose Nowhere{ glm::dvec3(std::numeric_limits<double>::quiet_NaN()), { 1, 0, 0, 0 } };
+}
+
+HapticDrawing::HapticDrawing() : Pointed(Nowhere) {}
 
 HapticDrawing::~HapticDrawing()
 {
@@ -35,16 +44,32 @@ void HapticDrawing::Drop()
   this->ShellMapper = nullptr;
 }
 
+void HapticDrawing::SetPointer(vtkProp3D* prop)
+{
+  this->Pointer = prop;
+  this->Pointed = Nowhere;
+}
+
 void HapticDrawing::SetRenderer(vtkRenderer* renderer)
 {
   this->Drop();
   this->Renderer = renderer;
 }
 
-void HapticDrawing::DrawForces(const HapticSnapshot& seen)
+bool HapticDrawing::MovePointer(const HapticSnapshot& seen)
+{
+  if (seen.tool == this->Pointed)
+    return false;
+  this->Pointed = seen.tool;
+  SetUserPose(this->Pointer, seen.tool);
+  return true;
+}
+
+bool HapticDrawing::DrawForces(const HapticSnapshot& seen)
 {
   if (!this->ArrowProp)
   {
+    this->Arrows.clear();
     this->ArrowProp = vtkSmartPointer<vtkHaspForceArrows>::New();
     this->ArrowProp->PickableOff();
     this->ArrowProp->GetProperty()->SetColor(0.9, 0.3, 0.2);
@@ -54,11 +79,17 @@ void HapticDrawing::DrawForces(const HapticSnapshot& seen)
   for (const Wrench& wrench : { seen.contact, seen.attraction })
     if (glm::length(wrench.force) > 0.0)
       arrows.push_back({ seen.tool.position, wrench.force });
+  const auto same = [](const ForceArrow& a, const ForceArrow& b)
+  { return a.atMm == b.atMm && a.forceN == b.forceN; };
+  if (std::equal(arrows.begin(), arrows.end(), this->Arrows.begin(), this->Arrows.end(), same))
+    return false;
+  this->Arrows = arrows;
   this->ArrowProp->SetMmPerNewton(this->mmPerNewton);
   this->ArrowProp->SetArrows(std::move(arrows));
+  return true;
 }
 
-void HapticDrawing::DrawShell(const HapticSnapshot& seen, const HapticDiscRequest* discs)
+bool HapticDrawing::DrawShell(const HapticSnapshot& now, const HapticDiscRequest* discs)
 {
   if (!this->ShellProp)
   {
@@ -70,22 +101,23 @@ void HapticDrawing::DrawShell(const HapticSnapshot& seen, const HapticDiscReques
     this->Renderer->AddViewProp(this->ShellProp);
   }
   const std::uint32_t count = discs != nullptr ? discs->count : 0;
-  this->ShellProp->SetVisibility(count > 0);
   if (count == 0)
-    return;
+  {
+    const bool seen = this->ShellProp->GetVisibility() != 0;
+    this->ShellProp->SetVisibility(false);
+    return seen;
+  }
+  this->ShellProp->SetVisibility(true);
   this->ShellMapper->SetDiscs(std::make_shared<const std::vector<ShellDisc>>(
     discs->room.begin(), discs->room.begin() + count));
-  SetUserPose(this->ShellProp, seen.tool);
+  SetUserPose(this->ShellProp, now.tool);
+  return true;
 }
 
-bool HapticDrawing::Update(const HapticSnapshot& seen, const HapticDiscRequest* discs)
+void HapticDrawing::DropUnused()
 {
-  const bool moved = seen.ticks != this->Ticks;
-  this->Ticks = seen.ticks;
-  if (this->pointer && moved)
-    SetUserPose(this->pointer, seen.tool);
   if (!this->Renderer)
-    return moved && this->pointer;
+    return;
   if (!this->forces && this->ArrowProp)
   {
     this->Renderer->RemoveViewProp(this->ArrowProp);
@@ -97,11 +129,18 @@ bool HapticDrawing::Update(const HapticSnapshot& seen, const HapticDiscRequest* 
     this->ShellProp = nullptr;
     this->ShellMapper = nullptr;
   }
-  if (this->forces)
-    this->DrawForces(seen);
-  if (this->shell)
-    this->DrawShell(seen, discs);
-  return moved && (this->pointer || this->forces || this->shell);
+}
+
+bool HapticDrawing::Update(const HapticSnapshot& seen, const HapticDiscRequest* discs)
+{
+  this->DropUnused();
+  if (std::exchange(this->Ticks, seen.ticks) == seen.ticks)
+    return false;
+  bool changed = this->Pointer && this->MovePointer(seen);
+  if (!this->Renderer)
+    return changed;
+  changed = (this->forces && this->DrawForces(seen)) || changed;
+  return (this->shell && this->DrawShell(seen, discs)) || changed;
 }
 
 } // namespace hasp

@@ -1,6 +1,7 @@
 #ifndef HapticDrawing_h
 #define HapticDrawing_h
 
+#include "ForceArrow.h"
 #include "Grid/RigidPose.h"
 
 #include "vtkHaspInteractionHapticsModule.h" // for export macro: tests
@@ -9,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 class vtkActor;
 class vtkHaspForceArrows;
@@ -35,7 +37,7 @@ public:
   bool forces = false, shell = false;
   double mmPerNewton = 10.0;
   std::size_t mostDiscs = 4096;
-  vtkWeakPointer<vtkProp3D> pointer;
+  void SetPointer(vtkProp3D* prop);
 
   /// Once a frame: the newest tick, and its dynamic shells' points where they are drawn and there
   /// are any yet; null: none. True if something changed.
@@ -43,14 +45,20 @@ public:
 
 private:
   void Drop();
-  void DrawForces(const HapticSnapshot& seen);
-  void DrawShell(const HapticSnapshot& seen, const HapticDiscRequest* discs);
+  void DropUnused();
+  /// True if the picture is another one now.
+  bool MovePointer(const HapticSnapshot& seen);
+  bool DrawForces(const HapticSnapshot& seen);
+  bool DrawShell(const HapticSnapshot& now, const HapticDiscRequest* discs);
 
   vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkProp3D> Pointer;
   vtkSmartPointer<vtkHaspForceArrows> ArrowProp;
   vtkSmartPointer<vtkActor> ShellProp;
   vtkSmartPointer<vtkHaspPointShellMapper> ShellMapper;
   std::uint64_t Ticks = 0;
+  RigidPose Pointed;              ///< where the pointer stands
+  std::vector<ForceArrow> Arrows; ///< as they are drawn
 };
 
 } // namespace hasp

@@ -12,14 +12,6 @@
 namespace hasp
 {
 
-namespace
-{
-bool Same(const RigidPose& a, const RigidPose& b)
-{
-  return a.position == b.position && a.orientation == b.orientation;
-}
-}
-
 bool HapticGrab::Bring(const HapticProps& props, vtkHaspHapticLoop* loop, const RigidPose* start)
 {
   std::vector<HapticBody> bodies = props.Bodies(this->Held);
@@ -35,10 +27,7 @@ bool HapticGrab::Bring(const HapticProps& props, vtkHaspHapticLoop* loop, const 
 void HapticGrab::SayIsovalues(const HapticProps& props, vtkHaspHapticLoop* loop) const
 {
   HapticControl control = loop->GetControl();
-  const std::vector<double> now = props.Isovalues(this->Held);
-  control.isovalues = HapticControl().isovalues;
-  std::copy_n(
-    now.begin(), std::min(now.size(), control.isovalues.size()), control.isovalues.begin());
+  control.isovalues = props.Isovalues(this->Held);
   loop->SetControl(control);
 }
 
@@ -82,7 +71,7 @@ void HapticGrab::Refresh(const HapticProps& props, vtkHaspHapticLoop* loop)
   const std::vector<HapticBody> now = props.Bodies(this->Held);
   const bool same = std::equal(now.begin(), now.end(), this->Bodies.begin(), this->Bodies.end(),
     [](const HapticBody& a, const HapticBody& b)
-    { return a.map == b.map && Same(a.mapInWorld, b.mapInWorld); });
+    { return a.map == b.map && a.mapInWorld == b.mapInWorld; });
   if (!same && this->Held >= 0)
     this->Bring(props, loop, nullptr);
 }
@@ -90,7 +79,7 @@ void HapticGrab::Refresh(const HapticProps& props, vtkHaspHapticLoop* loop)
 bool HapticGrab::Follow(vtkHaspHapticLoop* loop)
 {
   const HapticSnapshot& seen = loop->GetSnapshot();
-  if (this->Held < 0 || seen.scene < this->Scene || Same(seen.tool, this->Last))
+  if (this->Held < 0 || seen.scene < this->Scene || seen.tool == this->Last)
     return false;
   this->Last = seen.tool;
   for (const Part& part : this->Parts)

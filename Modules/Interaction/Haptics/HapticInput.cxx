@@ -28,6 +28,7 @@ constexpr unsigned long Followed[] = { vtkCommand::MouseMoveEvent, vtkCommand::L
   vtkCommand::RightButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
   vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MouseWheelForwardEvent,
   vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::TDxMotionEvent };
+constexpr int Middle = 2;
 constexpr double FullDeflection = 350.0; // of a SpaceMouse, per axis
 }
 
@@ -57,8 +58,8 @@ void HapticInput::Follow(
   this->Interactor = interactor;
   this->Renderer = renderer;
   this->Device = device;
-  this->Any = this->Turning = false;
-  this->Styles = -1;
+  this->Any = false;
+  this->Styles = 0;
   this->Held = 0;
   if (interactor != nullptr && renderer != nullptr && device != nullptr)
     for (const unsigned long event : Followed)
@@ -100,7 +101,7 @@ void HapticInput::Move()
   this->Before = now;
   if (!std::exchange(this->Any, true) || this->Clutched())
     return; // where it came in, or is put back
-  if (this->Turning)
+  if ((this->Held >> Middle & 1U) != 0)
     this->Device->TurnBy(this->turnRadPerPixel * glm::dvec3(-pixels.y, pixels.x, 0.0));
   else
     this->Device->MoveBy(this->MmPerPixel() * pixels);
@@ -117,33 +118,41 @@ bool HapticInput::Key()
                           : key == "Prior" ? glm::dvec3(0, 0, -1)
                           : key == "Next"  ? glm::dvec3(0, 0, 1)
                                            : glm::dvec3(0.0);
+  if (step == glm::dvec3(0.0) || !this->Takes(-1))
+    return false;
   if (!this->Clutched())
     this->Device->MoveBy(this->wheelMm * step);
-  return step != glm::dvec3(0.0);
+  return true;
 }
 
-bool HapticInput::Press(int button)
+bool HapticInput::Takes(int button) const
 {
   const int* at = this->Interactor->GetEventPosition();
-  if (this->takes && !this->Clutched() && !this->takes(button, at[0], at[1]))
+  return !this->takes || this->takes(button, at[0], at[1]);
+}
+
+/// Buttons 0 and 1 are the device's, the middle one turns.
+bool HapticInput::Press(int button)
+{
+  const std::uint32_t bit = 1U << button;
+  if (!this->Takes(button == Middle ? -1 : button))
   {
-    this->Styles = button;
+    this->Styles |= bit;
     return false;
   }
-  this->Held |= 1U << button;
-  this->Device->SetButtons(this->Held);
+  this->Held |= bit;
+  this->Device->SetButtons(this->Held & ~(1U << Middle));
   return true;
 }
 
 bool HapticInput::Release(int button)
 {
-  if (this->Styles == button)
-    this->Styles = -1;
   const std::uint32_t bit = 1U << button;
+  this->Styles &= ~bit;
   if ((this->Held & bit) == 0)
     return false; // the style had the press
   this->Held &= ~bit;
-  this->Device->SetButtons(this->Held);
+  this->Device->SetButtons(this->Held & ~(1U << Middle));
   return true;
 }
 
@@ -161,15 +170,17 @@ bool HapticInput::Step(unsigned long event)
   {
     case vtkCommand::MouseMoveEvent:
       this->Move();
-      return true;
+      return this->Takes(-1);
     case vtkCommand::LeftButtonPressEvent:
       return this->Press(0);
     case vtkCommand::RightButtonPressEvent:
       return this->Press(1);
     case vtkCommand::MiddleButtonPressEvent:
-      return this->Turning = true;
+      return this->Press(Middle);
     case vtkCommand::MouseWheelForwardEvent:
     case vtkCommand::MouseWheelBackwardEvent:
+      if (!this->Takes(-1))
+        return false;
       if (!this->Clutched())
         this->Device->MoveBy(
           { 0, 0, event == vtkCommand::MouseWheelForwardEvent ? -this->wheelMm : this->wheelMm });
@@ -188,6 +199,8 @@ bool HapticInput::Handle(unsigned long event, void* data)
   switch (event)
   {
     case vtkCommand::TDxMotionEvent:
+      if (!this->Takes(-1))
+        return false;
       this->Rates(*static_cast<const vtkTDxMotionEventInfo*>(data));
       return true;
     case vtkCommand::LeftButtonReleaseEvent:
@@ -195,11 +208,11 @@ bool HapticInput::Handle(unsigned long event, void* data)
     case vtkCommand::RightButtonReleaseEvent:
       return this->Release(1);
     case vtkCommand::MiddleButtonReleaseEvent:
-      return std::exchange(this->Turning, false);
+      return this->Release(Middle);
     default:
       break;
   }
-  if (!this->Interactor->GetControlKey() && this->Styles < 0)
+  if (!this->Interactor->GetControlKey() && this->Styles == 0)
     return this->Step(event);
   this->Any = false; // the pointer stays where it is, as a mouse that is lifted
   return false;

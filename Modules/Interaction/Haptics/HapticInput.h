@@ -25,8 +25,8 @@ class InputHapticDevice;
 /// at the tool's depth; the wheel is depth; a middle drag turns; left and right are buttons 0 and
 /// 1; arrow and page keys are steps of the wheel's length; a 3Dconnexion device's events of VTK
 /// (TDx) are rates. Shift is the clutch: what moves meanwhile does not reach the device, so that no
-/// tick can see a part of it. With Ctrl held, and from a press that `takes` does not take, the
-/// interactor's style has the mouse; who had a button's press has its release.
+/// tick can see a part of it. What `takes` does not take, and all with Ctrl held, is the
+/// interactor's style's; who had a button's press has its drag and its release.
 ///
 /// Threads: RENDER. Held weakly: windows, renderers and the device may go (Forget the device
 /// before).
@@ -44,8 +44,8 @@ public:
   /// Where the tool is (world), and how large a mm of the device is there: once a frame.
   void At(const glm::dvec3& tool, double scale);
 
-  /// Asked when button 0 or 1 goes down at a pixel, and the clutch is not held. None: all of it is
-  /// the device's.
+  /// Asked at each press, notch of the wheel and key: is it the tool's? At this pixel; button 0, 1,
+  /// or -1 for all else. None: all of it is the device's.
   std::function<bool(int button, int x, int y)> takes;
 
   double wheelMm = 2.0;                        ///< of the device, a notch or a key
@@ -55,6 +55,7 @@ public:
 private:
   bool Handle(unsigned long event, void* data);
   bool Step(unsigned long event);
+  bool Takes(int button) const;
   bool Press(int button);
   bool Release(int button);
   void Rates(const vtkTDxMotionEventInfo& said);
@@ -71,8 +72,8 @@ private:
   double Scale = 1.0;
   std::array<int, 2> Before{ 0, 0 };
   std::uint32_t Held = 0;
-  int Styles = -1; ///< the button whose drag is the style's; -1: none
-  bool Any = false, Turning = false;
+  std::uint32_t Styles = 0; ///< buttons whose drags are the style's
+  bool Any = false;
 };
 
 } // namespace hasp

@@ -62,7 +62,7 @@ void vtkHaspHapticInteractor::FollowProps()
   std::vector<std::string> faults;
   self.props.Update(faults);
   for (const std::string& fault : faults)
-    vtkErrorMacro(<< "A prop is left out of haptics: " << fault);
+    vtkErrorMacro(<< "Left out of haptics: " << fault);
   if (self.grab.Tool() >= 0 && !self.props.ToolReady(self.grab.Tool()))
     this->Release();
   self.grab.Refresh(self.props, self.loop);
@@ -91,9 +91,7 @@ void vtkHaspHapticInteractor::SendControl()
   control.attract = this->SnapToFit;
   if (this->SnapToFit && control.contact.attraction == 0.0F)
     control.contact.attraction = DefaultAttraction;
-  const std::vector<double> isovalues = self.props.Isovalues(self.grab.Tool());
-  std::copy_n(isovalues.begin(), std::min(isovalues.size(), control.isovalues.size()),
-    control.isovalues.begin());
+  control.isovalues = self.props.Isovalues(self.grab.Tool());
   self.loop->SetControl(control);
   const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
   self.input.At(seen.tool.position, this->Scale);
@@ -104,8 +102,6 @@ void vtkHaspHapticInteractor::SendControl()
 bool vtkHaspHapticInteractor::PointAt(int x, int y)
 {
   Internals& self = *this->Self;
-  if (self.grab.Tool() >= 0)
-    return true; // what is in hand stays where it is
   const double depth = self.renderer->GetZ(x, y);
   if (!(depth < 1.0) || !self.loop->GetStarted())
     return false;

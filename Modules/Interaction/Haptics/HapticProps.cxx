@@ -36,6 +36,11 @@ BakedVolume Samples(vtkImageData* image, double isovalue)
   return { ViewImage(own.get()), own, isovalue };
 }
 
+std::string Fault(const HapticProp& it, const std::exception& error)
+{
+  return "prop " + std::to_string(it.id) + " in the order of adding: " + error.what();
+}
+
 RigidPose BodyInProp(const HapticProp& it)
 {
   return { it.origin, { 1, 0, 0, 0 } };
@@ -176,7 +181,7 @@ bool HapticProps::Update(std::vector<std::string>& faults)
     catch (const std::exception& error)
     {
       at->failed = true;
-      faults.push_back(error.what());
+      faults.push_back(Fault(*at, error));
     }
     this->Work.reset();
   }
@@ -247,7 +252,7 @@ void HapticProps::BeginNext(std::vector<std::string>& faults)
   catch (const std::exception& error)
   {
     next->failed = true;
-    faults.push_back(error.what());
+    faults.push_back(Fault(*next, error));
   }
 }
 
@@ -282,12 +287,17 @@ std::vector<HapticBody> HapticProps::Bodies(int tool) const
   return bodies;
 }
 
-std::vector<double> HapticProps::Isovalues(int tool) const
+decltype(HapticControl::isovalues) HapticProps::Isovalues(int tool) const
 {
-  std::vector<double> values;
+  auto values = HapticControl().isovalues;
+  std::size_t shell = 0;
   for (const HapticProp& it : this->Props)
-    if (it.tool == tool && it.Feels())
-      values.push_back(it.baked.dynamic ? it.Isovalue() : std::numeric_limits<double>::quiet_NaN());
+    if (it.tool == tool && it.Feels() && shell < values.size())
+    {
+      if (it.baked.dynamic)
+        values[shell] = it.Isovalue();
+      ++shell;
+    }
   return values;
 }
 

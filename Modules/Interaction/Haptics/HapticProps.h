@@ -2,6 +2,7 @@
 #define HapticProps_h
 
 #include "BodyBaking.h"
+#include "HapticExchange.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -91,7 +92,7 @@ public:
   std::vector<HapticShell> Shells(int tool, const RigidPose& toolInWorld) const;
   std::vector<HapticBody> Bodies(int tool) const;
   /// Of the props of Shells(tool), in that order: the isovalues of dynamic ones, NaN of others.
-  std::vector<double> Isovalues(int tool) const;
+  decltype(HapticControl::isovalues) Isovalues(int tool) const;
   /// The tool whose surface is nearest to a point (world), within reachMm; -1: none. Of shells by
   /// their points, of dynamic ones by the cells that their surface crosses: 1 ms or less a tool.
   int Nearest(const glm::dvec3& point, double reachMm) const;

@@ -143,7 +143,10 @@ bool vtkHaspHapticInteractor::UseMouse()
   if (!this->SetDevice(std::move(device)))
     return false;
   self.input.takes = [this](int button, int x, int y)
-  { return button != this->GrabButton || this->PointAt(x, y); };
+  {
+    return this->Self->grab.Tool() >= 0 ||
+           (button >= 0 && button == this->GrabButton && this->PointAt(x, y));
+  };
   self.input.Follow(window->GetInteractor(), self.renderer, feed);
   return true;
 }
@@ -309,7 +312,7 @@ bool vtkHaspHapticInteractor::GetShowShell() const
 }
 void vtkHaspHapticInteractor::SetPointer(vtkProp3D* prop)
 {
-  this->Self->drawing.pointer = prop;
+  this->Self->drawing.SetPointer(prop);
 }
 
 void vtkHaspHapticInteractor::PrintSelf(ostream& os, vtkIndent indent)

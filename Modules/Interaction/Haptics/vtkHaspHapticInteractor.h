@@ -52,8 +52,9 @@ struct RigidPose;
  * RightButtonPressEvent, MiddleButtonPressEvent and their releases as well; ReadyEvent when all
  * that is wanted is baked; ContactEvent and FreeEvent when the tool begins to touch and ends.
  *
- * Limits: props must stand rigidly in the world (a scale is refused). Samples of a prop must not be
- * changed in place while they are baked. A body is closed where its volume ends.
+ * Limits: what is hidden is felt all the same. Props must stand rigidly in the world (a scale is
+ * refused). Samples of a prop must not be changed in place while they are baked. A body is closed
+ * where its volume ends.
  *
  * Threads: RENDER. Props, renderer and window are held weakly: each may go at any time.
  * Errors: vtkErrorMacro with what to do; of what is baked, once a prop.
@@ -124,7 +125,8 @@ public:
   int GetState() const;
   double GetProgress() const; ///< of baking, [0, 1]
   ///@{
-  /** The same as by the button. */
+  /** The same as by the button. False before Start, while the tool is baked, and for a number that
+   * is none. */
   bool Grab(int tool);
   void Release();
   int GetHeldTool() const; ///< -1: none

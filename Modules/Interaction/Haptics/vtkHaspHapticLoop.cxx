@@ -17,6 +17,11 @@
 
 vtkStandardNewMacro(vtkHaspHapticLoop);
 
+namespace
+{
+constexpr float ExitPriority = -1.0F; // behind the application's own observers
+}
+
 struct vtkHaspHapticLoop::Internals
 {
   std::unique_ptr<hasp::HapticRecorder> recorder;
@@ -32,7 +37,7 @@ struct vtkHaspHapticLoop::Internals
   std::size_t sceneBytes = 0;
   std::optional<hasp::RigidPose> start; // of the tool, as long as it is not started
 
-  vtkNew<vtkCallbackCommand> goes;
+  vtkNew<vtkCallbackCommand> goes, exits;
   vtkWeakPointer<vtkRenderWindow> window;
   vtkWeakPointer<vtkRenderWindowInteractor> interactor;
 
@@ -47,7 +52,10 @@ struct vtkHaspHapticLoop::Internals
     if (this->window)
       this->window->RemoveObserver(this->goes);
     if (this->interactor)
+    {
       this->interactor->RemoveObserver(this->goes);
+      this->interactor->RemoveObserver(this->exits);
+    }
   }
 };
 
@@ -56,6 +64,9 @@ vtkHaspHapticLoop::vtkHaspHapticLoop() : Self(std::make_unique<Internals>())
   this->Self->goes->SetClientData(this);
   this->Self->goes->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<vtkHaspHapticLoop*>(self)->Stop(); });
+  this->Self->exits->SetClientData(this);
+  this->Self->exits->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<vtkHaspHapticLoop*>(self)->FollowExit(); });
 }
 
 vtkHaspHapticLoop::~vtkHaspHapticLoop()
@@ -341,8 +352,25 @@ void vtkHaspHapticLoop::SetRenderWindow(vtkRenderWindow* window)
   if (self.window)
     self.window->AddObserver(vtkCommand::DeleteEvent, self.goes);
   if (self.interactor)
-    for (const auto event : { vtkCommand::DeleteEvent, vtkCommand::ExitEvent })
-      self.interactor->AddObserver(event, self.goes);
+  {
+    self.interactor->AddObserver(vtkCommand::DeleteEvent, self.goes);
+    self.interactor->AddObserver(vtkCommand::ExitEvent, self.exits, ExitPriority);
+  }
+}
+
+/// Called when all others were asked. An interactor ends by itself only if nobody listens to its
+/// ExitEvent, so what it would have done without us is done here.
+void vtkHaspHapticLoop::FollowExit()
+{
+  Internals& self = *this->Self;
+  vtkRenderWindowInteractor* interactor = self.interactor;
+  interactor->RemoveObserver(self.exits);
+  const bool asked = interactor->HasObserver(vtkCommand::ExitEvent);
+  interactor->AddObserver(vtkCommand::ExitEvent, self.exits, ExitPriority);
+  if (asked && !interactor->GetDone())
+    return; // somebody has refused to end
+  this->Stop();
+  interactor->TerminateApp();
 }
 
 void vtkHaspHapticLoop::ListResources(hasp::ResourceList& resources) const

@@ -42,8 +42,9 @@ struct RigidPose;
  * that make maps and shells themselves.
  *
  * It stops, with no force at the device, when Stop is called, when it is deleted, and when the
- * window of SetRenderWindow goes or its interactor exits. Where the system refuses what HAPTIC asks
- * (real-time scheduling, locked memory) it runs without, and GetSchedulingReport says so.
+ * window of SetRenderWindow goes or its interactor ends (an ExitEvent that nobody refuses: an
+ * application that listens to it calls TerminateApp, as ever). Where the system refuses what HAPTIC
+ * asks (real-time scheduling, locked memory) it runs without, and GetSchedulingReport says so.
  *
  * Units: mm, N, N mm, s. Threads: RENDER for all that is here; the device is HAPTIC's while
  * IsRunning. Errors: vtkErrorMacro, with what to do; false comes back and nothing has changed,
@@ -158,6 +159,7 @@ private:
 
   bool RunOrRest();
   void FollowWindow();
+  void FollowExit();
 
   struct Internals;
   std::unique_ptr<Internals> Self;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -39,6 +40,62 @@ void Check(const TriangleMesh& mesh, const GridGeometry& target, int linesPerAxi
       throw std::invalid_argument("mesh coverage: a triangle names point " +
                                   std::to_string(std::max({ t.x, t.y, t.z })) + " of " +
                                   std::to_string(mesh.points.size()));
+}
+
+/// An edge of a triangle, its points as places in the order of all that differ.
+struct Edge
+{
+  std::uint32_t low, high;
+  int turn; ///< +1 from low to high
+  auto Ends() const { return std::tie(this->low, this->high); }
+};
+
+/// For each point the first that is equal to it.
+std::vector<std::uint32_t> FirstEqual(const std::vector<glm::dvec3>& points)
+{
+  std::vector<std::uint32_t> order(points.size()), first(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&points](std::uint32_t n)
+  { return std::tie(points[n].x, points[n].y, points[n].z); };
+  std::sort(order.begin(), order.end(),
+    [&key](std::uint32_t a, std::uint32_t b)
+    { return key(a) < key(b) || (key(a) == key(b) && a < b); });
+  for (std::size_t n = 0; n < order.size(); ++n)
+    first[order[n]] = n > 0 && key(order[n]) == key(order[n - 1]) ? first[order[n - 1]] : order[n];
+  return first;
+}
+
+/// Where triangles pass each edge as often one way as the other there is no rim: whatever line goes
+/// in comes out, and what AddSpan fills is what the surface encloses.
+void CheckClosed(const TriangleMesh& mesh)
+{
+  const std::vector<std::uint32_t> first = FirstEqual(mesh.points);
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const glm::uvec3& t : mesh.triangles)
+    for (int n = 0; n < 3; ++n)
+    {
+      const std::uint32_t a = first[t[n]], b = first[t[(n + 1) % 3]];
+      if (a != b)
+        edges.push_back({ std::min(a, b), std::max(a, b), a < b ? 1 : -1 });
+    }
+  std::sort(
+    edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.Ends() < b.Ends(); });
+  for (std::size_t n = 0; n < edges.size();)
+  {
+    const Edge& edge = edges[n];
+    int turns = 0;
+    for (; n < edges.size() && edges[n].Ends() == edge.Ends(); ++n)
+      turns += edges[n].turn;
+    if (turns == 0)
+      continue;
+    const glm::dvec3 at = 0.5 * (mesh.points[edge.low] + mesh.points[edge.high]);
+    throw std::invalid_argument("mesh coverage: the mesh is not closed: the edge at (" +
+                                std::to_string(at.x) + ", " + std::to_string(at.y) + ", " +
+                                std::to_string(at.z) +
+                                ") mm has no triangle that goes on beyond it; fill its holes "
+                                "first");
+  }
 }
 
 /// One mesh in the index coordinates of one grid, cut into its slices of voxels.
@@ -77,8 +134,6 @@ public:
           this->AddSpan(row, crossings[n - 1].x, crossings[n].x, share);
         winding += crossings[n].turn;
       }
-      if (winding != 0)
-        this->RefuseOpen(k, line, crossings[n - 1].x);
     }
   }
 
@@ -175,15 +230,6 @@ private:
         static_cast<float>(share * (std::min(to, double(i) + 1.0) - std::max(from, double(i))));
   }
 
-  [[noreturn]] void RefuseOpen(int k, std::int64_t line, double x) const
-  {
-    const glm::dvec3 at = this->Target.IndexToWorld({ x, this->LineY(line), this->LineZ(k, line) });
-    throw std::invalid_argument(
-      "mesh coverage: the mesh is not closed: a line that enters it near (" + std::to_string(at.x) +
-      ", " + std::to_string(at.y) + ", " + std::to_string(at.z) +
-      ") mm does not leave it; fill its holes first");
-  }
-
   const TriangleMesh& Mesh;
   const GridGeometry& Target;
   int N;
@@ -198,6 +244,7 @@ std::vector<float> MeshCoverage(const TriangleMesh& mesh, const GridGeometry& ta
   int linesPerAxis, const ProgressFunction& progress)
 {
   Check(mesh, target, linesPerAxis);
+  CheckClosed(mesh);
   const Slicer slicer(mesh, target, linesPerAxis);
   std::vector<float> coverage(target.Size());
   const std::size_t slice = std::size_t(target.dims.x) * target.dims.y;

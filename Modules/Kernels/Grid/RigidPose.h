@@ -14,6 +14,7 @@ struct RigidPose
   glm::dvec3 position{ 0.0 };
   glm::dquat orientation{ 1.0, 0.0, 0.0, 0.0 }; ///< unit: (w, x, y, z)
 
+  bool operator==(const RigidPose&) const noexcept = default; ///< to the last bit
   glm::dvec3 Place(const glm::dvec3& point) const noexcept
   {
     return this->position + this->orientation * point;

@@ -114,6 +114,12 @@ TEST(MeshCoverage, WhatIsNoClosedMeshIsRefused)
   EXPECT_NE(Refusal([&] { hasp::MeshCoverage(open, grid, 0); }).find("[1, 16]"), std::string::npos);
   open.triangles.pop_back();
   EXPECT_NE(Refusal([&] { hasp::MeshCoverage(open, grid); }).find("not closed"), std::string::npos);
+  // A lid is missing that lines along x never meet: closed as they see it, its hole at z = 14.
+  TriangleMesh lidless = TurnedBox{ { 3, -7, 0 }, { 6, 10, 14 }, glm::dmat3(1) }.Mesh();
+  lidless.triangles.resize(10);
+  const std::string said = Refusal([&] { hasp::MeshCoverage(lidless, grid); });
+  EXPECT_NE(said.find("not closed"), std::string::npos) << said;
+  EXPECT_NE(said.find("14.000000) mm"), std::string::npos) << said;
   TriangleMesh wrong = AnyBox().Mesh();
   wrong.triangles[3].y = 8;
   EXPECT_NE(

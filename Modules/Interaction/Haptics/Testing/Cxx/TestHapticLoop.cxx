@@ -8,6 +8,7 @@
 #include "vtkCommand.h"
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 
 #include <gtest/gtest.h>
@@ -313,6 +314,51 @@ TEST(HapticLoop, ItStopsWhenTheWindowOrItsInteractorGoes)
   run();
   interactor->InvokeEvent(vtkCommand::ExitEvent);
   EXPECT_TRUE(loop->IsRunning());
+}
+
+/// As a window system's: its loop ends when it is told to.
+class EndingInteractor : public vtkGenericRenderWindowInteractor
+{
+public:
+  static EndingInteractor* New();
+  vtkTypeMacro(EndingInteractor, vtkGenericRenderWindowInteractor);
+  void TerminateApp() override { this->Done = true; }
+};
+vtkStandardNewMacro(EndingInteractor);
+
+// A key or the window's cross, as without haptics; an application that listens decides itself.
+TEST(HapticLoop, AnInteractorEndsAsItDoesWithoutHaptics)
+{
+  enum Application
+  {
+    Silent,
+    Refuses,
+    Ends
+  };
+  for (const Application application : { Silent, Refuses, Ends })
+  {
+    vtkNew<vtkRenderWindow> window;
+    vtkNew<EndingInteractor> interactor;
+    window->SetInteractor(interactor);
+    vtkNew<vtkHaspHapticLoop> loop;
+    loop->SetRenderWindow(window);
+    ASSERT_TRUE(loop->SetDevice(HandAt(At(0, 0, 30))));
+    ASSERT_TRUE(loop->Start());
+    ASSERT_GT(loop->SetScene(Tip(), Ball()), 0u);
+    vtkNew<vtkCallbackCommand> listens;
+    listens->SetClientData(interactor);
+    if (application == Ends)
+      listens->SetCallback([](vtkObject*, unsigned long, void* it, void*)
+        { static_cast<EndingInteractor*>(it)->TerminateApp(); });
+    if (application != Silent)
+      interactor->AddObserver(vtkCommand::ExitEvent, listens);
+    for (int again = 0; again < 2; ++again)
+    {
+      interactor->ExitCallback();
+      EXPECT_EQ(interactor->GetDone(), application != Refuses) << application;
+      EXPECT_EQ(loop->IsRunning(), application == Refuses) << application;
+    }
+  }
 }
 
 TEST(HapticLoop, DiscsAreAskedForAndAnswered)
