@@ -12,14 +12,35 @@ using Sample = ImplicitSolid::Sample;
 using Box = ImplicitSolid::Box;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double FilmMm = 1e-5;      ///< half of what is too thin to be meant
+constexpr double FilmProbeMm = 1e-4; ///< well off a film on both sides
+constexpr int FilmLevels = 3;        ///< films of three directions meet in a point
 
-std::uint32_t CheckedFaces(const char* node, double faces)
+/// The value of a node where those of two parts tie next to 0. If both sides of the first one's
+/// face lie on the same side of the node's surface, it is no surface but a film.
+///
+/// sign    1 if matter is the film, which goes; -1 if a gap is, which is filled
+/// valueAt the node's at another place
+template <typename ValueAt>
+double WithoutFilm(double value, double sign, const glm::dvec3& x, const glm::dvec3& gradient,
+  const ValueAt& valueAt) noexcept
 {
-  if (faces > double(std::numeric_limits<std::uint32_t>::max()))
-    throw std::invalid_argument(std::string(node) + ": " + SolidNumber(faces) +
-                                " faces; at most 2^32 - 1: join fewer smoothly at once");
-  return static_cast<std::uint32_t>(faces);
+  const glm::dvec3 step = FilmProbeMm * gradient;
+  return sign * valueAt(x + step) >= FilmMm && sign * valueAt(x - step) >= FilmMm ? sign * FilmMm
+                                                                                  : value;
 }
+
+/// The extreme value of several, which part it is of, and the next.
+struct Extremes
+{
+  double first, second;
+  std::size_t part = 0;
+
+  bool MayBeFilm() const
+  {
+    return std::abs(this->first) <= FilmMm && std::abs(this->second - this->first) <= 2.0 * FilmMm;
+  }
+};
 
 /// Parts one after the other, each with its faces behind those of the parts before.
 class Parts : public ImplicitSolid
@@ -30,11 +51,11 @@ public:
     double faces = 0.0;
     for (const SolidPointer& part : this->All)
     {
-      this->First.push_back(CheckedFaces(node, faces));
+      this->First.push_back(CheckedFaceCount(node, faces));
       faces += part->Faces();
       this->Steep = std::max(this->Steep, part->Steepness());
     }
-    this->First.push_back(CheckedFaces(node, faces));
+    this->First.push_back(CheckedFaceCount(node, faces));
   }
   Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
   {
@@ -67,28 +88,50 @@ public:
   }
   double At(const glm::dvec3& x) const noexcept override
   {
-    double least = Infinite;
-    this->Tree.Within(
-      x, least, [&](std::uint32_t n) { least = std::min(least, this->All[n]->At(x)); });
-    return least;
+    return this->Value(this->Least(x), x, FilmLevels);
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    const double least = this->At(x), tie = least + SolidTieMm;
-    std::uint32_t first = static_cast<std::uint32_t>(this->All.size()) - 1;
-    this->Tree.Within(x, tie,
-      [&](std::uint32_t n)
-      {
-        if (n < first && this->All[n]->At(x) <= tie)
-          first = n;
-      });
-    Sample s = this->Of(first, this->All[first]->SampleAt(x));
-    s.value = least;
+    const Extremes least = this->Least(x);
+    const double tie = least.first + SolidTieMm;
+    std::size_t part = least.part;
+    if (least.second <= tie)
+      this->Tree.Within(x, tie,
+        [&](std::uint32_t n)
+        {
+          if (n < part && this->All[n]->At(x) <= tie)
+            part = n;
+        });
+    Sample s = this->Of(part, this->All[part]->SampleAt(x));
+    s.value = this->Value(least, x, FilmLevels);
     return s;
   }
   Box Bounds() const noexcept override { return this->Tree.Hull(); }
 
 private:
+  Extremes Least(const glm::dvec3& x) const noexcept
+  {
+    Extremes least{ Infinite, Infinite };
+    double bound = Infinite;
+    this->Tree.Within(x, bound,
+      [&](std::uint32_t n)
+      {
+        const double value = this->All[n]->At(x);
+        if (value < least.first)
+          least = { value, least.first, n };
+        else
+          least.second = std::min(least.second, value);
+        bound = least.first + 2.0 * FilmMm;
+      });
+    return least;
+  }
+  double Value(const Extremes& least, const glm::dvec3& x, int level) const noexcept
+  {
+    if (level == 0 || !least.MayBeFilm())
+      return least.first;
+    return WithoutFilm(least.first, -1.0, x, this->All[least.part]->SampleAt(x).gradient,
+      [&](const glm::dvec3& y) { return this->Value(this->Least(y), y, level - 1); });
+  }
   static std::vector<Box> BoxesOf(const std::vector<SolidPointer>& parts)
   {
     std::vector<Box> boxes;
@@ -108,19 +151,17 @@ public:
   }
   double At(const glm::dvec3& x) const noexcept override
   {
-    double most = -Infinite;
-    for (const SolidPointer& part : this->All)
-      most = std::max(most, part->At(x));
-    return most;
+    return this->Value(this->Most(x), x, FilmLevels);
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    const double most = this->At(x);
-    std::size_t n = 0;
-    while (n + 1 < this->All.size() && this->All[n]->At(x) < most - SolidTieMm)
-      ++n;
-    Sample s = this->Of(n, this->All[n]->SampleAt(x));
-    s.value = most;
+    const Extremes most = this->Most(x);
+    std::size_t part = most.part;
+    if (most.second >= most.first - SolidTieMm)
+      for (part = 0; this->All[part]->At(x) < most.first - SolidTieMm;)
+        ++part;
+    Sample s = this->Of(part, this->All[part]->SampleAt(x));
+    s.value = this->Value(most, x, FilmLevels);
     return s;
   }
   Box Bounds() const noexcept override
@@ -133,6 +174,28 @@ public:
     }
     return box;
   }
+
+private:
+  Extremes Most(const glm::dvec3& x) const noexcept
+  {
+    Extremes most{ -Infinite, -Infinite };
+    for (std::size_t n = 0; n < this->All.size(); ++n)
+    {
+      const double value = this->All[n]->At(x);
+      if (value > most.first)
+        most = { value, most.first, n };
+      else
+        most.second = std::max(most.second, value);
+    }
+    return most;
+  }
+  double Value(const Extremes& most, const glm::dvec3& x, int level) const noexcept
+  {
+    if (level == 0 || !most.MayBeFilm())
+      return most.first;
+    return WithoutFilm(most.first, 1.0, x, this->All[most.part]->SampleAt(x).gradient,
+      [&](const glm::dvec3& y) { return this->Value(this->Most(y), y, level - 1); });
+  }
 };
 
 class Difference : public ImplicitSolid
@@ -143,24 +206,20 @@ public:
       Tool(std::move(tool)),
       ToolBox(this->Tool->Bounds()),
       BodyFaces(this->Body->Faces()),
-      AllFaces(CheckedFaces("difference", double(this->BodyFaces) + this->Tool->Faces()))
+      AllFaces(CheckedFaceCount("difference", double(this->BodyFaces) + this->Tool->Faces()))
   {
   }
   double At(const glm::dvec3& x) const noexcept override
   {
-    const double body = this->Body->At(x);
-    return this->IsFar(body, x) ? body : std::max(body, -this->Tool->At(x));
+    return this->Value(this->Both(x), x, FilmLevels);
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    Sample body = this->Body->SampleAt(x);
-    if (this->IsFar(body.value, x))
-      return body;
-    const double tool = -this->Tool->At(x);
-    if (body.value < tool - SolidTieMm)
-      return this->OfTool(this->Tool->SampleAt(x));
-    body.value = std::max(body.value, tool);
-    return body;
+    const Extremes both = this->Both(x);
+    const bool tool = both.part == 1 && both.second < both.first - SolidTieMm;
+    Sample s = tool ? this->OfTool(this->Tool->SampleAt(x)) : this->Body->SampleAt(x);
+    s.value = this->Value(both, x, FilmLevels);
+    return s;
   }
   Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
   {
@@ -175,10 +234,22 @@ public:
   }
 
 private:
-  /// Minus the tool is at most minus its excess.
-  bool IsFar(double body, const glm::dvec3& x) const noexcept
+  /// The greater of the body and minus the tool, which is at most minus its excess.
+  Extremes Both(const glm::dvec3& x) const noexcept
   {
-    return -this->ToolBox.Excess(x) < body - SolidTieMm;
+    const double body = this->Body->At(x);
+    if (-this->ToolBox.Excess(x) < body - 3.0 * FilmMm)
+      return { body, -Infinite, 0 };
+    const double tool = -this->Tool->At(x);
+    return tool > body ? Extremes{ tool, body, 1 } : Extremes{ body, tool, 0 };
+  }
+  double Value(const Extremes& both, const glm::dvec3& x, int level) const noexcept
+  {
+    if (level == 0 || !both.MayBeFilm())
+      return both.first;
+    const Sample side = both.part == 0 ? this->Body->SampleAt(x) : this->Tool->SampleAt(x);
+    return WithoutFilm(both.first, 1.0, x, side.gradient,
+      [&](const glm::dvec3& y) { return this->Value(this->Both(y), y, level - 1); });
   }
   Sample OfTool(const Sample& s) const noexcept
   {
@@ -189,186 +260,6 @@ private:
   Box ToolBox;
   std::uint32_t BodyFaces, AllFaces;
 };
-
-class Offset : public ImplicitSolid
-{
-public:
-  Offset(SolidPointer part, double mm) : Part(std::move(part)), Mm(mm) {}
-  double At(const glm::dvec3& x) const noexcept override { return this->Part->At(x) - this->Mm; }
-  Sample SampleAt(const glm::dvec3& x) const noexcept override
-  {
-    Sample s = this->Part->SampleAt(x);
-    s.value -= this->Mm;
-    return s;
-  }
-  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
-  {
-    Sample s = this->Part->FaceAt(face, x);
-    s.value -= this->Mm;
-    return s;
-  }
-  std::uint32_t Faces() const noexcept override { return this->Part->Faces(); }
-  Box Bounds() const noexcept override
-  {
-    const Box box = this->Part->Bounds();
-    return { box.low - this->Mm, box.high + this->Mm };
-  }
-  double Steepness() const noexcept override { return this->Part->Steepness(); }
-
-private:
-  SolidPointer Part;
-  double Mm;
-};
-
-class Shell : public ImplicitSolid
-{
-public:
-  Shell(SolidPointer part, double from, double to)
-    : Part(std::move(part)),
-      From(from),
-      To(to),
-      AllFaces(CheckedFaces("shell", 2.0 * this->Part->Faces()))
-  {
-  }
-  double At(const glm::dvec3& x) const noexcept override
-  {
-    const double value = this->Part->At(x);
-    return std::max(value - this->To, this->From - value);
-  }
-  Sample SampleAt(const glm::dvec3& x) const noexcept override
-  {
-    const Sample s = this->Part->SampleAt(x);
-    const bool inner = s.value - this->To < this->From - s.value - SolidTieMm;
-    Sample wall = this->Wall(s, inner);
-    wall.value = std::max(s.value - this->To, this->From - s.value);
-    return wall;
-  }
-  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
-  {
-    const std::uint32_t faces = this->Part->Faces();
-    const bool inner = face >= faces;
-    return this->Wall(this->Part->FaceAt(inner ? face - faces : face, x), inner);
-  }
-  std::uint32_t Faces() const noexcept override { return this->AllFaces; }
-  Box Bounds() const noexcept override
-  {
-    const Box box = this->Part->Bounds();
-    return { box.low - this->To, box.high + this->To };
-  }
-  double Steepness() const noexcept override { return this->Part->Steepness(); }
-
-private:
-  Sample Wall(const Sample& s, bool inner) const noexcept
-  {
-    if (inner)
-      return { this->From - s.value, -s.gradient, s.face + this->Part->Faces() };
-    return { s.value - this->To, s.gradient, s.face };
-  }
-
-  SolidPointer Part;
-  double From, To;
-  std::uint32_t AllFaces;
-};
-
-class SmoothUnion : public ImplicitSolid
-{
-public:
-  SmoothUnion(SolidPointer a, SolidPointer b, double radius)
-    : A(std::move(a)),
-      B(std::move(b)),
-      BoxOfA(this->A->Bounds()),
-      BoxOfB(this->B->Bounds()),
-      Radius(radius),
-      FacesOfA(this->A->Faces()),
-      FacesOfB(this->B->Faces()),
-      AllFaces(CheckedFaces("smooth union", (this->FacesOfA + 1.0) * (this->FacesOfB + 1.0) - 1.0))
-  {
-  }
-  double At(const glm::dvec3& x) const noexcept override
-  {
-    const double outOfA = this->BoxOfA.Excess(x), outOfB = this->BoxOfB.Excess(x);
-    const bool aFirst = outOfA <= outOfB;
-    const double near = (aFirst ? this->A : this->B)->At(x);
-    if (this->IsFar(aFirst ? outOfB : outOfA, near))
-      return near;
-    const double other = (aFirst ? this->B : this->A)->At(x), h = this->Blend(near, other);
-    return std::min(near, other) - 0.25 * h * h * this->Radius;
-  }
-  Sample SampleAt(const glm::dvec3& x) const noexcept override
-  {
-    const double outOfA = this->BoxOfA.Excess(x), outOfB = this->BoxOfB.Excess(x);
-    if (outOfA <= outOfB)
-    {
-      const Sample a = this->A->SampleAt(x);
-      return this->IsFar(outOfB, a.value) ? a : this->Joined(a, this->B->SampleAt(x));
-    }
-    const Sample b = this->B->SampleAt(x);
-    return this->IsFar(outOfA, b.value) ? this->OfB(b) : this->Joined(this->A->SampleAt(x), b);
-  }
-  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
-  {
-    if (face < this->FacesOfA)
-      return this->A->FaceAt(face, x);
-    face -= this->FacesOfA;
-    if (face < this->FacesOfB)
-      return this->OfB(this->B->FaceAt(face, x));
-    face -= this->FacesOfB;
-    return this->Fillet(
-      this->A->FaceAt(face / this->FacesOfB, x), this->B->FaceAt(face % this->FacesOfB, x));
-  }
-  std::uint32_t Faces() const noexcept override { return this->AllFaces; }
-  Box Bounds() const noexcept override
-  {
-    const double more = 0.25 * this->Radius;
-    return { glm::min(this->BoxOfA.low, this->BoxOfB.low) - more,
-      glm::max(this->BoxOfA.high, this->BoxOfB.high) + more };
-  }
-  double Steepness() const noexcept override
-  {
-    return std::max(this->A->Steepness(), this->B->Steepness());
-  }
-
-private:
-  double Blend(double a, double b) const noexcept
-  {
-    return std::max(0.0, 1.0 - std::abs(a - b) / this->Radius);
-  }
-  bool IsFar(double excess, double near) const noexcept
-  {
-    return excess > near + this->Radius + SolidTieMm;
-  }
-  Sample Joined(const Sample& a, const Sample& b) const noexcept
-  {
-    if (this->Blend(a.value, b.value) > 0.0)
-      return this->Fillet(a, b);
-    return a.value <= b.value ? a : this->OfB(b);
-  }
-  Sample OfB(Sample b) const noexcept
-  {
-    b.face += this->FacesOfA;
-    return b;
-  }
-  Sample Fillet(const Sample& a, const Sample& b) const noexcept
-  {
-    // The gradient is a mean of both, weighted, so that the value is no steeper than they are.
-    const double h = this->Blend(a.value, b.value), other = 0.5 * h;
-    const double share = a.value <= b.value ? other : 1.0 - other;
-    return { std::min(a.value, b.value) - 0.25 * h * h * this->Radius,
-      glm::mix(a.gradient, b.gradient, share),
-      this->FacesOfA + this->FacesOfB + a.face * this->FacesOfB + b.face };
-  }
-
-  SolidPointer A, B;
-  Box BoxOfA, BoxOfB;
-  double Radius;
-  std::uint32_t FacesOfA, FacesOfB, AllFaces;
-};
-
-void RequirePart(const char* node, const SolidPointer& part)
-{
-  if (!part)
-    throw std::invalid_argument(std::string(node) + ": a part is null; give each a solid");
-}
 
 void RequireParts(const char* node, const std::vector<SolidPointer>& parts)
 {
@@ -396,32 +287,6 @@ SolidPointer MakeDifference(SolidPointer body, SolidPointer tool)
   RequirePart("difference", body);
   RequirePart("difference", tool);
   return std::make_shared<Difference>(std::move(body), std::move(tool));
-}
-
-SolidPointer MakeOffset(SolidPointer part, double mm)
-{
-  RequirePart("offset", part);
-  RequireFinite("offset", "distance", mm);
-  return std::make_shared<Offset>(std::move(part), mm);
-}
-
-SolidPointer MakeShell(SolidPointer part, double fromMm, double toMm)
-{
-  RequirePart("shell", part);
-  RequireFinite("shell", "from", fromMm);
-  RequireFinite("shell", "to", toMm);
-  if (!(fromMm < toMm))
-    throw std::invalid_argument("shell: from " + SolidNumber(fromMm) + " mm to " +
-                                SolidNumber(toMm) + " mm is no wall; from must be below to");
-  return std::make_shared<Shell>(std::move(part), fromMm, toMm);
-}
-
-SolidPointer MakeSmoothUnion(SolidPointer a, SolidPointer b, double radiusMm)
-{
-  RequirePart("smooth union", a);
-  RequirePart("smooth union", b);
-  RequirePositive("smooth union", "radius", radiusMm);
-  return std::make_shared<SmoothUnion>(std::move(a), std::move(b), radiusMm);
 }
 
 } // namespace hasp

@@ -12,6 +12,12 @@ namespace hasp
 /// the new solid, and the faces of their parts, those of the first part first. Of faces that tie
 /// within SolidTieMm the lowest number is named.
 ///
+/// Films: where parts that touch leave a gap, or tools that touch leave a wall, without a thickness
+/// of its own (below 2e-5 mm), the value would be 0 there, or rounding. It is -1e-5 mm in such a
+/// gap and 1e-5 mm in such a wall, so that it is gone whatever grid asks; in nothing else does a
+/// union, an intersection or a difference depart from min and max. Shapes that touch in a line or a
+/// point alone are not joined.
+///
 /// Lazy: a part is not asked where its bounds say that it cannot matter; values are the same, to
 /// the last bit, as if it were. Parts of a union lie in a tree of boxes: O(log n) of n parts apart.
 ///
@@ -27,7 +33,8 @@ SolidPointer MakeDifference(SolidPointer body, SolidPointer tool);
 
 /// value - mm: larger where mm > 0, smaller where mm < 0, and nothing at all beyond the part.
 /// Exactly the places within mm of the part where its value is a distance: of shapes, and unions of
-/// them outside.
+/// them outside. Limit: inside a union it is a bound, so that what is joined by less than 2 |mm|
+/// comes apart, and elsewhere edges stay sharp where they would get round.
 SolidPointer MakeOffset(SolidPointer part, double mm);
 
 /// The wall between two offsets of a part, fromMm < toMm: max(value - toMm, fromMm - value). With

@@ -22,10 +22,6 @@ inline constexpr double SolidTieMm = 1e-9;
 /// of a grid. Where two meet there may be a crease; a contour that keeps edges finds it from the
 /// faces themselves, continued beyond it (FaceAt). Not all of them need to be on the surface.
 ///
-/// Where faces of two shapes coincide, the value of a union that they lie inside of, or of a
-/// difference that they lie outside of, is 0 within rounding on a film without thickness. A contour
-/// must not take that film for matter or a gap: there both sides are inside, or both outside.
-///
 /// Immutable, shared by all trees that it is in. Threads: any; no memory is taken, nothing throws
 /// once it is made. A place that is not finite gives a value without meaning, and a face that
 /// exists.

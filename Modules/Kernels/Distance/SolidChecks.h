@@ -1,4 +1,6 @@
 #pragma once
+#include "Distance/ImplicitSolid.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -67,6 +69,20 @@ inline glm::dmat3 RequireOrthonormal(const char* shape, const glm::dmat3& axes)
     exact[a] /= glm::length(exact[a]);
   }
   return exact;
+}
+
+inline void RequirePart(const char* node, const SolidPointer& part)
+{
+  if (!part)
+    throw std::invalid_argument(std::string(node) + ": a part is null; give each a solid");
+}
+
+inline std::uint32_t CheckedFaceCount(const char* node, double faces)
+{
+  if (faces > double(std::numeric_limits<std::uint32_t>::max()))
+    throw std::invalid_argument(std::string(node) + ": " + SolidNumber(faces) +
+                                " faces; at most 2^32 - 1: join fewer smoothly at once");
+  return static_cast<std::uint32_t>(faces);
 }
 
 } // namespace hasp

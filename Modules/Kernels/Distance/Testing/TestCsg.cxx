@@ -3,6 +3,8 @@
 #include "Testing/RandomSolid.h"
 #include "Testing/SolidPromises.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <string>
 
@@ -204,6 +206,86 @@ TEST(Csg, TiesOfCoplanarFacesNameThePartThatComesFirst)
     EXPECT_LT(common->SampleAt(x).face, 26u);
     EXPECT_LT(shorter->SampleAt(x).face, 26u);
   }
+}
+
+TEST(Csg, PartsThatTouchLeaveNoGap)
+{
+  // Eight boxes of 0.1 + 0.2 mm (not 0.3 in binary) around a corner, none along the axes.
+  const glm::dvec3 corner(0.7, -1.3, 2.1), size(0.3, 0.1 + 0.2, 3.0 * 0.1);
+  const glm::dmat3 axes(glm::rotate(glm::dmat4(1), 0.3, glm::dvec3(1, 2, 3)));
+  std::vector<hasp::SolidPointer> boxes;
+  for (int n = 0; n < 8; ++n)
+  {
+    const glm::dvec3 way(n & 1 ? 1 : -1, n & 2 ? 1 : -1, n & 4 ? 1 : -1);
+    boxes.push_back(hasp::MakeBox(corner + axes * (0.5 * way * size), axes, 0.5 * size));
+  }
+  const auto all = hasp::MakeUnion(boxes);
+  hasp::SolidPointer chain = boxes[0];
+  for (int n = 1; n < 8; ++n)
+    chain = hasp::MakeUnion({ chain, boxes[n] });
+  for (const glm::dvec3& p : hasp::RandomPlaces(300, 0.29))
+    for (const glm::dvec3& on : { glm::dvec3(0, p.y, p.z), glm::dvec3(p.x, 0, p.z),
+           glm::dvec3(p.x, p.y, 0), glm::dvec3(p.x, 0, 0), glm::dvec3(0, 0, p.z), glm::dvec3(0) })
+    {
+      ASSERT_EQ(all->At(corner + axes * on), -1e-5);
+      ASSERT_LT(chain->At(corner + axes * on), -0.9e-5);
+      ASSERT_EQ(all->SampleAt(corner + axes * on).value, -1e-5);
+    }
+  // A pin in its hole.
+  const auto pin = hasp::MakeCylinder({ 0, 0, -3 }, { 0.3, 0.2, 3 }, 1);
+  const auto plate = Box({}, { 4, 4, 1 });
+  const auto filled = hasp::MakeUnion({ hasp::MakeDifference(plate, pin), pin });
+  for (const glm::dvec3& p : hasp::RandomPlaces(300, 0.9))
+  {
+    glm::dvec3 x = p;
+    for (int n = 0; n < 3; ++n) // down to the last digits of the pin's side
+    {
+      const auto side = pin->FaceAt(0, x);
+      x -= side.value * side.gradient;
+    }
+    ASSERT_EQ(filled->At(x), -1e-5);
+  }
+}
+
+TEST(Csg, ToolsThatTouchLeaveNoWall)
+{
+  const auto body = Box({ 0.7, 0, 0 }, { 3, 1, 1 });
+  const auto left = Box({ 0.7 - 0.15, 0, 0 }, { 0.15, 2, 2 });
+  const auto right = Box({ 0.7 + 0.05, 0, 0 }, { 0.05, 2, 2 });
+  const hasp::SolidPointer slots[] = {
+    hasp::MakeDifference(hasp::MakeDifference(body, left), right),
+    hasp::MakeDifference(body, hasp::MakeUnion({ left, right })),
+    hasp::MakeIntersection({ hasp::MakeDifference(body, left), hasp::MakeDifference(body, right) }),
+  };
+  const auto common = hasp::MakeIntersection({ left, right });
+  // A box less one of the same measures, told in other digits.
+  const auto nothing = hasp::MakeDifference(
+    Box({ 0.7, 0, 0 }, { 0.3, 1, 1 }), Box({ 0.1 + 0.2 + 0.4, 0, 0 }, { 0.1 + 0.2, 1, 1 }));
+  for (const glm::dvec3& p : hasp::RandomPlaces(300, 0.99))
+  {
+    const glm::dvec3 x(0.7, p.y, p.z);
+    for (const auto& slot : slots)
+      ASSERT_EQ(slot->At(x), 1e-5);
+    ASSERT_EQ(common->At(x), 1e-5);
+    ASSERT_EQ(nothing->At(x + glm::dvec3(0.3, 0, 0)), 1e-5);
+  }
+}
+
+TEST(Csg, WhatIsNoFilmIsMinAndMaxToTheLastBit)
+{
+  // Tops in one plane, a wall on a floor, the crease of a slot, boxes that touch along an edge.
+  const auto a = Box({}, { 1, 1, 1 }), beside = Box({ 1.5, 0, 0.5 }, { 0.6, 1, 0.5 });
+  const auto edge = Box({ -2, -2, 0 }, { 1, 1, 1 }), through = Box({}, { 0.25, 2, 2 });
+  const auto all = hasp::MakeUnion({ a, beside, edge });
+  const auto slot = hasp::MakeDifference(a, through);
+  for (const glm::dvec3& p : hasp::RandomPlaces(300, 1.5))
+    for (const glm::dvec3& x :
+      { glm::dvec3(p.x, p.y, 1), glm::dvec3(-1, -1, p.z), glm::dvec3(0.25, p.y, 1),
+        glm::dvec3(0.25, p.y, p.z), glm::dvec3(0.9, p.y, 0.0), glm::dvec3(1, p.y, -0.5) })
+    {
+      ASSERT_EQ(all->At(x), std::min({ a->At(x), beside->At(x), edge->At(x) }));
+      ASSERT_EQ(slot->At(x), std::max(a->At(x), -through->At(x)));
+    }
 }
 
 TEST(Csg, ASmoothUnionIsFilledByAFillet)
