@@ -195,17 +195,22 @@ TEST(Csg, TiesOfCoplanarFacesNameThePartThatComesFirst)
     const double half = 0.1 * (n + 3);
     row.push_back(Box({ 0.3 * n, 0, 0.7 - half }, { 1, 1, half }));
   }
-  const auto all = hasp::MakeUnion(row), common = hasp::MakeIntersection(row);
-  const auto shorter = hasp::MakeDifference(
-    row[0], hasp::MakeDifference(Box({ 0, 0, 0.7 + 0.1 }, { 5, 5, 0.1 }), Ball({ 9, 9, 9 }, 1)));
-  for (const glm::dvec3& p : hasp::RandomPlaces(200, 0.3))
+  // In whatever order they are given and visited, the first of them is named.
+  std::sort(row.begin(), row.end());
+  do
   {
-    const glm::dvec3 x(p.x, p.y, 0.7);
-    EXPECT_LT(std::abs(all->At(x)), 1e-12);
-    EXPECT_LT(all->SampleAt(x).face, 26u);
-    EXPECT_LT(common->SampleAt(x).face, 26u);
-    EXPECT_LT(shorter->SampleAt(x).face, 26u);
-  }
+    const auto all = hasp::MakeUnion(row), common = hasp::MakeIntersection(row);
+    const auto shorter = hasp::MakeDifference(
+      row[0], hasp::MakeDifference(Box({ 0, 0, 0.7 + 0.1 }, { 5, 5, 0.1 }), Ball({ 9, 9, 9 }, 1)));
+    for (const glm::dvec3& p : hasp::RandomPlaces(200, 0.3))
+    {
+      const glm::dvec3 x(p.x, p.y, 0.7);
+      ASSERT_LT(std::abs(all->At(x)), 1e-12);
+      ASSERT_LT(all->SampleAt(x).face, 26u);
+      ASSERT_LT(common->SampleAt(x).face, 26u);
+      ASSERT_LT(shorter->SampleAt(x).face, 26u);
+    }
+  } while (std::next_permutation(row.begin(), row.end()));
 }
 
 TEST(Csg, PartsThatTouchLeaveNoGap)
@@ -310,6 +315,17 @@ TEST(Csg, ASmoothUnionIsFilledByAFillet)
     const double a = floor->At(x), b = wall->At(x), h = std::max(0.0, 1 - std::abs(a - b) / 2);
     ASSERT_NEAR(joined->At(x), std::min(a, b) - h * h * 0.5, 1e-14);
   }
+}
+
+TEST(Csg, BoundsOfASmoothUnionHoldWhatItAdds)
+{
+  // Tops in one plane: the fillet rises a quarter of the radius above them.
+  const auto joined =
+    hasp::MakeSmoothUnion(Box({}, { 2, 1, 1 }), Box({ 1, 0, 0 }, { 2, 1, 1 }), 0.8);
+  EXPECT_NEAR(joined->At({ 0.5, 0, 1.2 }), 0.0, 1e-12);
+  EXPECT_LT(joined->At({ 0.5, 0, 1.19 }), 0.0);
+  EXPECT_GE(joined->Bounds().high.z, 1.2);
+  hasp::ExpectSamplesAgree(*joined, hasp::RandomPlaces(2000, 4));
 }
 
 /// Counts how often it is asked.

@@ -70,6 +70,26 @@ TEST(GridSolid, KeepsThePromisesOfASolid)
   EXPECT_LT(solid->Steepness(), std::sqrt(3.0));
 }
 
+TEST(GridSolid, MeasuresHowSteepItIs)
+{
+  // Linear fields by their gradient, what is below 1 as 1, and one cell alone is not overlooked.
+  const auto linear = [](const glm::dvec3& slope, bool oneCell)
+  {
+    auto values = std::make_shared<std::vector<float>>();
+    for (int k = 0; k < Grid.dims.z; ++k)
+      for (int j = 0; j < Grid.dims.y; ++j)
+        for (int i = 0; i < Grid.dims.x; ++i)
+          values->push_back(!oneCell || (i > 29 && j > 25 && k > 19)
+                              ? float(glm::dot(slope, glm::dvec3(i, j, k) * Grid.spacing))
+                              : 0.0F);
+    return hasp::MakeGridSolid(values, Grid)->Steepness();
+  };
+  EXPECT_NEAR(linear({ 0.9, -0.8, 0.7 }, false), std::sqrt(0.81 + 0.64 + 0.49), 1e-5);
+  EXPECT_NEAR(linear({ 0, 0, 2.5 }, false), 2.5, 1e-5);
+  EXPECT_EQ(linear({ 0.3, 0.3, -0.3 }, false), 1.0);
+  EXPECT_THROW(linear({ 0, 0, 0.5 }, true), std::invalid_argument); // 10 mm at the last sample
+}
+
 TEST(GridSolid, IsTrilinearWithinTheGrid)
 {
   const auto values = Sampled(*Ball, Grid);

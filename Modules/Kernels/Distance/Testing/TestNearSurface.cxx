@@ -91,6 +91,26 @@ TEST(NearSurface, IsAsIfEverySampleWereAsked)
   ExpectAsIfAllWereAsked(*ball, Around({ 70, 70, 70 }, { 0.05, 0.05, 0.05 }), 9); // all in the band
 }
 
+TEST(NearSurface, BlocksAreWholeAndInOrder)
+{
+  // A ball through the last samples of 9 x 10 x 11: what a block holds over the end is outside.
+  const auto ball = hasp::MakeCapsule({}, {}, 5);
+  const auto field = hasp::EvaluateNearSurface(*ball, Around({ 9, 10, 11 }, { 1, 1, 1 }), 2);
+  EXPECT_EQ(field.blocks, glm::ivec3(2));
+  ASSERT_EQ(field.near.size(), 8u);
+  for (std::uint32_t n = 0; n < 8; ++n)
+  {
+    EXPECT_EQ(field.near[n], n);
+    const glm::ivec3 first = field.FirstSample(n);
+    EXPECT_EQ(first, 8 * glm::ivec3(n & 1, n >> 1 & 1, n >> 2));
+    for (int s = 0; s < 512; ++s)
+    {
+      const glm::ivec3 at = first + glm::ivec3(s % 8, s / 8 % 8, s / 64);
+      ASSERT_TRUE((at.x < 9 && at.y < 10 && at.z < 11) || field.values[n * 512 + s] == 2.0F);
+    }
+  }
+}
+
 TEST(NearSurface, LeavesOutLessOfWhatIsSteep)
 {
   const Counting steep(hasp::MakeCapsule({}, {}, 2), 3.0);

@@ -225,11 +225,14 @@ TEST(SolidShapes, TiesNameTheLowestFaceWhateverTheLastDigit)
 {
   const auto slab = hasp::MakeSlab({}, { 0, 0, 1 }, 1);
   const auto box = hasp::MakeBox({}, glm::dmat3(1), { 1, 1, 1 });
+  const auto cylinder = hasp::MakeCylinder({}, { 0, 0, 3 }, 2);
   for (const double off : { 0.0, 1e-15, -1e-15 })
   {
     EXPECT_EQ(slab->SampleAt({ 3, 3, off }).face, 0);
     EXPECT_EQ(box->SampleAt({ 1, 1 + off, 0 }).face, box->SampleAt({ 1, 0, 0 }).face);
     EXPECT_EQ(box->SampleAt({ -1, 1 + off, -1 }).face, box->SampleAt({ -1, 0, 0 }).face);
+    EXPECT_EQ(cylinder->SampleAt({ 2, 0, 3 + off }).face, 0);
+    EXPECT_EQ(cylinder->SampleAt({ 0, 1.5, 2.5 + off }).face, 0);
     EXPECT_EQ(box->SampleAt({ 0.5, 0.5 + off, 0.5 }).face, box->SampleAt({ 1, 0, 0 }).face);
   }
 }

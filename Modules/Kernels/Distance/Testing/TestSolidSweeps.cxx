@@ -154,6 +154,17 @@ TEST(SolidSweeps, ARibbonOnABallFollowsItWithUprightWalls)
     ASSERT_TRUE(x.x > 0 || x.y > 0 || plate->At(x) > 0.0);
 }
 
+TEST(SolidSweeps, AWideRibbonReachesDownWhereTheSurfaceBendsAway)
+{
+  // 5.5 mm off its middle a ball of 10 mm is 1.6 mm lower, and so is the ribbon's underside.
+  const auto ball = hasp::MakeCapsule({}, {}, 10);
+  const std::vector<glm::dvec3> path{ { 10 * std::cos(0.1), 10 * std::sin(0.1), 0 },
+    { 10 * std::cos(0.1), -10 * std::sin(0.1), 0 } };
+  const auto plate = hasp::MakeRibbon(ball, path, 12, -0.4, 0.4);
+  for (const double across : { -5.5, 0.0, 5.5 })
+    EXPECT_NEAR(plate->At({ std::sqrt(100 - across * across), 0, across }), -0.4, 1e-9);
+}
+
 TEST(SolidSweeps, EveryLetterStaysInItsPlaceAndIsItsOwn)
 {
   // As pictures of 9 x 13 places of the digits' grid and between: no two the same.
