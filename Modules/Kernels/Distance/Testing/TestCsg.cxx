@@ -188,23 +188,23 @@ TEST(Csg, OffsetsAddUpAndEndBeyondThePart)
 
 TEST(Csg, TiesOfCoplanarFacesNameThePartThatComesFirst)
 {
-  // Three boxes side by side whose tops are one plane, at places where their last digits differ.
+  // Three boxes side by side whose tops are one plane, turned so that last digits differ.
+  const glm::dmat3 axes(glm::rotate(glm::dmat4(1), 0.3, glm::dvec3(1, 2, 3)));
+  const auto turned = [&](const glm::dvec3& center, const glm::dvec3& half)
+  { return hasp::MakeBox(axes * center, axes, half); };
   std::vector<hasp::SolidPointer> row;
   for (int n = 0; n < 3; ++n)
-  {
-    const double half = 0.1 * (n + 3);
-    row.push_back(Box({ 0.3 * n, 0, 0.7 - half }, { 1, 1, half }));
-  }
+    row.push_back(turned({ 0.3 * n, 0, 0.7 - 0.1 * (n + 3) }, { 1, 1, 0.1 * (n + 3) }));
   // In whatever order they are given and visited, the first of them is named.
   std::sort(row.begin(), row.end());
   do
   {
     const auto all = hasp::MakeUnion(row), common = hasp::MakeIntersection(row);
-    const auto shorter = hasp::MakeDifference(
-      row[0], hasp::MakeDifference(Box({ 0, 0, 0.7 + 0.1 }, { 5, 5, 0.1 }), Ball({ 9, 9, 9 }, 1)));
+    const auto shorter = hasp::MakeDifference(row[0],
+      hasp::MakeDifference(turned({ 0, 0, 0.7 + 0.1 }, { 5, 5, 0.1 }), Ball({ 9, 9, 9 }, 1)));
     for (const glm::dvec3& p : hasp::RandomPlaces(200, 0.3))
     {
-      const glm::dvec3 x(p.x, p.y, 0.7);
+      const glm::dvec3 x = axes * glm::dvec3(p.x, p.y, 0.7);
       ASSERT_LT(std::abs(all->At(x)), 1e-12);
       ASSERT_LT(all->SampleAt(x).face, 26u);
       ASSERT_LT(common->SampleAt(x).face, 26u);

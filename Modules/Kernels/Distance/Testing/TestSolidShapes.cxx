@@ -248,6 +248,17 @@ TEST(SolidShapes, BoundsOfPlanesEndWhereTheyStandOnAnAxis)
   EXPECT_EQ(hasp::MakePlane({}, Tilted)->Bounds().high, glm::dvec3(Infinite));
 }
 
+TEST(SolidShapes, AxesThatAreAlmostUprightStretchNothing)
+{
+  glm::dmat3 axes = Turned;
+  axes[1] += 9e-5 * Turned[0];
+  axes[2] *= 1 + 4e-5;
+  const auto box = hasp::MakeBox({}, axes, { 2, 3, 1 });
+  const auto places = hasp::RandomPlaces(2000, 6);
+  hasp::ExpectNoSteeperThanPromised(*box, places);
+  hasp::ExpectFootPointsOnSurface(*box, places);
+}
+
 TEST(SolidShapes, ThinAndSmallAndLargeOnesAreTrue)
 {
   // Thinner than any voxel, a screw of 0.05 mm, a plate of 1 m with 0.1 mm of thickness.

@@ -53,6 +53,8 @@ TEST(SolidSweeps, RefuseWhatIsNoLine)
   const std::vector<glm::dvec3> through{ { 5, 0, 0 }, { -5, 0, 0 } };
   EXPECT_NE(MessageOf([&] { hasp::MakeRibbon(ball, through, 2, 0, 1); }).find("after place 0"),
     std::string::npos);
+  const std::vector<glm::dvec3> below{ { 4, 0, 0 }, { 4, 0.1, 0 } };
+  EXPECT_THROW(hasp::MakeRibbon(ball, below, 2, 0, 1), std::invalid_argument);
   const std::vector<glm::dvec3> off{ { 5, 0, 0 }, { 0, 5, 1 } };
   EXPECT_NE(
     MessageOf([&] { hasp::MakeRibbon(ball, off, 0.1, 0, 1); }).find("place 1"), std::string::npos);
