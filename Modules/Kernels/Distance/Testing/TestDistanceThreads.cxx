@@ -1,10 +1,14 @@
-// The same bits whatever the number of threads: coverage, distance and contour.
+// The same bits whatever the number of threads: coverage, distance, contour and what trees are
+// asked.
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/EuclideanDistance.h"
+#include "Distance/GridSolid.h"
+#include "Distance/NearSurface.h"
 #include "Distance/TetrahedraContour.h"
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/Testing/WithThreads.h"
+#include "Testing/RandomSolid.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +58,28 @@ TEST(DistanceThreads, GiveTheSameBits)
     EXPECT_EQ(many.mesh.points, one.mesh.points) << threads;
     EXPECT_EQ(many.mesh.triangles, one.mesh.triangles) << threads;
   }
+}
+
+TEST(DistanceThreads, AskATreeForTheSameBits)
+{
+  const hasp::GridGeometry g{ { 150, 90, 70 }, { -7.5, -4.5, -3.5 }, glm::dvec3(0.1),
+    glm::dmat3(1) };
+  const auto tree = hasp::RandomSolid(3, 3);
+  const auto make = [&](int threads)
+  {
+    return hasp::testing::WithThreads(threads,
+      [&]
+      {
+        const auto near = hasp::EvaluateNearSurface(*tree, g, 0.25);
+        const auto sampled =
+          hasp::MakeGridSolid(std::make_shared<std::vector<float>>(hasp::DenseValues(near)), g);
+        return std::make_tuple(near.sides, near.near, near.values, sampled->Steepness());
+      });
+  };
+  const auto one = make(1);
+  ASSERT_GT(std::get<1>(one).size(), 50U);
+  for (const int threads : { 2, 4, 8 })
+    EXPECT_EQ(make(threads), one) << threads;
 }
 
 } // namespace

@@ -1,0 +1,152 @@
+#include "Distance/GridSolid.h"
+
+#include "Distance/SolidShapes.h"
+#include "Grid/ParallelFor.h"
+#include "Grid/Trilinear.h"
+#include "SolidChecks.h"
+
+#include <glm/matrix.hpp>
+
+namespace hasp
+{
+
+namespace
+{
+using Sample = ImplicitSolid::Sample;
+using Box = ImplicitSolid::Box;
+
+constexpr double SteepestMmPerMm = 3.0;
+
+/// The most that the trilinear polynomial of any cell in layers [first, last) changes, mm a mm:
+/// each component of its gradient is a mean of four edges'. Infinite where a value is not finite.
+double SteepestOf(const GridView<const float>& grid, int first, int last)
+{
+  const glm::ivec3 cells = grid.geometry.Cells();
+  const glm::dvec3 h = grid.geometry.spacing;
+  double most = 0.0;
+  for (int k = first; k < last; ++k)
+    for (int j = 0; j < cells.y; ++j)
+      for (int i = 0; i < cells.x; ++i)
+      {
+        const auto c = CellCorners(grid, { i, j, k });
+        if (!std::isfinite(c[0] + c[1] + c[2] + c[3] + c[4] + c[5] + c[6] + c[7]))
+          return std::numeric_limits<double>::infinity();
+        glm::dvec3 edge(0.0);
+        for (int n = 0; n < 8; ++n)
+          for (int a = 0; a < 3; ++a)
+            if (!(n >> a & 1))
+              edge[a] = std::max(edge[a], std::abs(c[n | 1 << a] - c[n]));
+        most = std::max(most, glm::length(edge / h));
+      }
+  return most;
+}
+
+double SteepnessOf(const GridView<const float>& grid)
+{
+  std::vector<double> layers(grid.geometry.Cells().z);
+  ParallelFor(0, std::int64_t(layers.size()), 4,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+        layers[k] = SteepestOf(grid, int(k), int(k) + 1);
+    });
+  return *std::max_element(layers.begin(), layers.end());
+}
+
+class GridSolid : public ImplicitSolid
+{
+public:
+  GridSolid(std::shared_ptr<const std::vector<float>> distance, const GridGeometry& geometry,
+    SolidPointer border, double steepness)
+    : Distance(std::move(distance)),
+      Grid{ this->Distance->data(), geometry },
+      Last(geometry.Cells()),
+      ToIndex(glm::inverse(geometry.IndexToWorldMatrix())),
+      Border(std::move(border)),
+      Steep(std::max(1.0, steepness))
+  {
+  }
+  double At(const glm::dvec3& x) const noexcept override
+  {
+    const auto [cell, local] = this->Locate(this->ToIndex * (x - this->Grid.geometry.origin));
+    return std::max(TrilinearValue(CellCorners(this->Grid, cell), local), this->Border->At(x));
+  }
+  Sample SampleAt(const glm::dvec3& x) const noexcept override
+  {
+    Sample inside = this->FaceAt(0, x);
+    const double border = this->Border->At(x);
+    if (inside.value < border - SolidTieMm)
+      return this->OfBorder(this->Border->SampleAt(x));
+    inside.value = std::max(inside.value, border);
+    return inside;
+  }
+  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
+  {
+    if (face > 0)
+      return this->OfBorder(this->Border->FaceAt(face - 1, x));
+    const glm::dvec3 index = this->ToIndex * (x - this->Grid.geometry.origin);
+    const auto [cell, local] = this->Locate(index);
+    const auto corners = CellCorners(this->Grid, cell);
+    glm::dvec3 perStep = TrilinearGradient(corners, local);
+    for (int a = 0; a < 3; ++a)
+      if (index[a] < 0.0 || index[a] > this->Last[a])
+        perStep[a] = 0.0;
+    return { TrilinearValue(corners, local), perStep * this->ToIndex, 0 };
+  }
+  std::uint32_t Faces() const noexcept override { return 1 + this->Border->Faces(); }
+  Box Bounds() const noexcept override { return this->Border->Bounds(); }
+  double Steepness() const noexcept override { return this->Steep; }
+
+private:
+  /// The nearest place of the grid; of what is not a number its first cell.
+  CellPosition Locate(const glm::dvec3& index) const noexcept
+  {
+    CellPosition found{};
+    for (int a = 0; a < 3; ++a)
+    {
+      const double at = index[a] > 0.0 ? std::min(index[a], this->Last[a]) : 0.0;
+      found.cell[a] = std::min(static_cast<int>(at), static_cast<int>(this->Last[a]) - 1);
+      found.local[a] = at - found.cell[a];
+    }
+    return found;
+  }
+  Sample OfBorder(Sample s) const noexcept
+  {
+    ++s.face;
+    return s;
+  }
+
+  std::shared_ptr<const std::vector<float>> Distance;
+  GridView<const float> Grid;
+  glm::dvec3 Last; ///< index of the last sample
+  glm::dmat3 ToIndex;
+  SolidPointer Border;
+  double Steep;
+};
+} // namespace
+
+SolidPointer MakeGridSolid(
+  std::shared_ptr<const std::vector<float>> distance, const GridGeometry& geometry)
+{
+  geometry.Validate();
+  const glm::ivec3 d = geometry.dims;
+  if (std::min({ d.x, d.y, d.z }) < 2)
+    throw std::invalid_argument("grid solid: " + std::to_string(d.x) + " x " + std::to_string(d.y) +
+                                " x " + std::to_string(d.z) +
+                                " samples; each axis needs two at least");
+  if (!distance || distance->size() != geometry.Size())
+    throw std::invalid_argument("grid solid: " + std::to_string(distance ? distance->size() : 0) +
+                                " values for a grid of " + std::to_string(geometry.Size()) +
+                                " samples; give one each");
+  const double steepness = SteepnessOf({ distance->data(), geometry });
+  if (!(steepness <= SteepestMmPerMm))
+    throw std::invalid_argument(
+      "grid solid: the values change by " + SolidNumber(steepness) +
+      " mm a mm; at most 3, and finite: give distances in mm, such as CoverageDistance makes");
+  const glm::dvec3 half = 0.5 * glm::dvec3(geometry.Cells());
+  SolidPointer border =
+    MakeBox(geometry.IndexToWorld(half), geometry.direction, half * geometry.spacing);
+  return std::make_shared<GridSolid>(std::move(distance), geometry, std::move(border), steepness);
+}
+
+} // namespace hasp

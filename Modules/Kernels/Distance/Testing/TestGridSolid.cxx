@@ -1,0 +1,171 @@
+#include "Distance/GridSolid.h"
+#include "Testing/SolidPromises.h"
+
+#include "Distance/Csg.h"
+#include "Distance/SolidShapes.h"
+#include "Grid/Trilinear.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace
+{
+
+hasp::GridGeometry Turned(const glm::ivec3& dims, const glm::dvec3& spacing)
+{
+  hasp::GridGeometry g;
+  g.dims = dims;
+  g.spacing = spacing;
+  g.direction = glm::dmat3(glm::rotate(glm::dmat4(1), 0.5, glm::dvec3(1, 2, 2)));
+  g.origin = -g.direction * (0.5 * glm::dvec3(g.Cells()) * spacing);
+  return g;
+}
+
+std::shared_ptr<std::vector<float>> Sampled(
+  const hasp::ImplicitSolid& solid, const hasp::GridGeometry& g)
+{
+  auto values = std::make_shared<std::vector<float>>();
+  for (int k = 0; k < g.dims.z; ++k)
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i)
+        values->push_back(static_cast<float>(solid.At(g.IndexToWorld({ i, j, k }))));
+  return values;
+}
+
+const hasp::GridGeometry Grid = Turned({ 31, 27, 21 }, { 0.5, 0.6, 0.8 });
+const hasp::SolidPointer Ball = hasp::MakeCapsule({ 0.2, 0.1, 0 }, { 0.2, 0.1, 0 }, 5);
+
+TEST(GridSolid, RefusesWhatIsNoDistance)
+{
+  const auto ball = Sampled(*Ball, Grid);
+  EXPECT_THROW(hasp::MakeGridSolid(nullptr, Grid), std::invalid_argument);
+  EXPECT_THROW(
+    hasp::MakeGridSolid(std::make_shared<std::vector<float>>(5), Grid), std::invalid_argument);
+  EXPECT_THROW(
+    hasp::MakeGridSolid(std::make_shared<std::vector<float>>(4), Turned({ 2, 2, 1 }, { 1, 1, 1 })),
+    std::invalid_argument);
+  auto invalid = Grid;
+  invalid.spacing.y = 0;
+  EXPECT_THROW(hasp::MakeGridSolid(ball, invalid), std::invalid_argument);
+  for (const float bad : { std::nanf(""), std::numeric_limits<float>::infinity() })
+    for (const std::size_t at : { std::size_t(0), ball->size() / 2, ball->size() - 1 })
+    {
+      auto broken = std::make_shared<std::vector<float>>(*ball);
+      (*broken)[at] = bad;
+      EXPECT_THROW(hasp::MakeGridSolid(broken, Grid), std::invalid_argument);
+    }
+  auto grey = std::make_shared<std::vector<float>>(*ball);
+  for (float& value : *grey)
+    value *= -200;
+  EXPECT_THROW(hasp::MakeGridSolid(grey, Grid), std::invalid_argument);
+}
+
+TEST(GridSolid, KeepsThePromisesOfASolid)
+{
+  const auto solid = hasp::MakeGridSolid(Sampled(*Ball, Grid), Grid);
+  const auto places = hasp::RandomPlaces(3000, 11);
+  hasp::ExpectSamplesAgree(*solid, places);
+  hasp::ExpectNoSteeperThanPromised(*solid, places);
+  // Of a ball in its middle, steeper elsewhere not at all.
+  EXPECT_GT(solid->Steepness(), 1.0);
+  EXPECT_LT(solid->Steepness(), std::sqrt(3.0));
+}
+
+TEST(GridSolid, MeasuresHowSteepItIs)
+{
+  // Linear fields by their gradient, what is below 1 as 1, and one cell alone is not overlooked.
+  const auto linear = [](const glm::dvec3& slope, bool oneCell)
+  {
+    auto values = std::make_shared<std::vector<float>>();
+    for (int k = 0; k < Grid.dims.z; ++k)
+      for (int j = 0; j < Grid.dims.y; ++j)
+        for (int i = 0; i < Grid.dims.x; ++i)
+          values->push_back(!oneCell || (i > 29 && j > 25 && k > 19)
+                              ? float(glm::dot(slope, glm::dvec3(i, j, k) * Grid.spacing))
+                              : 0.0F);
+    return hasp::MakeGridSolid(values, Grid)->Steepness();
+  };
+  EXPECT_NEAR(linear({ 0.9, -0.8, 0.7 }, false), std::sqrt(0.81 + 0.64 + 0.49), 1e-5);
+  EXPECT_NEAR(linear({ 0, 0, 2.5 }, false), 2.5, 1e-5);
+  EXPECT_EQ(linear({ 0.3, 0.3, -0.3 }, false), 1.0);
+  EXPECT_THROW(linear({ 0, 0, 0.5 }, true), std::invalid_argument); // 10 mm at the last sample
+}
+
+TEST(GridSolid, IsTrilinearWithinTheGrid)
+{
+  const auto values = Sampled(*Ball, Grid);
+  const auto solid = hasp::MakeGridSolid(values, Grid);
+  int met = 0;
+  for (const glm::dvec3& x : hasp::RandomPlaces(2000, 9))
+  {
+    const auto truth = hasp::SampleTrilinear(
+      hasp::GridView<const float>{ values->data(), Grid }, Grid.WorldToIndex(x));
+    if (!truth)
+      continue;
+    ++met;
+    ASSERT_NEAR(solid->FaceAt(0, x).value, *truth, 1e-9);
+    if (glm::length(x) > 5.5) // the border may be nearer
+      continue;
+    ASSERT_NEAR(solid->At(x), *truth, 1e-9);
+    // Trilinear between samples of a ball, h^2 / (8 R) a direction in which it is curved, in all
+    // (0.36 + 0.64) / (8 * 4) at 1 mm below its surface at most.
+    ASSERT_TRUE(*truth < -1.0 || std::abs(*truth - Ball->At(x)) < 0.032);
+  }
+  EXPECT_GT(met, 500);
+}
+
+TEST(GridSolid, GradientsFollowTheValues)
+{
+  const auto solid = hasp::MakeGridSolid(Sampled(*Ball, Grid), Grid);
+  std::vector<glm::dvec3> places;
+  for (const glm::dvec3& x : hasp::RandomPlaces(3000, 11))
+  {
+    // Off the faces between cells, where the gradient jumps.
+    const glm::dvec3 index = Grid.WorldToIndex(x), from = glm::abs(index - glm::round(index));
+    if (std::min({ from.x, from.y, from.z }) > 1e-3)
+      places.push_back(x);
+  }
+  hasp::ExpectGradientsOfFaces(*solid, places, { 0 });
+}
+
+TEST(GridSolid, WhatReachesTheBorderIsCutOffThere)
+{
+  const auto everything =
+    hasp::MakeGridSolid(std::make_shared<std::vector<float>>(Grid.Size(), -3.0F), Grid);
+  const glm::dvec3 half = 0.5 * glm::dvec3(Grid.Cells()) * Grid.spacing;
+  const auto box = hasp::MakeBox({}, Grid.direction, half);
+  for (const glm::dvec3& x : hasp::RandomPlaces(2000, 11))
+  {
+    ASSERT_NEAR(everything->At(x), std::max(box->At(x), -3.0), 1e-9);
+    if (box->At(x) > 0)
+    {
+      ASSERT_EQ(everything->SampleAt(x).face, 1 + box->SampleAt(x).face);
+      ASSERT_NEAR(everything->FaceAt(1 + box->SampleAt(x).face, x).value, box->At(x), 1e-9);
+    }
+  }
+  const auto nothing =
+    hasp::MakeGridSolid(std::make_shared<std::vector<float>>(Grid.Size(), 3.0F), Grid);
+  for (const glm::dvec3& x : hasp::RandomPlaces(500, 20))
+    ASSERT_GT(nothing->At(x), 0.0);
+}
+
+TEST(GridSolid, JoinsShapesInATree)
+{
+  const auto bone = hasp::MakeGridSolid(Sampled(*Ball, Grid), Grid);
+  const auto hole = hasp::MakeCylinder({ 0, 0, -9 }, { 0, 0, 9 }, 1);
+  const auto drilled = hasp::MakeDifference(bone, hole);
+  EXPECT_NEAR(drilled->At({ 0, 0, 0 }), 1.0, 1e-9);
+  EXPECT_NEAR(drilled->At({ 1, 0, 0 }), 0.0, 1e-9);
+  EXPECT_EQ(drilled->SampleAt({ 1.001, 0, 0 }).face, bone->Faces());
+  EXPECT_EQ(drilled->Steepness(), bone->Steepness());
+  hasp::ExpectSamplesAgree(*drilled, hasp::RandomPlaces(1000, 11));
+  hasp::ExpectNoSteeperThanPromised(*drilled, hasp::RandomPlaces(1000, 11));
+}
+
+TEST(GridSolid, APlaceThatIsNotFiniteHasAFace)
+{
+  const auto solid = hasp::MakeGridSolid(Sampled(*Ball, Grid), Grid);
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), -1e300, 1e300 })
+    EXPECT_LT(solid->SampleAt({ 0, bad, 1 }).face, solid->Faces());
+}
+
+} // namespace
