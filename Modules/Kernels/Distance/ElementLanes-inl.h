@@ -1,0 +1,338 @@
+// No include guard: compiled once an instruction set. The including file says what hn, floats, ints,
+// Floats, Ints, Mask, Lanes and BitsOf are.
+
+HWY_INLINE Floats Splat(float v)
+{
+  return hn::Set(floats, v);
+}
+HWY_INLINE Ints Splat(std::int32_t v)
+{
+  return hn::Set(ints, v);
+}
+HWY_INLINE Mask OfFloats(IntMask m)
+{
+  return hn::RebindMask(floats, m);
+}
+
+struct Vector
+{
+  Floats x, y, z;
+};
+HWY_INLINE Vector operator+(const Vector& a, const Vector& b)
+{
+  return { hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z) };
+}
+HWY_INLINE Vector operator-(const Vector& a, const Vector& b)
+{
+  return { hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z) };
+}
+HWY_INLINE Vector operator*(Floats s, const Vector& a)
+{
+  return { hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z) };
+}
+HWY_INLINE Vector AddTimes(const Vector& sum, Floats s, const Vector& a)
+{
+  return { hn::MulAdd(s, a.x, sum.x), hn::MulAdd(s, a.y, sum.y), hn::MulAdd(s, a.z, sum.z) };
+}
+HWY_INLINE Floats Dot(const Vector& a, const Vector& b)
+{
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_INLINE Vector Choose(Mask m, const Vector& a, const Vector& b)
+{
+  return { hn::IfThenElse(m, a.x, b.x), hn::IfThenElse(m, a.y, b.y), hn::IfThenElse(m, a.z, b.z) };
+}
+HWY_INLINE Vector None()
+{
+  return { Splat(0.0F), Splat(0.0F), Splat(0.0F) };
+}
+/// By axis: a length in voxels becomes one in units, or the other way round.
+HWY_INLINE Vector Scale(const Vector& a, const Vector& b)
+{
+  return { hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z) };
+}
+
+/// A grid and its elements, as lanes ask for them.
+struct Field
+{
+  const SurfaceElements& surface;
+  const float* coverage;
+  Vector sides, perSide;
+
+  HWY_INLINE Field(const SurfaceElements& s, const float* c)
+    : surface(s),
+      coverage(c),
+      sides{ Splat(s.sides.x), Splat(s.sides.y), Splat(s.sides.z) },
+      perSide{ Splat(1.0F / s.sides.x), Splat(1.0F / s.sides.y), Splat(1.0F / s.sides.z) }
+  {
+  }
+  /// A component of elements; n is 8 times their number.
+  HWY_INLINE Floats Component(const SurfaceElements::Element* elements, Ints n, int which) const
+  {
+    static_assert(sizeof(SurfaceElements::Element) == 8 * sizeof(float));
+    return hn::GatherIndex(floats, elements->point + which, n);
+  }
+  HWY_INLINE Vector Point(Ints n) const
+  {
+    const auto* e = this->surface.elements.data();
+    return { Component(e, n, 0), Component(e, n, 1), Component(e, n, 2) };
+  }
+  HWY_INLINE Vector Normal(Ints n) const
+  {
+    const auto* e = this->surface.elements.data();
+    return { Component(e, n, 4), Component(e, n, 5), Component(e, n, 6) };
+  }
+};
+
+/// Voxels and their 26 neighbours.
+struct Voxels
+{
+  Ints x, y, z, voxel;
+  Ints step[3][3];     ///< by axis and -1, 0, 1: to the neighbour's number, 0 where there is none
+  IntMask there[3][3]; ///< is there one?
+
+  HWY_INLINE Voxels(const Field& field, Ints px, Ints py, Ints pz, Ints v)
+    : x(px),
+      y(py),
+      z(pz),
+      voxel(v)
+  {
+    const glm::ivec3& dims = field.surface.dims;
+    const std::int32_t stride[3] = { 1, dims.x, dims.x * dims.y };
+    const Ints at[3] = { px, py, pz };
+    for (int a = 0; a < 3; ++a)
+    {
+      this->there[a][0] = hn::Gt(at[a], Splat(0));
+      this->there[a][1] = hn::Eq(at[a], at[a]);
+      this->there[a][2] = hn::Lt(at[a], Splat(dims[a] - 1));
+      for (int s = 0; s < 3; ++s)
+        this->step[a][s] = hn::IfThenElseZero(this->there[a][s], Splat(stride[a] * (s - 1)));
+    }
+  }
+  /// The neighbour's number; at the grid's end the last voxel once more.
+  HWY_INLINE Ints Neighbour(int i, int j, int k) const
+  {
+    return hn::Add(
+      hn::Add(this->voxel, this->step[0][i]), hn::Add(this->step[1][j], this->step[2][k]));
+  }
+  HWY_INLINE IntMask There(int i, int j, int k) const
+  {
+    return hn::And(this->there[0][i], hn::And(this->there[1][j], this->there[2][k]));
+  }
+};
+
+HWY_INLINE Voxels VoxelsOf(const Field& field, Ints element)
+{
+  const std::int32_t* place = &field.surface.places.data()->x;
+  const Ints n = hn::ShiftLeft<2>(element);
+  return { field, hn::GatherIndex(ints, place, n), hn::GatherIndex(ints, place + 1, n),
+    hn::GatherIndex(ints, place + 2, n), hn::GatherIndex(ints, place + 3, n) };
+}
+
+/// Elements from n on, the last one more than once at the end.
+HWY_INLINE Ints ElementsFrom(std::size_t n, std::size_t last)
+{
+  return hn::Min(hn::Iota(ints, static_cast<std::int32_t>(n)), Splat(std::int32_t(last - 1)));
+}
+
+HWY_INLINE void StoreElements(
+  const Vector& point, Floats curvature, const Vector& normal, int count, ElementLanes::Element* to)
+{
+  float lane[7][Lanes];
+  const Floats all[7] = { point.x, point.y, point.z, curvature, normal.x, normal.y, normal.z };
+  for (int c = 0; c < 7; ++c)
+    hn::StoreU(all[c], floats, lane[c]);
+  for (int n = 0; n < count; ++n)
+    to[n] = { { lane[0][n], lane[1][n], lane[2][n] }, lane[3][n],
+      { lane[4][n], lane[5][n], lane[6][n] }, 0 };
+}
+
+HWY_INLINE int CountFrom(std::size_t n, std::size_t last)
+{
+  return static_cast<int>(last - n < std::size_t(Lanes) ? last - n : std::size_t(Lanes));
+}
+
+bool ScanRow(const ElementLanes::Row& row, std::uint32_t* bits, float* sides, float beyond)
+{
+  const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
+  const Floats zero = Splat(0.0F), one = Splat(1.0F), half = Splat(0.5F);
+  IntMask sound = hn::Eq(Splat(0), Splat(0));
+  Mask good = OfFloats(sound);
+  for (int x = 0; x < row.length; x += Lanes)
+  {
+    const bool whole = x + Lanes <= row.length;
+    const int count = whole ? Lanes : row.length - x;
+    float last[4][Lanes]; // what of other rows may not be read past the end
+    const Floats here = hn::LoadU(floats, row.here + x);
+    Floats lowest =
+      hn::Min(hn::LoadU(floats, row.here + x - 1), hn::LoadU(floats, row.here + x + 1));
+    for (int f = 0; f < 4; ++f)
+    {
+      for (int n = 0; n < Lanes && !whole; ++n)
+        last[f][n] = row.faces[f][x + (n < count ? n : count - 1)];
+      lowest = hn::Min(lowest, hn::LoadU(floats, whole ? row.faces[f] + x : last[f]));
+    }
+    good = hn::And(good, hn::And(hn::Ge(here, zero), hn::Le(here, one)));
+    const Mask partial = hn::And(hn::Gt(here, least), hn::Lt(here, most));
+    const Mask face = hn::And(hn::Ge(here, most), hn::Le(lowest, least));
+    std::uint64_t found = BitsOf(hn::Or(partial, face));
+    if (!whole)
+      found &= (1U << count) - 1;
+    bits[x >> 5] |= static_cast<std::uint32_t>(found << (x & 31));
+    if (!sides)
+      continue;
+    const Floats side = hn::IfThenElse(hn::Ge(here, half), Splat(-beyond), Splat(beyond));
+    if (whole)
+      hn::StoreU(side, floats, sides + x);
+    else
+    {
+      hn::StoreU(side, floats, last[0]);
+      for (int n = 0; n < count; ++n)
+        sides[x + n] = last[0][n];
+    }
+  }
+  return BitsOf(good) == (Lanes < 64 ? (std::uint64_t(1) << Lanes) - 1 : 0);
+}
+
+ElementLanes::Count Gradients(const SurfaceElements& surface, const float* coverage,
+  std::size_t first, std::size_t last, ElementLanes::Element* to)
+{
+  const Field field(surface, coverage);
+  const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
+  ElementLanes::Count sum;
+  for (std::size_t n = first; n < last; n += Lanes)
+  {
+    const Voxels at = VoxelsOf(field, ElementsFrom(n, last));
+    Vector g = None();
+    Floats low = Splat(1.0F), high = Splat(0.0F);
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+        {
+          const Floats a = hn::GatherIndex(floats, coverage, at.Neighbour(i, j, k));
+          low = hn::Min(low, a);
+          high = hn::Max(high, a);
+          const auto smooth = [](int s) { return s == 1 ? 2.0F : 1.0F; };
+          if (i != 1)
+            g.x = hn::MulAdd(Splat(float(i - 1) * smooth(j) * smooth(k)), a, g.x);
+          if (j != 1)
+            g.y = hn::MulAdd(Splat(float(j - 1) * smooth(i) * smooth(k)), a, g.y);
+          if (k != 1)
+            g.z = hn::MulAdd(Splat(float(k - 1) * smooth(i) * smooth(j)), a, g.z);
+        }
+    g = Scale(g, field.perSide);
+    const Floats length = hn::Sqrt(Dot(g, g));
+    const Mask known = hn::Gt(length, Splat(1e-5F));
+    const Floats per = hn::IfThenElseZero(known, hn::Div(Splat(1.0F), length));
+    const int count = CountFrom(n, last);
+    StoreElements(None(), Splat(0.0F), per * g, count, to + n);
+    const Floats here = hn::GatherIndex(floats, coverage, at.voxel);
+    const Mask partial = hn::And(hn::Gt(here, least), hn::Lt(here, most));
+    const Mask lonely = hn::And(partial, hn::And(hn::Gt(low, least), hn::Lt(high, most)));
+    const std::uint64_t some = (std::uint64_t(1) << count) - 1;
+    sum.partial += __builtin_popcountll(BitsOf(partial) & some);
+    sum.lonely += __builtin_popcountll(BitsOf(lonely) & some);
+  }
+  return sum;
+}
+
+/// Distance from the centre of a box to the plane that leaves the share `covered` on the inner side
+/// of its outward unit normal; PlaneDistanceFromCoverage says more. From the middle on, where the
+/// volume below the plane is convex in its depth, Newton's steps come down to the root.
+HWY_INLINE Floats PlaneDistance(const Field& field, const Vector& normal, Floats covered)
+{
+  const Vector reach = Scale(
+    { hn::Abs(normal.x), hn::Abs(normal.y), hn::Abs(normal.z) }, field.sides);
+  const Floats whole = hn::Add(reach.x, hn::Add(reach.y, reach.z));
+  const Floats floor = hn::Mul(Splat(0.01F), whole);
+  const Floats m[3] = { hn::Max(reach.x, floor), hn::Max(reach.y, floor), hn::Max(reach.z, floor) };
+  const Floats total = hn::Add(m[0], hn::Add(m[1], m[2]));
+  const Floats part = hn::Min(covered, hn::Sub(Splat(1.0F), covered));
+  const Floats six = hn::Mul(Splat(6.0F), hn::Mul(m[0], hn::Mul(m[1], m[2])));
+  const Floats wanted = hn::Mul(part, six);
+  Floats depth = hn::Mul(Splat(0.5F), total);
+  for (int step = 0; step < 8; ++step)
+  {
+    Floats volume = hn::Mul(depth, hn::Mul(depth, depth)), slope = hn::Mul(depth, depth);
+    for (int a = 0; a < 3; ++a)
+    {
+      const Floats one = hn::Max(hn::Sub(depth, m[a]), Splat(0.0F));
+      const Floats two = hn::Max(hn::Sub(hn::Sub(depth, m[a]), m[(a + 1) % 3]), Splat(0.0F));
+      const Floats oneSquared = hn::Mul(one, one), twoSquared = hn::Mul(two, two);
+      slope = hn::Sub(hn::Add(slope, twoSquared), oneSquared);
+      volume = hn::Sub(
+        hn::Add(volume, hn::Mul(two, twoSquared)), hn::Mul(one, oneSquared));
+    }
+    depth = hn::Sub(
+      depth, hn::Div(hn::Sub(volume, wanted), hn::Mul(Splat(3.0F), hn::Max(slope, Splat(1e-12F)))));
+  }
+  const Floats fromCentre = hn::Sub(hn::Mul(Splat(0.5F), total), depth);
+  return hn::IfThenElse(hn::Le(covered, Splat(0.5F)), fromCentre, hn::Neg(fromCentre));
+}
+
+/// Of saturated voxels that meet the other kind: half a side towards the first that does.
+HWY_INLINE void FaceElement(const Field& field, const Voxels& at, Mask who, Vector& point,
+  Vector& normal)
+{
+  const Floats one = Splat(1.0F);
+  const Mask known = hn::Gt(Dot(normal, normal), Splat(0.5F));
+  Mask open = who;
+  for (int n = 0; n < 6; ++n)
+  {
+    const int axis = n / 2, s = n % 2 ? 2 : 0;
+    const int step[3] = { axis == 0 ? s : 1, axis == 1 ? s : 1, axis == 2 ? s : 1 };
+    const Floats a = hn::GatherIndex(
+      floats, field.coverage, at.Neighbour(step[0], step[1], step[2]));
+    const Mask here = hn::And(open, hn::Le(a, Splat(ElementLanes::Least)));
+    const Floats way = Splat(float(s - 1)), none = Splat(0.0F);
+    const Vector unit = { axis == 0 ? way : none, axis == 1 ? way : none, axis == 2 ? way : none };
+    point = Choose(here, hn::Mul(Splat(0.5F), one) * Scale(unit, field.sides), point);
+    normal = Choose(hn::And(here, hn::Not(known)), unit, normal);
+    open = hn::And(open, hn::Not(here));
+  }
+}
+
+void Planes(const SurfaceElements& surface, const float* coverage, std::size_t first,
+  std::size_t last, ElementLanes::Element* to)
+{
+  const Field field(surface, coverage);
+  const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
+  const float gaussian[4] = { 1.0F, 0.60653066F, 0.36787944F, 0.22313016F }; // sigma: one voxel
+  for (std::size_t n = first; n < last; n += Lanes)
+  {
+    const Ints element = ElementsFrom(n, last);
+    const Voxels at = VoxelsOf(field, element);
+    Vector sum = None();
+    Floats weights = Splat(0.0F);
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+        {
+          const Ints voxel = at.Neighbour(i, j, k);
+          const Ints other = hn::GatherIndex(ints, surface.at.data(), voxel);
+          const Floats a = hn::GatherIndex(floats, coverage, voxel);
+          const Mask use = hn::And(OfFloats(hn::Gt(other, Splat(-1))), hn::Lt(a, most));
+          const Vector g = field.Normal(hn::ShiftLeft<3>(hn::Max(other, Splat(0))));
+          const Mask known = hn::And(use, hn::Gt(Dot(g, g), Splat(0.5F)));
+          const Floats w = hn::IfThenElseZero(
+            known, Splat(gaussian[(i != 1) + (j != 1) + (k != 1)]));
+          sum = AddTimes(sum, w, g);
+          weights = hn::Add(weights, w);
+        }
+    // No partial voxel near: a face between saturated ones has its own gradient.
+    const Mask alone = hn::Eq(weights, Splat(0.0F));
+    sum = Choose(alone, field.Normal(hn::ShiftLeft<3>(element)), sum);
+    weights = hn::IfThenElse(alone, Splat(1.0F), weights);
+    const Floats length = hn::Sqrt(Dot(sum, sum));
+    const Mask known = hn::Gt(length, hn::Mul(Splat(0.1F), weights));
+    Vector normal =
+      hn::IfThenElseZero(known, hn::Div(Splat(-1.0F), length)) * sum; // where they cancel: 0
+    const Floats alpha = hn::GatherIndex(floats, coverage, at.voxel);
+    const Floats d = hn::IfThenElseZero(known, PlaneDistance(field, normal, alpha));
+    Vector point = hn::Neg(d) * normal;
+    const Mask face = hn::Or(hn::Ge(alpha, most), hn::Le(alpha, least));
+    if (BitsOf(face))
+      FaceElement(field, at, face, point, normal);
+    StoreElements(point, Splat(0.0F), normal, CountFrom(n, last), to + n);
+  }
+}
