@@ -33,7 +33,8 @@ public:
 
   void Fill(const ProgressFunction& progress)
   {
-    const std::int64_t slabs = this->Bricks.z, perSlab = std::int64_t(this->Bricks.x) * this->Bricks.y;
+    const std::int64_t slabs = this->Bricks.z,
+                       perSlab = std::int64_t(this->Bricks.x) * this->Bricks.y;
     const std::int64_t step = std::max<std::int64_t>(1, slabs / 8); // slabs between two reports
     for (std::int64_t k = 0; k < slabs; k += step)
     {
@@ -42,8 +43,8 @@ public:
         [&](std::int64_t first, std::int64_t last)
         {
           for (std::int64_t b = first; b < last; ++b)
-            this->FillBrick(glm::ivec3(
-              b % this->Bricks.x, b / this->Bricks.x % this->Bricks.y, b / perSlab));
+            this->FillBrick(
+              glm::ivec3(b % this->Bricks.x, b / this->Bricks.x % this->Bricks.y, b / perSlab));
         });
     }
   }
@@ -62,7 +63,8 @@ private:
         std::uint32_t found = 0;
         if (j >= 0 && j < s.dims.y && k >= 0 && k < s.dims.z)
         {
-          const std::uint32_t* row = &s.bits[(std::size_t(k) * s.dims.y + j) * s.wordsPerRow + word];
+          const std::uint32_t* row =
+            &s.bits[(std::size_t(k) * s.dims.y + j) * s.wordsPerRow + word];
           const std::uint64_t both = row[0] | std::uint64_t(row[1]) << 32;
           found = static_cast<std::uint32_t>(x < 0 ? both << -x : both >> (x - 32 * word)) &
                   ((1U << (Side + 2 * Reach)) - 1);
@@ -89,7 +91,8 @@ private:
     { return origin + glm::ivec3(packed & 15, packed >> 4 & 15, packed >> 8 & 15); };
     if (glm::any(glm::greaterThan(origin + Side, s.dims))) // at the grid's end
     {
-      count = int(std::remove_if(list, list + count, [&](std::int32_t packed)
+      count = int(std::remove_if(list, list + count,
+                    [&](std::int32_t packed)
                     { return glm::any(glm::greaterThanEqual(at(packed), s.dims)); }) -
                   list);
       std::fill_n(list + count, count ? ElementLanes::Padding : 0, list[std::max(0, count - 1)]);
@@ -116,13 +119,14 @@ void FillFar(const GridGeometry& geometry, const SurfaceElements& surface, const
 {
   const ElementLanes& lanes = BestElementLanes();
   std::vector<SurfaceElements::Element> refined(surface.elements.size());
-  ParallelFor(0, std::int64_t(refined.size()), 1024, [&](std::int64_t first, std::int64_t last)
+  ParallelFor(0, std::int64_t(refined.size()), 1024,
+    [&](std::int64_t first, std::int64_t last)
     { lanes.refine(surface, coverage, first, last, refined.data()); });
   std::vector<std::uint8_t> seeds(distance.size());
   std::transform(surface.at.begin(), surface.at.end(), seeds.begin(),
     [](std::int32_t id) { return id == SurfaceElements::None ? 0 : 1; });
-  const FeatureTransform nearest = NearestSeeds(
-    geometry, seeds, [&](double share) { return !progress || progress(0.8 * share); });
+  const FeatureTransform nearest =
+    NearestSeeds(geometry, seeds, [&](double share) { return !progress || progress(0.8 * share); });
   const std::int64_t nx = geometry.dims.x, ny = geometry.dims.y;
   ParallelFor(0, ny * geometry.dims.z, 16,
     [&](std::int64_t first, std::int64_t last)

@@ -8,8 +8,8 @@
 namespace hasp
 {
 
-/// Signed Euclidean distance to a partially covered mask, the guides' transform (after Gustavson and
-/// Strand 2011; the thesis uses the weighted <3,4,5> transform with the same purpose, Eq. 2.2,
+/// Signed Euclidean distance to a partially covered mask, the guides' transform (after Gustavson
+/// and Strand 2011; the thesis uses the weighted <3,4,5> transform with the same purpose, Eq. 2.2,
 /// which is ChamferDistance here).
 ///
 /// coverage   dims.x*dims.y*dims.z values in [0,1], x fastest; 1 inside; see Coverage.h
@@ -20,10 +20,10 @@ namespace hasp
 /// bent as the surface is there.
 ///
 /// Error on smooth surfaces of 12 voxels' radius and more: 0.003 voxel rms within three voxels,
-/// below 0.02 out to 40. At sharp edges up to half a voxel, like every sampled distance. Where voxels
-/// of length h lie along a surface of radius R, h^2 / (8 R). Throws as ExtractSurfaceElements;
-/// Cancelled. Any thread; all cores, the same result with any number of them. O(voxels); 20 bytes a
-/// voxel.
+/// below 0.02 out to 40. At sharp edges up to half a voxel, like every sampled distance. Where
+/// voxels of length h lie along a surface of radius R, h^2 / (8 R). Throws as
+/// ExtractSurfaceElements; Cancelled. Any thread; all cores, the same result with any number of
+/// them. O(voxels); 20 bytes a voxel.
 std::vector<float> CoverageDistance(const GridGeometry& geometry, std::span<const float> coverage,
   const ProgressFunction& progress = {});
 

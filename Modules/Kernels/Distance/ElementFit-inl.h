@@ -11,7 +11,8 @@ struct Fit
 /// The elements of 3^3 voxels, read once for what asks them several times.
 struct Neighbours
 {
-  float point[27][3][Lanes], normal[27][3][Lanes], there[27][Lanes];
+  float point[27][3][Lanes], normal[27][3][Lanes];
+  float weight[27][Lanes]; ///< 0 where there is none
   int used[27], count = 0; ///< places where any lane has an element
 
   HWY_INLINE Neighbours(const Field& field, const Voxels& at)
@@ -32,13 +33,14 @@ struct Neighbours
         hn::StoreU(points[a], floats, this->point[this->count][a]);
         hn::StoreU(normals[a], floats, this->normal[this->count][a]);
       }
-      hn::StoreU(hn::IfThenElseZero(some, Splat(1.0F)), floats, this->there[this->count]);
+      const Floats weight = field.Component(field.surface.elements.data(), from, 7);
+      hn::StoreU(hn::IfThenElseZero(some, weight), floats, this->weight[this->count]);
       ++this->count;
     }
   }
   HWY_INLINE Vector Point(int n) const { return Read(this->point[n]); }
   HWY_INLINE Vector Normal(int n) const { return Read(this->normal[n]); }
-  HWY_INLINE Floats There(int n) const { return hn::LoadU(floats, this->there[n]); }
+  HWY_INLINE Floats Weight(int n) const { return hn::LoadU(floats, this->weight[n]); }
 
 private:
   static HWY_INLINE Vector Read(const float (&from)[3][Lanes])
@@ -50,14 +52,16 @@ private:
 constexpr float DiscVoxels = 0.75F;  // elements lie less than a voxel apart: discs overlap
 constexpr float KernelVoxels = 1.7F; // where a neighbour's weight falls to zero
 constexpr float DoubtUnits = 0.25F;  // farther apart than this, both answers straddle an edge
+constexpr float SmoothShare = 0.98F; // of normals added up: less, and they stand around an edge
+constexpr float MostTilt = 0.2F;     // normals are not so wrong: steeper is an edge
 constexpr float MostCurved = 0.3F;   // per unit: rounder is an edge
 
 /// Moving least squares around the foot point f. The mean of an element's normal n_q and the local
 /// one m, (n_q + m)/2 . (f - p_q), vanishes on all quadrics, so that averaging adds no curvature
 /// bias; 1/12 of the curvature does: planes that cut off as much of a voxel as a curved surface lie
 /// that much deeper, by the mean of its parabola over a cross-section of the voxel.
-HWY_INLINE Fit Span(const Field& field, const Neighbours& near, const Vector& r, const Vector& start,
-  Floats facing)
+HWY_INLINE Fit Span(
+  const Field& field, const Neighbours& near, const Vector& r, const Vector& start, Floats facing)
 {
   Vector m = start, f = AddTimes(r, hn::Neg(facing), m);
   Floats distance = facing, curvature = Splat(0.0F);
@@ -71,7 +75,7 @@ HWY_INLINE Fit Span(const Field& field, const Neighbours& near, const Vector& r,
     {
       const Vector v = f - near.Point(n), nq = near.Normal(n), scaled = Scale(v, shrink);
       const Floats u = hn::Max(Splat(0.0F), hn::Sub(Splat(1.0F), Dot(scaled, scaled)));
-      const Floats w = hn::Mul(near.There(n), hn::Mul(u, hn::Mul(u, u)));
+      const Floats w = hn::Mul(near.Weight(n), hn::Mul(u, hn::Mul(u, u)));
       sum = hn::Add(sum, w);
       mean = AddTimes(mean, w, nq);
       away = AddTimes(away, w, v);
@@ -89,8 +93,8 @@ HWY_INLINE Fit Span(const Field& field, const Neighbours& near, const Vector& r,
     curvature = hn::Div(hn::Sub(along, across), hn::Max(squares, Splat(1e-20F)));
     f = AddTimes(r, hn::Neg(distance), m);
   }
-  curvature = hn::IfThenElseZero(
-    fits, hn::Min(hn::Max(curvature, Splat(-MostCurved)), Splat(MostCurved)));
+  curvature =
+    hn::IfThenElseZero(fits, hn::Min(hn::Max(curvature, Splat(-MostCurved)), Splat(MostCurved)));
   const Vector tangential = field.sides - Scale(field.sides, Scale(m, m));
   const Floats section = hn::Mul(Splat(1.0F / 24.0F), Dot(field.sides, tangential));
   distance = hn::Sub(distance, hn::Mul(curvature, section));
@@ -108,7 +112,7 @@ HWY_INLINE Fit FitAt(const Field& field, const Voxels& at, const Vector& r, Mask
   {
     const Vector to = r - near.Point(n);
     const Floats squared =
-      hn::IfThenElse(hn::Gt(near.There(n), Splat(0.5F)), Dot(to, to), Splat(1e30F));
+      hn::IfThenElse(hn::Gt(near.Weight(n), Splat(0.0F)), Dot(to, to), Splat(1e30F));
     const Mask nearer = hn::Lt(squared, least);
     least = hn::Min(squared, least);
     v = Choose(nearer, to, v);
@@ -119,22 +123,116 @@ HWY_INLINE Fit FitAt(const Field& field, const Voxels& at, const Vector& r, Mask
   const Mask plane = hn::Gt(Dot(m, m), Splat(0.5F));
   const Floats voxels = hn::Sqrt(Dot(scaled, scaled));
   const Floats beyond = hn::Max(Splat(0.0F),
-    hn::Sub(Splat(1.0F), hn::Div(hn::IfThenElseZero(plane, Splat(DiscVoxels)),
-                           hn::Max(voxels, Splat(1e-6F)))));
-  const Floats disc = hn::Sqrt(
-    hn::MulAdd(hn::Mul(beyond, beyond), Dot(lateral, lateral), hn::Mul(facing, facing)));
+    hn::Sub(Splat(1.0F),
+      hn::Div(hn::IfThenElseZero(plane, Splat(DiscVoxels)), hn::Max(voxels, Splat(1e-6F)))));
+  const Floats disc =
+    hn::Sqrt(hn::MulAdd(hn::Mul(beyond, beyond), Dot(lateral, lateral), hn::Mul(facing, facing)));
   const Floats outward = hn::IfThenElse(inside, Splat(-1.0F), Splat(1.0F));
-  const Floats sign =
-    hn::IfThenElse(hn::And(plane, hn::Lt(disc, Splat(1.0F))), facing, outward);
-  const Floats signedDisc = hn::CopySign(disc, sign);
+  const Floats signedDisc = hn::CopySign(disc, outward);
   Fit fit = Span(field, near, r, m, facing);
-  const Mask trusted = hn::And(
-    plane, hn::Lt(hn::Abs(hn::Sub(fit.distance, signedDisc)), Splat(DoubtUnits)));
+  const Mask trusted =
+    hn::And(plane, hn::Lt(hn::Abs(hn::Sub(fit.distance, signedDisc)), Splat(DoubtUnits)));
   fit.distance = hn::IfThenElse(trusted, fit.distance, signedDisc);
   fit.foot = Choose(trusted, fit.foot, r - v);
   fit.normal = Choose(trusted, fit.normal, m);
   fit.curvature = hn::IfThenElseZero(trusted, fit.curvature);
   return fit;
+}
+
+/// Do normals around the normal m agree? Not around an edge. Those of a thin wall's other side do
+/// not count.
+HWY_INLINE Mask Agree(const Neighbours& near, const Vector& m)
+{
+  Vector sum = None();
+  Floats count = Splat(0.0F);
+  for (int n = 0; n < near.count; ++n)
+  {
+    const Vector nq = near.Normal(n);
+    const Mask same =
+      hn::And(hn::Gt(Dot(nq, m), Splat(-0.3F)), hn::Gt(near.Weight(n), Splat(0.0F)));
+    const Floats one = hn::IfThenElseZero(same, Splat(1.0F));
+    sum = AddTimes(sum, one, nq);
+    count = hn::Add(count, one);
+  }
+  const Floats least = hn::Mul(Splat(SmoothShare), count);
+  return hn::Gt(Dot(sum, sum), hn::Mul(least, least));
+}
+
+/// The slope of the elements' points against the normal m at f, by least squares, seen along the
+/// mean of both normals: no quadric has any, but normals that are all wrong alike do.
+HWY_INLINE Vector SlopeOf(
+  const Field& field, const Neighbours& near, const Vector& f, const Vector& m)
+{
+  const Vector shrink = Splat(1.0F / KernelVoxels) * field.perSide;
+  Floats sum = Splat(1e-20F), heights = Splat(0.0F), xx = heights, xy = heights, xz = heights,
+         yy = heights, yz = heights, zz = heights;
+  Vector away = None(), product = None();
+  for (int n = 0; n < near.count; ++n)
+  {
+    const Vector v = near.Point(n) - f, scaled = Scale(v, shrink);
+    const Floats u = hn::Max(Splat(0.0F), hn::Sub(Splat(1.0F), Dot(scaled, scaled)));
+    const Floats w = hn::Mul(near.Weight(n), hn::Mul(u, u));
+    const Floats up = Dot(v, m);
+    const Floats height = hn::Mul(Splat(0.5F), hn::Add(up, Dot(v, near.Normal(n))));
+    const Vector t = AddTimes(v, hn::Neg(up), m), wt = w * t;
+    sum = hn::Add(sum, w);
+    heights = hn::MulAdd(w, height, heights);
+    away = away + wt;
+    product = AddTimes(product, height, wt);
+    xx = hn::MulAdd(wt.x, t.x, xx);
+    xy = hn::MulAdd(wt.x, t.y, xy);
+    xz = hn::MulAdd(wt.x, t.z, xz);
+    yy = hn::MulAdd(wt.y, t.y, yy);
+    yz = hn::MulAdd(wt.y, t.z, yz);
+    zz = hn::MulAdd(wt.z, t.z, zz);
+  }
+  const Vector centre = hn::Div(Splat(1.0F), sum) * away;
+  const Vector b = AddTimes(product, hn::Neg(heights), centre);
+  // Across the normal the matrix has nothing: unit there. A little everywhere: lines of elements.
+  const Floats trace = hn::Add(xx, hn::Add(yy, zz)), little = hn::Mul(Splat(0.02F), trace);
+  const auto covariance = [&](Floats tt, Floats t, Floats c, Floats one, Floats other)
+  { return hn::MulAdd(trace, hn::Mul(one, other), hn::Sub(tt, hn::Mul(t, c))); };
+  xx = hn::Add(little, covariance(xx, away.x, centre.x, m.x, m.x));
+  yy = hn::Add(little, covariance(yy, away.y, centre.y, m.y, m.y));
+  zz = hn::Add(little, covariance(zz, away.z, centre.z, m.z, m.z));
+  xy = covariance(xy, away.x, centre.y, m.x, m.y);
+  xz = covariance(xz, away.x, centre.z, m.x, m.z);
+  yz = covariance(yz, away.y, centre.z, m.y, m.z);
+  const auto minor = [](Floats a, Floats d, Floats p, Floats q)
+  { return hn::Sub(hn::Mul(a, d), hn::Mul(p, q)); };
+  const Vector first = { minor(yy, zz, yz, yz), minor(xz, yz, xy, zz), minor(xy, yz, xz, yy) };
+  const Vector second = { first.y, minor(xx, zz, xz, xz), minor(xy, xz, xx, yz) };
+  const Vector third = { first.z, second.z, minor(xx, yy, xy, xy) };
+  const Floats determinant = Dot({ xx, xy, xz }, first);
+  const Mask solved = hn::Gt(determinant, Splat(1e-20F));
+  const Floats per =
+    hn::IfThenElseZero(solved, hn::Div(Splat(1.0F), hn::Max(determinant, Splat(1e-20F))));
+  return per * Vector{ Dot(first, b), Dot(second, b), Dot(third, b) };
+}
+
+void Polish(const SurfaceElements& surface, const float* coverage, std::size_t first,
+  std::size_t last, ElementLanes::Element* to)
+{
+  const Field field(surface, coverage);
+  for (std::size_t n = first; n < last; n += Lanes)
+  {
+    const Ints element = ElementsFrom(n, last), from = hn::ShiftLeft<3>(element);
+    const Voxels at = VoxelsOf(field, element);
+    const Floats alpha = hn::GatherIndex(floats, coverage, at.voxel);
+    const Vector was = field.Point(from), m = field.Normal(from);
+    const Neighbours near(field, at);
+    const Vector slope = SlopeOf(field, near, was, m);
+    const Vector tilted = m - slope;
+    const Mask better = hn::And(hn::And(Agree(near, m), hn::Gt(Dot(m, m), Splat(0.5F))),
+      hn::And(hn::Lt(Dot(slope, slope), Splat(MostTilt * MostTilt)),
+        hn::And(
+          hn::Gt(alpha, Splat(ElementLanes::Least)), hn::Lt(alpha, Splat(ElementLanes::Most)))));
+    const Vector normal =
+      Choose(better, hn::Div(Splat(1.0F), hn::Sqrt(Dot(tilted, tilted))) * tilted, m);
+    const Vector point = Choose(better, hn::Neg(PlaneDistance(field, normal, alpha)) * normal, was);
+    StoreElements(point, Splat(0.0F), normal, field.Component(surface.elements.data(), from, 7),
+      CountFrom(n, last), to + n);
+  }
 }
 
 void Refine(const SurfaceElements& surface, const float* coverage, std::size_t first,
@@ -147,7 +245,7 @@ void Refine(const SurfaceElements& surface, const float* coverage, std::size_t f
     const Voxels at = VoxelsOf(field, element);
     const Mask inside = hn::Ge(hn::GatherIndex(floats, coverage, at.voxel), Splat(0.5F));
     const Fit fit = FitAt(field, at, None(), inside);
-    StoreElements(fit.foot, fit.curvature, fit.normal, CountFrom(n, last), to + n);
+    StoreElements(fit.foot, fit.curvature, fit.normal, Splat(1.0F), CountFrom(n, last), to + n);
   }
 }
 
@@ -189,8 +287,8 @@ int ListNear(
     for (int y = 0; y < N; ++y)
       for (int x = 0; x < S && bits.row[z][y]; x += Lanes)
       {
-        const Ints window = hn::And(
-          hn::Shr(Splat(std::int32_t(bits.row[z][y])), hn::Iota(ints, x)), Splat(2047));
+        const Ints window =
+          hn::And(hn::Shr(Splat(std::int32_t(bits.row[z][y])), hn::Iota(ints, x)), Splat(2047));
         const Ints step = hn::GatherIndex(ints, NearestBits.data(), window);
         const Floats d = hn::ConvertTo(floats, hn::Sub(step, Splat(R)));
         const Floats squared = hn::Mul(Splat(sides[0]), hn::Mul(d, d));
@@ -246,6 +344,68 @@ int ListNear(
   return count;
 }
 
+/// From the centre of one voxel to that of another.
+HWY_INLINE Vector Steps(const Field& field, Ints x, Ints y, Ints z, Ints i, Ints j, Ints k)
+{
+  return Scale({ hn::ConvertTo(floats, hn::Sub(x, i)), hn::ConvertTo(floats, hn::Sub(y, j)),
+                 hn::ConvertTo(floats, hn::Sub(z, k)) },
+    field.sides);
+}
+
+/// A sphere with the element's normal and curvature, through its point: the distance of a place,
+/// from the point, and where it is nearest. Exact on planes and spheres.
+struct Osculating
+{
+  Floats distance;
+  Vector foot; ///< from the place
+
+  HWY_INLINE Osculating(const Vector& v, const Vector& m, Floats curvature)
+  {
+    const Vector w = AddTimes(m, curvature, v); // from the sphere's middle, times the curvature
+    const Floats length = hn::Max(hn::Sqrt(Dot(w, w)), Splat(1e-6F));
+    const Floats facing = Dot(v, m), two = Splat(2.0F);
+    this->distance =
+      hn::Div(hn::MulAdd(curvature, Dot(v, v), hn::Mul(two, facing)), hn::Add(length, Splat(1.0F)));
+    this->foot = hn::Neg(hn::Div(this->distance, length)) * w;
+  }
+};
+
+/// A voxel with an element, near the place that is asked for.
+struct Nearest
+{
+  Ints x, y, z, voxel;
+
+  /// What is nearest by the centres of voxels may lie a few voxels aside: moves to the voxel of the
+  /// foot point, if that has an element.
+  HWY_INLINE void MoveToFoot(
+    const Field& field, const SurfaceElements::Element* elements, Ints px, Ints py, Ints pz)
+  {
+    const glm::ivec3& dims = field.surface.dims;
+    const Ints e = hn::ShiftLeft<3>(hn::GatherIndex(ints, field.surface.at.data(), this->voxel));
+    const Vector p = { field.Component(elements, e, 0), field.Component(elements, e, 1),
+      field.Component(elements, e, 2) };
+    const Vector m = { field.Component(elements, e, 4), field.Component(elements, e, 5),
+      field.Component(elements, e, 6) };
+    const Vector v = Steps(field, px, py, pz, this->x, this->y, this->z) - p;
+    const Osculating sphere(v, m, field.Component(elements, e, 3));
+    const Vector steps = Scale(sphere.foot, field.perSide);
+    const auto move = [](Ints from, Floats step, int count)
+    {
+      const Ints to = hn::Add(from, hn::NearestInt(step));
+      return hn::Min(hn::Max(to, Splat(0)), Splat(count - 1));
+    };
+    const Ints i = move(px, steps.x, dims.x), j = move(py, steps.y, dims.y),
+               k = move(pz, steps.z, dims.z);
+    const Ints to =
+      hn::Add(i, hn::Add(hn::Mul(j, Splat(dims.x)), hn::Mul(k, Splat(dims.x * dims.y))));
+    const IntMask there = hn::Gt(hn::GatherIndex(ints, field.surface.at.data(), to), Splat(-1));
+    this->x = hn::IfThenElse(there, i, this->x);
+    this->y = hn::IfThenElse(there, j, this->y);
+    this->z = hn::IfThenElse(there, k, this->z);
+    this->voxel = hn::IfThenElse(there, to, this->voxel);
+  }
+};
+
 void Near(const SurfaceElements& surface, const float* coverage, const glm::ivec3& origin,
   const std::int32_t* list, int count, float* distances)
 {
@@ -263,67 +423,73 @@ void Near(const SurfaceElements& surface, const float* coverage, const glm::ivec
     const Ints dz = hn::Sub(hn::And(hn::ShiftRight<20>(packed), low), reach);
     const auto number = [&](Ints i, Ints j, Ints k)
     { return hn::Add(i, hn::Add(hn::Mul(j, row), hn::Mul(k, slice))); };
-    const Ints sx = hn::Add(x, dx), sy = hn::Add(y, dy), sz = hn::Add(z, dz);
-    const Voxels at(field, sx, sy, sz, number(sx, sy, sz));
-    const Vector steps = { hn::ConvertTo(floats, hn::Sub(x, sx)),
-      hn::ConvertTo(floats, hn::Sub(y, sy)), hn::ConvertTo(floats, hn::Sub(z, sz)) };
+    Nearest nearest = { hn::Add(x, dx), hn::Add(y, dy), hn::Add(z, dz), number(x, y, z) };
+    nearest.voxel = number(nearest.x, nearest.y, nearest.z);
+    nearest.MoveToFoot(field, field.surface.elements.data(), x, y, z);
+    const Voxels at(field, nearest.x, nearest.y, nearest.z, nearest.voxel);
+    const Vector r = Steps(field, x, y, z, nearest.x, nearest.y, nearest.z);
     const Floats a = hn::GatherIndex(floats, coverage, number(x, y, z));
-    const Fit fit = FitAt(field, at, Scale(steps, field.sides), hn::Ge(a, Splat(0.5F)));
+    const Fit fit = FitAt(field, at, r, hn::Ge(a, Splat(0.5F)));
     hn::StoreU(fit.distance, floats, distances + n);
   }
+}
+
+/// Distance to a refined element: to its sphere within a voxel of its point, else to its disc's
+/// rim.
+HWY_INLINE Floats FarDistance(const Field& field, const SurfaceElements::Element* refined,
+  const Nearest& nearest, Ints x, Ints y, Ints z)
+{
+  const Ints e = hn::ShiftLeft<3>(hn::GatherIndex(ints, field.surface.at.data(), nearest.voxel));
+  const Vector p = { field.Component(refined, e, 0), field.Component(refined, e, 1),
+    field.Component(refined, e, 2) };
+  const Vector m = { field.Component(refined, e, 4), field.Component(refined, e, 5),
+    field.Component(refined, e, 6) };
+  const Vector v = Steps(field, x, y, z, nearest.x, nearest.y, nearest.z) - p;
+  const Floats facing = Dot(v, m);
+  const Osculating sphere(v, m, field.Component(refined, e, 3));
+  const Vector moved = v + sphere.foot, scaled = Scale(moved, field.perSide);
+  const Vector lateral = AddTimes(v, hn::Neg(facing), m), aside = Scale(lateral, field.perSide);
+  const Floats rim = hn::IfThenElseZero(hn::Gt(Dot(m, m), Splat(0.5F)), Splat(DiscVoxels));
+  const Floats beyond = hn::Max(Splat(0.0F),
+    hn::Sub(Splat(1.0F), hn::Div(rim, hn::Max(hn::Sqrt(Dot(aside, aside)), Splat(1e-6F)))));
+  const Floats disc =
+    hn::Sqrt(hn::MulAdd(hn::Mul(beyond, beyond), Dot(lateral, lateral), hn::Mul(facing, facing)));
+  const Mask under = hn::And(hn::Lt(Dot(scaled, scaled), Splat(1.5F)), hn::Gt(rim, Splat(0.0F)));
+  return hn::IfThenElse(under, hn::Abs(sphere.distance), disc);
 }
 
 void FarRow(const SurfaceElements& surface, const ElementLanes::Element* refined, int y, int z,
   const std::uint32_t* seeds, float from, float* distances)
 {
   const Field field(surface, nullptr);
-  const Floats unit = Splat(float(surface.unit)), one = Splat(1.0F);
   const std::int32_t* place = &surface.places.data()->x;
-  for (int x = 0; x < surface.dims.x; x += Lanes)
+  for (int first = 0; first < surface.dims.x; first += Lanes)
   {
-    const int count = surface.dims.x - x < Lanes ? surface.dims.x - x : Lanes;
+    const int count = surface.dims.x - first < Lanes ? surface.dims.x - first : Lanes;
     float was[Lanes], now[Lanes];
     std::int32_t seed[Lanes];
     bool any = false;
     for (int n = 0; n < Lanes; ++n)
     {
-      was[n] = distances[x + (n < count ? n : count - 1)];
-      seed[n] = static_cast<std::int32_t>(seeds[x + (n < count ? n : count - 1)]);
+      was[n] = distances[first + (n < count ? n : count - 1)];
+      seed[n] = static_cast<std::int32_t>(seeds[first + (n < count ? n : count - 1)]);
       any = any || !(was[n] > -from && was[n] < from);
     }
     if (!any)
       continue;
+    const Ints voxel = hn::LoadU(ints, seed), x = hn::Iota(ints, first);
+    const Ints at = hn::ShiftLeft<2>(hn::GatherIndex(ints, surface.at.data(), voxel));
+    Nearest nearest = { hn::GatherIndex(ints, place, at), hn::GatherIndex(ints, place + 1, at),
+      hn::GatherIndex(ints, place + 2, at), voxel };
+    const Floats byCentres = FarDistance(field, refined, nearest, x, Splat(y), Splat(z));
+    nearest.MoveToFoot(field, refined, x, Splat(y), Splat(z));
+    nearest.MoveToFoot(field, refined, x, Splat(y), Splat(z));
+    const Floats byFoot = FarDistance(field, refined, nearest, x, Splat(y), Splat(z));
+    const Floats mm = hn::Mul(Splat(float(surface.unit)), hn::Min(byCentres, byFoot));
     const Floats before = hn::LoadU(floats, was);
-    const Ints e = hn::GatherIndex(ints, surface.at.data(), hn::LoadU(ints, seed));
-    const Ints at = hn::ShiftLeft<2>(e), n = hn::ShiftLeft<3>(e);
-    const Vector steps = {
-      hn::ConvertTo(floats, hn::Sub(hn::Iota(ints, x), hn::GatherIndex(ints, place, at))),
-      hn::ConvertTo(floats, hn::Sub(Splat(y), hn::GatherIndex(ints, place + 1, at))),
-      hn::ConvertTo(floats, hn::Sub(Splat(z), hn::GatherIndex(ints, place + 2, at)))
-    };
-    const Vector p = { field.Component(refined, n, 0), field.Component(refined, n, 1),
-      field.Component(refined, n, 2) };
-    const Vector m = { field.Component(refined, n, 4), field.Component(refined, n, 5),
-      field.Component(refined, n, 6) };
-    const Floats curvature = field.Component(refined, n, 3);
-    const Vector v = Scale(steps, field.sides) - p;
-    const Floats facing = Dot(v, m);
-    const Vector lateral = AddTimes(v, hn::Neg(facing), m), scaled = Scale(lateral, field.perSide);
-    const Floats aside = Dot(lateral, lateral), voxels = Dot(scaled, scaled);
-    // Within a voxel the parabola, seen from here; farther aside the way to the disc's rim.
-    const Floats bent = hn::Max(hn::MulAdd(curvature, facing, one), Splat(0.25F));
-    const Floats parabola = hn::Abs(hn::Add(
-      facing, hn::Div(hn::Mul(Splat(0.5F), hn::Mul(curvature, aside)), bent)));
-    const Floats rim = hn::IfThenElseZero(hn::Gt(Dot(m, m), Splat(0.5F)), Splat(DiscVoxels));
-    const Floats beyond = hn::Max(Splat(0.0F),
-      hn::Sub(one, hn::Div(rim, hn::Max(hn::Sqrt(voxels), Splat(1e-6F)))));
-    const Floats disc = hn::Sqrt(
-      hn::MulAdd(hn::Mul(beyond, beyond), aside, hn::Mul(facing, facing)));
-    const Mask under = hn::And(hn::Lt(voxels, one), hn::Gt(rim, Splat(0.0F)));
-    const Floats mm = hn::Mul(unit, hn::IfThenElse(under, parabola, disc));
     const Mask near = hn::Lt(hn::Abs(before), Splat(from));
     hn::StoreU(hn::IfThenElse(near, before, hn::CopySign(mm, before)), floats, now);
     for (int lane = 0; lane < count; ++lane)
-      distances[x + lane] = now[lane];
+      distances[first + lane] = now[lane];
   }
 }

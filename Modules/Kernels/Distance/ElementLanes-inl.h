@@ -1,5 +1,5 @@
-// No include guard: compiled once an instruction set. The including file says what hn, floats, ints,
-// Floats, Ints, Mask, Lanes and BitsOf are.
+// No include guard: compiled once an instruction set. The including file says what hn, floats,
+// ints, Floats, Ints, Mask, Lanes and BitsOf are.
 
 HWY_INLINE Floats Splat(float v)
 {
@@ -135,16 +135,17 @@ HWY_INLINE Ints ElementsFrom(std::size_t n, std::size_t last)
   return hn::Min(hn::Iota(ints, static_cast<std::int32_t>(n)), Splat(std::int32_t(last - 1)));
 }
 
-HWY_INLINE void StoreElements(
-  const Vector& point, Floats curvature, const Vector& normal, int count, ElementLanes::Element* to)
+HWY_INLINE void StoreElements(const Vector& point, Floats curvature, const Vector& normal,
+  Floats weight, int count, ElementLanes::Element* to)
 {
-  float lane[7][Lanes];
-  const Floats all[7] = { point.x, point.y, point.z, curvature, normal.x, normal.y, normal.z };
-  for (int c = 0; c < 7; ++c)
+  float lane[8][Lanes];
+  const Floats all[8] = { point.x, point.y, point.z, curvature, normal.x, normal.y, normal.z,
+    weight };
+  for (int c = 0; c < 8; ++c)
     hn::StoreU(all[c], floats, lane[c]);
   for (int n = 0; n < count; ++n)
     to[n] = { { lane[0][n], lane[1][n], lane[2][n] }, lane[3][n],
-      { lane[4][n], lane[5][n], lane[6][n] }, 0 };
+      { lane[4][n], lane[5][n], lane[6][n] }, lane[7][n] };
 }
 
 HWY_INLINE int CountFrom(std::size_t n, std::size_t last)
@@ -225,7 +226,7 @@ ElementLanes::Count Gradients(const SurfaceElements& surface, const float* cover
     const Mask known = hn::Gt(length, Splat(1e-5F));
     const Floats per = hn::IfThenElseZero(known, hn::Div(Splat(1.0F), length));
     const int count = CountFrom(n, last);
-    StoreElements(None(), Splat(0.0F), per * g, count, to + n);
+    StoreElements(None(), Splat(0.0F), per * g, Splat(0.0F), count, to + n);
     const Floats here = hn::GatherIndex(floats, coverage, at.voxel);
     const Mask partial = hn::And(hn::Gt(here, least), hn::Lt(here, most));
     const Mask lonely = hn::And(partial, hn::And(hn::Gt(low, least), hn::Lt(high, most)));
@@ -241,8 +242,8 @@ ElementLanes::Count Gradients(const SurfaceElements& surface, const float* cover
 /// volume below the plane is convex in its depth, Newton's steps come down to the root.
 HWY_INLINE Floats PlaneDistance(const Field& field, const Vector& normal, Floats covered)
 {
-  const Vector reach = Scale(
-    { hn::Abs(normal.x), hn::Abs(normal.y), hn::Abs(normal.z) }, field.sides);
+  const Vector reach =
+    Scale({ hn::Abs(normal.x), hn::Abs(normal.y), hn::Abs(normal.z) }, field.sides);
   const Floats whole = hn::Add(reach.x, hn::Add(reach.y, reach.z));
   const Floats floor = hn::Mul(Splat(0.01F), whole);
   const Floats m[3] = { hn::Max(reach.x, floor), hn::Max(reach.y, floor), hn::Max(reach.z, floor) };
@@ -260,8 +261,7 @@ HWY_INLINE Floats PlaneDistance(const Field& field, const Vector& normal, Floats
       const Floats two = hn::Max(hn::Sub(hn::Sub(depth, m[a]), m[(a + 1) % 3]), Splat(0.0F));
       const Floats oneSquared = hn::Mul(one, one), twoSquared = hn::Mul(two, two);
       slope = hn::Sub(hn::Add(slope, twoSquared), oneSquared);
-      volume = hn::Sub(
-        hn::Add(volume, hn::Mul(two, twoSquared)), hn::Mul(one, oneSquared));
+      volume = hn::Sub(hn::Add(volume, hn::Mul(two, twoSquared)), hn::Mul(one, oneSquared));
     }
     depth = hn::Sub(
       depth, hn::Div(hn::Sub(volume, wanted), hn::Mul(Splat(3.0F), hn::Max(slope, Splat(1e-12F)))));
@@ -270,27 +270,28 @@ HWY_INLINE Floats PlaneDistance(const Field& field, const Vector& normal, Floats
   return hn::IfThenElse(hn::Le(covered, Splat(0.5F)), fromCentre, hn::Neg(fromCentre));
 }
 
-/// Of saturated voxels that meet the other kind: half a side towards the first that does.
-HWY_INLINE void FaceElement(const Field& field, const Voxels& at, Mask who, Vector& point,
-  Vector& normal)
+/// Of saturated voxels that meet the other kind: the surface is where what both are short of fills
+/// up, along the axis to the first that does.
+HWY_INLINE void FaceElement(
+  const Field& field, const Voxels& at, Floats alpha, Mask who, Vector& point, Vector& normal)
 {
-  const Floats one = Splat(1.0F);
   const Mask known = hn::Gt(Dot(normal, normal), Splat(0.5F));
-  Mask open = who;
+  const Floats none = Splat(0.0F);
   for (int n = 0; n < 6; ++n)
   {
     const int axis = n / 2, s = n % 2 ? 2 : 0;
-    const int step[3] = { axis == 0 ? s : 1, axis == 1 ? s : 1, axis == 2 ? s : 1 };
-    const Floats a = hn::GatherIndex(
-      floats, field.coverage, at.Neighbour(step[0], step[1], step[2]));
-    const Mask here = hn::And(open, hn::Le(a, Splat(ElementLanes::Least)));
-    const Floats way = Splat(float(s - 1)), none = Splat(0.0F);
+    const Ints neighbour = at.Neighbour(axis == 0 ? s : 1, axis == 1 ? s : 1, axis == 2 ? s : 1);
+    const Floats a = hn::GatherIndex(floats, field.coverage, neighbour), way = Splat(float(s - 1));
+    const Mask here = hn::And(who, hn::Le(a, Splat(ElementLanes::Least)));
     const Vector unit = { axis == 0 ? way : none, axis == 1 ? way : none, axis == 2 ? way : none };
-    point = Choose(here, hn::Mul(Splat(0.5F), one) * Scale(unit, field.sides), point);
+    const Floats along = hn::Sub(hn::Add(alpha, a), Splat(0.5F));
+    point = Choose(here, along * Scale(unit, field.sides), point);
     normal = Choose(hn::And(here, hn::Not(known)), unit, normal);
-    open = hn::And(open, hn::Not(here));
+    who = hn::And(who, hn::Not(here));
   }
 }
+
+constexpr float FaceWeight = 0.25F; // of a plane between saturated voxels, known to be near only
 
 void Planes(const SurfaceElements& surface, const float* coverage, std::size_t first,
   std::size_t last, ElementLanes::Element* to)
@@ -314,8 +315,8 @@ void Planes(const SurfaceElements& surface, const float* coverage, std::size_t f
           const Mask use = hn::And(OfFloats(hn::Gt(other, Splat(-1))), hn::Lt(a, most));
           const Vector g = field.Normal(hn::ShiftLeft<3>(hn::Max(other, Splat(0))));
           const Mask known = hn::And(use, hn::Gt(Dot(g, g), Splat(0.5F)));
-          const Floats w = hn::IfThenElseZero(
-            known, Splat(gaussian[(i != 1) + (j != 1) + (k != 1)]));
+          const Floats w =
+            hn::IfThenElseZero(known, Splat(gaussian[(i != 1) + (j != 1) + (k != 1)]));
           sum = AddTimes(sum, w, g);
           weights = hn::Add(weights, w);
         }
@@ -332,7 +333,9 @@ void Planes(const SurfaceElements& surface, const float* coverage, std::size_t f
     Vector point = hn::Neg(d) * normal;
     const Mask face = hn::Or(hn::Ge(alpha, most), hn::Le(alpha, least));
     if (BitsOf(face))
-      FaceElement(field, at, face, point, normal);
-    StoreElements(point, Splat(0.0F), normal, CountFrom(n, last), to + n);
+      FaceElement(field, at, alpha, face, point, normal);
+    const Floats weight = hn::IfThenElse(
+      face, Splat(FaceWeight), hn::Mul(Splat(4.0F), hn::Mul(alpha, hn::Sub(Splat(1.0F), alpha))));
+    StoreElements(point, Splat(0.0F), normal, weight, CountFrom(n, last), to + n);
   }
 }

@@ -49,9 +49,14 @@ struct ElementLanes
   Count (*gradients)(const SurfaceElements& surface, const float* coverage, std::size_t first,
     std::size_t last, Element* to);
 
-  /// Of elements [first, last), whose gradients are there: normals smoothed over neighbours, and the
-  /// planes that cut off the coverage, into `to`.
+  /// Of elements [first, last), whose gradients are there: normals smoothed over neighbours, and
+  /// the planes that cut off the coverage, into `to`.
   void (*planes)(const SurfaceElements& surface, const float* coverage, std::size_t first,
+    std::size_t last, Element* to);
+
+  /// Of elements [first, last), whose planes are there: normals that agree with where the planes
+  /// around lie, and their planes, into `to`.
+  void (*polish)(const SurfaceElements& surface, const float* coverage, std::size_t first,
     std::size_t last, Element* to);
 
   /// Foot points, normals and curvature of what elements [first, last) span with their neighbours,

@@ -41,7 +41,7 @@ HWY_INLINE std::uint64_t BitsOf(Mask m)
 
 ElementLanes Here()
 {
-  return { hwy::TargetName(HWY_TARGET), ScanRow, Gradients, Planes, Refine, ListNear, Near,
+  return { hwy::TargetName(HWY_TARGET), ScanRow, Gradients, Planes, Polish, Refine, ListNear, Near,
     FarRow };
 }
 

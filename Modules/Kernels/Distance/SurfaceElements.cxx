@@ -124,9 +124,14 @@ public:
                                   " partial voxels have only partial neighbours; this is a "
                                   "blurred image, not coverage (make that with Coverage)");
     std::vector<Element> planes(s.elements.size());
-    ParallelFor(0, count, Batch, [&](std::int64_t first, std::int64_t last)
+    ParallelFor(0, count, Batch,
+      [&](std::int64_t first, std::int64_t last)
       { lanes.planes(s, this->Coverage, first, last, planes.data()); });
-    s.elements = std::move(planes);
+    s.elements.swap(planes);
+    ParallelFor(0, count, Batch,
+      [&](std::int64_t first, std::int64_t last)
+      { lanes.polish(s, this->Coverage, first, last, planes.data()); });
+    s.elements.swap(planes);
   }
 
   SurfaceElements Surface;

@@ -21,7 +21,7 @@ struct SurfaceElements
     float point[3];  ///< from the centre of its voxel
     float curvature; ///< mean, positive where the solid is convex
     float normal[3]; ///< outward, unit; 0 if the gradient vanishes
-    std::int32_t filler;
+    float weight;    ///< how well the plane is known: less where it cuts off a corner only
   };
   struct Place
   {
@@ -33,10 +33,10 @@ struct SurfaceElements
   glm::vec3 sides{ 1.0F }; ///< of a voxel; the smallest is 1
   double unit = 1.0;       ///< mm: the smallest spacing
   std::vector<Element> elements;
-  std::vector<Place> places;        ///< of elements, raster order
-  std::vector<std::int32_t> at;     ///< per voxel: its element, or None
-  std::vector<std::uint32_t> bits;  ///< per voxel a bit, rows padded: has it one?
-  std::size_t wordsPerRow = 0;      ///< of bits
+  std::vector<Place> places;       ///< of elements, raster order
+  std::vector<std::int32_t> at;    ///< per voxel: its element, or None
+  std::vector<std::uint32_t> bits; ///< per voxel a bit, rows padded: has it one?
+  std::size_t wordsPerRow = 0;     ///< of bits
   static constexpr std::int32_t None = -1;
 };
 
