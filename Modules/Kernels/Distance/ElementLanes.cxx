@@ -3,6 +3,7 @@
 #include "Distance/OneLane.h"
 
 #include <array>
+#include <limits>
 
 namespace hasp
 {
@@ -28,6 +29,8 @@ std::uint64_t BitsOf(bool m)
 #include "Distance/ElementLanes-inl.h"
 
 #include "Distance/ElementFit-inl.h"
+
+#include "Distance/ElementFoot-inl.h"
 } // namespace
 
 #if HASP_WITH_HIGHWAY

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE
@@ -36,6 +37,8 @@ HWY_INLINE std::uint64_t BitsOf(Mask m)
 #include "Distance/ElementLanes-inl.h"
 
 #include "Distance/ElementFit-inl.h"
+
+#include "Distance/ElementFoot-inl.h"
 
 } // namespace
 

@@ -64,8 +64,10 @@ public:
     for (int n = 0, p = first; n < this->Count && p <= last; ++n)
     {
       const int q = this->Apex[n];
-      const double end = n + 1 < this->Count ? std::floor(this->From[n + 1]) : last;
-      for (; p <= last && p <= end; ++p)
+      // Truncated: what lies before the line's beginning has no place in it.
+      const double until = n + 1 < this->Count ? this->From[n + 1] : double(last);
+      const int end = until < 0.0 ? -1 : static_cast<int>(std::min(until, double(last)));
+      for (; p <= end; ++p)
       {
         const double along = this->Step * (p - q);
         write(p, q, along * along);
