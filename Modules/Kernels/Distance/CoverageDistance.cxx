@@ -8,8 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace hasp
 {
@@ -138,7 +139,7 @@ void FillFar(const GridGeometry& geometry, const SurfaceElements& surface, const
 }
 
 std::vector<float> Distances(const GridGeometry& geometry, std::span<const float> coverage,
-  bool everywhere, const ProgressFunction& progress)
+  bool isCoverage, bool everywhere, const ProgressFunction& progress)
 {
   geometry.Validate();
   std::vector<float> distance(coverage.size());
@@ -151,7 +152,9 @@ std::vector<float> Distances(const GridGeometry& geometry, std::span<const float
   const float band =
     BandVoxels *
     static_cast<float>(std::min({ geometry.spacing.x, geometry.spacing.y, geometry.spacing.z }));
-  const SurfaceElements surface = ExtractSurfaceElements(geometry, coverage, distance, band);
+  const SurfaceElements surface = isCoverage
+                                    ? ExtractSurfaceElements(geometry, coverage, distance, band)
+                                    : ExtractIsosurfaceElements(geometry, coverage, distance, band);
   if (surface.elements.empty())
   {
     constexpr float far = std::numeric_limits<float>::infinity();
@@ -169,13 +172,44 @@ std::vector<float> Distances(const GridGeometry& geometry, std::span<const float
 std::vector<float> CoverageDistance(
   const GridGeometry& geometry, std::span<const float> coverage, const ProgressFunction& progress)
 {
-  return Distances(geometry, coverage, true, progress);
+  return Distances(geometry, coverage, true, true, progress);
 }
 
 std::vector<float> CoverageDistanceBand(
   const GridGeometry& geometry, std::span<const float> coverage, const ProgressFunction& progress)
 {
-  return Distances(geometry, coverage, false, progress);
+  return Distances(geometry, coverage, true, false, progress);
+}
+
+std::vector<float> GreyDistance(
+  const AnyGridView& image, double isovalue, const ProgressFunction& progress)
+{
+  const GridGeometry& geometry = GeometryOf(image);
+  geometry.Validate();
+  if (!std::isfinite(isovalue))
+    throw std::invalid_argument("grey distance: isovalue must be finite");
+  std::vector<float> values(geometry.Size());
+  std::visit(
+    [&](const auto& view)
+    {
+      ParallelFor(0, std::int64_t(values.size()), 1 << 16,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t v = first; v < last; ++v)
+            values[v] = static_cast<float>(double(view.data[v]) - isovalue) + 0.5F;
+        });
+    },
+    image);
+  return Distances(geometry, values, false, true, progress);
+}
+
+std::vector<float> ImageDistance(
+  const GridView<const float>& image, const ProgressFunction& progress)
+{
+  const GridGeometry& geometry = image.geometry;
+  const std::span<const float> values(image.data, geometry.Size());
+  return MeasureEdges(geometry, values).Coverage() ? CoverageDistance(geometry, values, progress)
+                                                   : GreyDistance(image, 0.5, progress);
 }
 
 } // namespace hasp

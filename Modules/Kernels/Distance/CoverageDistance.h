@@ -1,5 +1,5 @@
 #pragma once
-#include "Grid/GridGeometry.h"
+#include "Grid/GridView.h"
 #include "Grid/Progress.h"
 
 #include <span>
@@ -32,5 +32,17 @@ std::vector<float> CoverageDistance(const GridGeometry& geometry, std::span<cons
 /// written. 8 bytes a voxel, and about 100 an element.
 std::vector<float> CoverageDistanceBand(const GridGeometry& geometry,
   std::span<const float> coverage, const ProgressFunction& progress = {});
+
+/// The same of a grey image as it is, to its trilinear isosurface; inside is value >= isovalue. For
+/// scans that nobody made coverage of: true to what the scanner saw, which rounds a surface of
+/// radius R by sigma^2 / R at a blur of sigma. NaN is refused: std::invalid_argument. 24 bytes a
+/// voxel.
+std::vector<float> GreyDistance(
+  const AnyGridView& image, double isovalue, const ProgressFunction& progress = {});
+
+/// Of an image in [0,1] of unknown origin: CoverageDistance if its edges are as wide as coverage's
+/// (MeasureEdges), else GreyDistance at 0.5. Taking one for the other is wrong by up to a voxel.
+std::vector<float> ImageDistance(
+  const GridView<const float>& image, const ProgressFunction& progress = {});
 
 } // namespace hasp

@@ -96,7 +96,7 @@ HWY_INLINE Fit Span(
   curvature =
     hn::IfThenElseZero(fits, hn::Min(hn::Max(curvature, Splat(-MostCurved)), Splat(MostCurved)));
   const Vector tangential = field.sides - Scale(field.sides, Scale(m, m));
-  const Floats section = hn::Mul(Splat(1.0F / 24.0F), Dot(field.sides, tangential));
+  const Floats section = hn::Mul(Splat(field.surface.section), Dot(field.sides, tangential));
   distance = hn::Sub(distance, hn::Mul(curvature, section));
   return { AddTimes(r, hn::Neg(distance), m), m, curvature, distance };
 }

@@ -153,7 +153,8 @@ HWY_INLINE int CountFrom(std::size_t n, std::size_t last)
   return static_cast<int>(last - n < std::size_t(Lanes) ? last - n : std::size_t(Lanes));
 }
 
-bool ScanRow(const ElementLanes::Row& row, std::uint32_t* bits, float* sides, float beyond)
+bool ScanRow(
+  const ElementLanes::Row& row, bool coverage, std::uint32_t* bits, float* sides, float beyond)
 {
   const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
   const Floats zero = Splat(0.0F), one = Splat(1.0F), half = Splat(0.5F);
@@ -165,24 +166,36 @@ bool ScanRow(const ElementLanes::Row& row, std::uint32_t* bits, float* sides, fl
     const int count = whole ? Lanes : row.length - x;
     float last[4][Lanes]; // what of other rows may not be read past the end
     const Floats here = hn::LoadU(floats, row.here + x);
-    Floats lowest =
-      hn::Min(hn::LoadU(floats, row.here + x - 1), hn::LoadU(floats, row.here + x + 1));
+    const Mask inside = hn::Ge(here, half);
+    const Floats above = hn::Abs(hn::Sub(here, half));
+    Floats lowest = one;
+    Mask crossed = hn::Lt(one, zero); // by a grid line's half, from here on
+    const auto look = [&](Floats other)
+    {
+      lowest = hn::Min(lowest, other);
+      const Mask differs = hn::Lt(hn::CopySign(one, hn::Sub(other, half)), zero);
+      const Mask across = hn::Or(hn::And(inside, differs), hn::Not(hn::Or(inside, differs)));
+      crossed = hn::Or(crossed, hn::And(across, hn::Le(above, hn::Abs(hn::Sub(other, half)))));
+    };
+    look(hn::LoadU(floats, row.here + x - 1));
+    look(hn::LoadU(floats, row.here + x + 1));
     for (int f = 0; f < 4; ++f)
     {
       for (int n = 0; n < Lanes && !whole; ++n)
         last[f][n] = row.faces[f][x + (n < count ? n : count - 1)];
-      lowest = hn::Min(lowest, hn::LoadU(floats, whole ? row.faces[f] + x : last[f]));
+      look(hn::LoadU(floats, whole ? row.faces[f] + x : last[f]));
     }
-    good = hn::And(good, hn::And(hn::Ge(here, zero), hn::Le(here, one)));
+    const Mask unit = hn::And(hn::Ge(here, zero), hn::Le(here, one));
+    good = hn::And(good, coverage ? unit : hn::Eq(here, here)); // NaN is neither
     const Mask partial = hn::And(hn::Gt(here, least), hn::Lt(here, most));
     const Mask face = hn::And(hn::Ge(here, most), hn::Le(lowest, least));
-    std::uint64_t found = BitsOf(hn::Or(partial, face));
+    std::uint64_t found = BitsOf(coverage ? hn::Or(partial, face) : crossed);
     if (!whole)
       found &= (1U << count) - 1;
     bits[x >> 5] |= static_cast<std::uint32_t>(found << (x & 31));
     if (!sides)
       continue;
-    const Floats side = hn::IfThenElse(hn::Ge(here, half), Splat(-beyond), Splat(beyond));
+    const Floats side = hn::IfThenElse(inside, Splat(-beyond), Splat(beyond));
     if (whole)
       hn::StoreU(side, floats, sides + x);
     else
@@ -195,12 +208,35 @@ bool ScanRow(const ElementLanes::Row& row, std::uint32_t* bits, float* sides, fl
   return BitsOf(good) == (Lanes < 64 ? (std::uint64_t(1) << Lanes) - 1 : 0);
 }
 
-ElementLanes::Count Gradients(const SurfaceElements& surface, const float* coverage,
-  std::size_t first, std::size_t last, ElementLanes::Element* to)
+struct Pair
+{
+  Ints ahead, behind;
+};
+
+/// The neighbours nearest to the way of the gradient: of a voxel that a plane cuts, one of them is
+/// clear of the plane.
+HWY_INLINE Pair AlongGradient(const Voxels& at, const Vector& g)
+{
+  const Floats x = hn::Abs(g.x), y = hn::Abs(g.y), z = hn::Abs(g.z);
+  const Floats half = hn::Mul(Splat(0.5F), hn::Max(x, hn::Max(y, z))), none = Splat(0.0F);
+  const auto step = [&](Floats size, Floats along, int axis)
+  {
+    const IntMask up = hn::RebindMask(ints, hn::Gt(along, none));
+    const IntMask use = hn::RebindMask(ints, hn::Gt(size, half));
+    return Pair{ hn::IfThenElseZero(use, hn::IfThenElse(up, at.step[axis][2], at.step[axis][0])),
+      hn::IfThenElseZero(use, hn::IfThenElse(up, at.step[axis][0], at.step[axis][2])) };
+  };
+  const Pair i = step(x, g.x, 0), j = step(y, g.y, 1), k = step(z, g.z, 2);
+  return { hn::Add(at.voxel, hn::Add(i.ahead, hn::Add(j.ahead, k.ahead))),
+    hn::Add(at.voxel, hn::Add(i.behind, hn::Add(j.behind, k.behind))) };
+}
+
+EdgeFacts Gradients(const SurfaceElements& surface, const float* coverage, std::size_t first,
+  std::size_t last, ElementLanes::Element* to)
 {
   const Field field(surface, coverage);
   const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
-  ElementLanes::Count sum;
+  EdgeFacts sum;
   for (std::size_t n = first; n < last; n += Lanes)
   {
     const Voxels at = VoxelsOf(field, ElementsFrom(n, last));
@@ -221,6 +257,7 @@ ElementLanes::Count Gradients(const SurfaceElements& surface, const float* cover
           if (k != 1)
             g.z = hn::MulAdd(Splat(float(k - 1) * smooth(i) * smooth(j)), a, g.z);
         }
+    const auto [ahead, behind] = AlongGradient(at, g);
     g = Scale(g, field.perSide);
     const Floats length = hn::Sqrt(Dot(g, g));
     const Mask known = hn::Gt(length, Splat(1e-5F));
@@ -228,11 +265,17 @@ ElementLanes::Count Gradients(const SurfaceElements& surface, const float* cover
     const int count = CountFrom(n, last);
     StoreElements(None(), Splat(0.0F), per * g, Splat(0.0F), count, to + n);
     const Floats here = hn::GatherIndex(floats, coverage, at.voxel);
-    const Mask partial = hn::And(hn::Gt(here, least), hn::Lt(here, most));
-    const Mask lonely = hn::And(partial, hn::And(hn::Gt(low, least), hn::Lt(high, most)));
-    const std::uint64_t some = (std::uint64_t(1) << count) - 1;
-    sum.partial += __builtin_popcountll(BitsOf(partial) & some);
-    sum.lonely += __builtin_popcountll(BitsOf(lonely) & some);
+    const auto between = [&](Floats a) { return hn::And(hn::Gt(a, least), hn::Lt(a, most)); };
+    const Mask partial = between(here);
+    const Mask blurred = hn::And(known, hn::And(between(hn::GatherIndex(floats, coverage, ahead)),
+                                          between(hn::GatherIndex(floats, coverage, behind))));
+    const Floats half = Splat(0.5F);
+    const Mask unsure = hn::Gt(hn::Abs(hn::Sub(here, half)), Splat(0.25F));
+    const Mask stray = hn::And(unsure, hn::Or(hn::Lt(high, half), hn::Ge(low, half)));
+    const std::uint64_t some = BitsOf(partial) & ((std::uint64_t(1) << count) - 1);
+    sum.partial += __builtin_popcountll(some);
+    sum.blurred += __builtin_popcountll(BitsOf(blurred) & some);
+    sum.stray += __builtin_popcountll(BitsOf(stray) & some);
   }
   return sum;
 }
@@ -293,41 +336,47 @@ HWY_INLINE void FaceElement(
 
 constexpr float FaceWeight = 0.25F; // of a plane between saturated voxels, known to be near only
 
+/// Outward unit normals: elements' gradients, smoothed over those whose value is below `below`.
+/// Where they cancel (sheets and specks thinner than a voxel): 0.
+HWY_INLINE Vector SmoothNormal(const Field& field, const Voxels& at, Ints element, Floats below)
+{
+  const float gaussian[4] = { 1.0F, 0.60653066F, 0.36787944F, 0.22313016F }; // sigma: one voxel
+  Vector sum = None();
+  Floats weights = Splat(0.0F);
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+      {
+        const Ints voxel = at.Neighbour(i, j, k);
+        const Ints other = hn::GatherIndex(ints, field.surface.at.data(), voxel);
+        const Floats a = hn::GatherIndex(floats, field.coverage, voxel);
+        const Mask use = hn::And(OfFloats(hn::Gt(other, Splat(-1))), hn::Lt(a, below));
+        const Vector g = field.Normal(hn::ShiftLeft<3>(hn::Max(other, Splat(0))));
+        const Mask known = hn::And(use, hn::Gt(Dot(g, g), Splat(0.5F)));
+        const Floats w = hn::IfThenElseZero(known, Splat(gaussian[(i != 1) + (j != 1) + (k != 1)]));
+        sum = AddTimes(sum, w, g);
+        weights = hn::Add(weights, w);
+      }
+  // No partial voxel near: a face between saturated ones has its own gradient.
+  const Mask alone = hn::Eq(weights, Splat(0.0F));
+  sum = Choose(alone, field.Normal(hn::ShiftLeft<3>(element)), sum);
+  weights = hn::IfThenElse(alone, Splat(1.0F), weights);
+  const Floats length = hn::Sqrt(Dot(sum, sum));
+  const Mask known = hn::Gt(length, hn::Mul(Splat(0.1F), weights));
+  return hn::IfThenElseZero(known, hn::Div(Splat(-1.0F), length)) * sum;
+}
+
 void Planes(const SurfaceElements& surface, const float* coverage, std::size_t first,
   std::size_t last, ElementLanes::Element* to)
 {
   const Field field(surface, coverage);
   const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
-  const float gaussian[4] = { 1.0F, 0.60653066F, 0.36787944F, 0.22313016F }; // sigma: one voxel
   for (std::size_t n = first; n < last; n += Lanes)
   {
     const Ints element = ElementsFrom(n, last);
     const Voxels at = VoxelsOf(field, element);
-    Vector sum = None();
-    Floats weights = Splat(0.0F);
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i)
-        {
-          const Ints voxel = at.Neighbour(i, j, k);
-          const Ints other = hn::GatherIndex(ints, surface.at.data(), voxel);
-          const Floats a = hn::GatherIndex(floats, coverage, voxel);
-          const Mask use = hn::And(OfFloats(hn::Gt(other, Splat(-1))), hn::Lt(a, most));
-          const Vector g = field.Normal(hn::ShiftLeft<3>(hn::Max(other, Splat(0))));
-          const Mask known = hn::And(use, hn::Gt(Dot(g, g), Splat(0.5F)));
-          const Floats w =
-            hn::IfThenElseZero(known, Splat(gaussian[(i != 1) + (j != 1) + (k != 1)]));
-          sum = AddTimes(sum, w, g);
-          weights = hn::Add(weights, w);
-        }
-    // No partial voxel near: a face between saturated ones has its own gradient.
-    const Mask alone = hn::Eq(weights, Splat(0.0F));
-    sum = Choose(alone, field.Normal(hn::ShiftLeft<3>(element)), sum);
-    weights = hn::IfThenElse(alone, Splat(1.0F), weights);
-    const Floats length = hn::Sqrt(Dot(sum, sum));
-    const Mask known = hn::Gt(length, hn::Mul(Splat(0.1F), weights));
-    Vector normal =
-      hn::IfThenElseZero(known, hn::Div(Splat(-1.0F), length)) * sum; // where they cancel: 0
+    Vector normal = SmoothNormal(field, at, element, most);
+    const Mask known = hn::Gt(Dot(normal, normal), Splat(0.5F));
     const Floats alpha = hn::GatherIndex(floats, coverage, at.voxel);
     const Floats d = hn::IfThenElseZero(known, PlaneDistance(field, normal, alpha));
     Vector point = hn::Neg(d) * normal;
@@ -337,5 +386,59 @@ void Planes(const SurfaceElements& surface, const float* coverage, std::size_t f
     const Floats weight = hn::IfThenElse(
       face, Splat(FaceWeight), hn::Mul(Splat(4.0F), hn::Mul(alpha, hn::Sub(Splat(1.0F), alpha))));
     StoreElements(point, Splat(0.0F), normal, weight, CountFrom(n, last), to + n);
+  }
+}
+
+/// Trilinear values less than a voxel from the centre on each axis.
+HWY_INLINE Floats ValueAt(const Field& field, const Voxels& at, const Vector& offset)
+{
+  const Floats way[3] = { offset.x, offset.y, offset.z }, one = Splat(1.0F), none = Splat(0.0F);
+  Ints low[3], high[3];
+  Floats t[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    const Mask back = hn::Lt(way[a], none);
+    const IntMask down = hn::RebindMask(ints, back);
+    low[a] = hn::IfThenElseZero(down, at.step[a][0]);
+    high[a] = hn::IfThenElse(down, Splat(0), at.step[a][2]);
+    t[a] = hn::IfThenElse(back, hn::Add(way[a], one), way[a]);
+  }
+  const auto mix = [](Floats a, Floats b, Floats s) { return hn::MulAdd(s, hn::Sub(b, a), a); };
+  const auto value = [&](Ints i, Ints j, Ints k)
+  { return hn::GatherIndex(floats, field.coverage, hn::Add(hn::Add(at.voxel, i), hn::Add(j, k))); };
+  const auto row = [&](Ints j, Ints k)
+  { return mix(value(low[0], j, k), value(high[0], j, k), t[0]); };
+  return mix(mix(row(low[1], low[2]), row(high[1], low[2]), t[1]),
+    mix(row(low[1], high[2]), row(high[1], high[2]), t[1]), t[2]);
+}
+
+void IsoPlanes(const SurfaceElements& surface, const float* values, std::size_t first,
+  std::size_t last, ElementLanes::Element* to)
+{
+  const Field field(surface, values);
+  const Floats half = Splat(0.5F), most = Splat(0.95F), any = Splat(3e38F);
+  for (std::size_t n = first; n < last; n += Lanes)
+  {
+    const Ints element = ElementsFrom(n, last);
+    const Voxels at = VoxelsOf(field, element);
+    const Vector normal = SmoothNormal(field, at, element, any);
+    const Vector step = Scale(normal, field.perSide); // voxels a unit
+    const auto beyond = [&](Floats s) { return hn::Sub(ValueAt(field, at, s * step), half); };
+    // Secants along the normal, from the centre and half a unit to the side where the surface is.
+    const auto within = [&](Floats s) { return hn::Min(hn::Max(s, hn::Neg(most)), most); };
+    Floats s0 = Splat(0.0F), f0 = beyond(s0);
+    Floats s1 = hn::CopySign(half, f0), f1 = beyond(s1);
+    for (int round = 0; round < 4; ++round)
+    {
+      const Floats rise = hn::Sub(f1, f0);
+      const Mask steep = hn::Gt(hn::Abs(rise), Splat(1e-12F));
+      const Floats by = hn::Div(hn::Mul(f1, hn::Sub(s1, s0)), hn::IfThenElse(steep, rise, half));
+      const Floats next = within(hn::IfThenElse(steep, hn::Sub(s1, by), s1));
+      s0 = s1;
+      f0 = f1;
+      s1 = next;
+      f1 = beyond(s1);
+    }
+    StoreElements(s1 * normal, Splat(0.0F), normal, Splat(1.0F), CountFrom(n, last), to + n);
   }
 }

@@ -43,8 +43,8 @@ std::vector<ElementLanes> AllElementLanes()
 #if HASP_WITH_HIGHWAY
   all = VectorElementLanes();
 #endif
-  all.push_back(
-    { "one number", ScanRow, Gradients, Planes, Polish, Refine, ListNear, Near, FarRow });
+  all.push_back({ "one number", ScanRow, Gradients, Planes, IsoPlanes, Polish, Refine, ListNear,
+    Near, FarRow });
   return all;
 }
 

@@ -26,12 +26,6 @@ struct ElementLanes
     const float* faces[4];
     int length;
   };
-  /// What is refused is found with the gradients.
-  struct Count
-  {
-    std::size_t partial = 0; ///< voxels covered in part
-    std::size_t lonely = 0;  ///< of these, with no neighbour that is not
-  };
   /// Which voxels around a brick have elements: bit x of [z][y], all from -Reach on.
   struct Bits
   {
@@ -41,17 +35,24 @@ struct ElementLanes
 
   const char* name;
 
-  /// Marks in `bits` the voxels of a row that give an element, and writes -beyond or +beyond to
-  /// `sides`, if that is not null, by coverage. False if a value is not in [0,1].
-  bool (*scanRow)(const Row& row, std::uint32_t* bits, float* sides, float beyond);
+  /// Marks in `bits` the voxels of a row that give an element, as coverage or as a trilinear
+  /// surface of 0.5, and writes -beyond or +beyond to `sides`, if that is not null, by value. False
+  /// if a value of coverage is not in [0,1], or one of the other is NaN.
+  bool (*scanRow)(const Row& row, bool coverage, std::uint32_t* bits, float* sides, float beyond);
 
-  /// Inward unit gradients (Sobel) of elements [first, last) into `to`, as normals.
-  Count (*gradients)(const SurfaceElements& surface, const float* coverage, std::size_t first,
+  /// Inward unit gradients (Sobel) of elements [first, last) into `to`, as normals; measures
+  /// edges.
+  EdgeFacts (*gradients)(const SurfaceElements& surface, const float* coverage, std::size_t first,
     std::size_t last, Element* to);
 
   /// Of elements [first, last), whose gradients are there: normals smoothed over neighbours, and
   /// the planes that cut off the coverage, into `to`.
   void (*planes)(const SurfaceElements& surface, const float* coverage, std::size_t first,
+    std::size_t last, Element* to);
+
+  /// The same for elements on the trilinear surface of 0.5, whatever the values: planes at its
+  /// foot.
+  void (*isoPlanes)(const SurfaceElements& surface, const float* values, std::size_t first,
     std::size_t last, Element* to);
 
   /// Of elements [first, last), whose planes are there: normals that agree with where the planes

@@ -44,8 +44,8 @@ HWY_INLINE std::uint64_t BitsOf(Mask m)
 
 ElementLanes Here()
 {
-  return { hwy::TargetName(HWY_TARGET), ScanRow, Gradients, Planes, Polish, Refine, ListNear, Near,
-    FarRow };
+  return { hwy::TargetName(HWY_TARGET), ScanRow, Gradients, Planes, IsoPlanes, Polish, Refine,
+    ListNear, Near, FarRow };
 }
 
 } // namespace hasp::HWY_NAMESPACE

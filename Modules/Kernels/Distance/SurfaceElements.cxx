@@ -26,9 +26,16 @@ constexpr std::int64_t Batch = 1024; // elements a piece of work
 class Extractor
 {
 public:
-  Extractor(const GridGeometry& geometry, std::span<const float> coverage)
-    : Coverage(coverage.data())
+  Extractor(const GridGeometry& geometry, std::span<const float> coverage, bool isCoverage)
+    : Coverage(coverage.data()),
+      IsCoverage(isCoverage)
   {
+    geometry.Validate();
+    if (coverage.size() != geometry.Size() ||
+        coverage.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+      throw std::invalid_argument("surface elements: " + std::to_string(coverage.size()) +
+                                  " values for " + std::to_string(geometry.Size()) +
+                                  " voxels; both must be the same and below 2^31");
     SurfaceElements& s = this->Surface;
     s.dims = geometry.dims;
     s.unit = std::min({ geometry.spacing.x, geometry.spacing.y, geometry.spacing.z });
@@ -61,13 +68,15 @@ public:
             { y > 0 ? here - nx : here, y + 1 < ny ? here + nx : here,
               r >= ny ? here - slice : here, r + ny < rows ? here + slice : here },
             int(nx) };
-          if (!lanes.scanRow(row, &s.bits[r * s.wordsPerRow],
+          if (!lanes.scanRow(row, this->IsCoverage, &s.bits[r * s.wordsPerRow],
                 sides.empty() ? nullptr : sides.data() + r * nx, beyond))
             sound = false;
         }
       });
     if (!sound)
-      throw std::invalid_argument("surface elements: coverage must be in [0, 1]");
+      throw std::invalid_argument(this->IsCoverage
+                                    ? "surface elements: coverage must be in [0, 1]"
+                                    : "surface elements: a value is NaN; say what it stands for");
   }
 
   /// Numbers them.
@@ -105,39 +114,39 @@ public:
       });
   }
 
-  void Fill()
+  /// Gradients of all elements, as their normals.
+  EdgeFacts Gradients()
   {
     const ElementLanes& lanes = BestElementLanes();
     SurfaceElements& s = this->Surface;
-    const auto count = static_cast<std::int64_t>(s.elements.size());
-    std::atomic<std::size_t> partial{ 0 }, lonely{ 0 };
-    ParallelFor(0, count, Batch,
+    std::atomic<std::size_t> partial{ 0 }, blurred{ 0 }, stray{ 0 };
+    ParallelFor(0, std::int64_t(s.elements.size()), Batch,
       [&](std::int64_t first, std::int64_t last)
       {
-        const auto found = lanes.gradients(s, this->Coverage, first, last, s.elements.data());
+        const EdgeFacts found = lanes.gradients(s, this->Coverage, first, last, s.elements.data());
         partial += found.partial;
-        lonely += found.lonely;
+        blurred += found.blurred;
+        stray += found.stray;
       });
-    if (lonely * 5 > partial)
-      throw std::invalid_argument("surface elements: " + std::to_string(lonely) + " of " +
-                                  std::to_string(partial) +
-                                  " partial voxels have only partial neighbours; this is a "
-                                  "blurred image, not coverage (make that with Coverage)");
-    std::vector<Element> planes(s.elements.size());
-    ParallelFor(0, count, Batch,
+    return { partial, blurred, stray };
+  }
+
+  /// Replaces all elements by what one of the lanes' functions makes of them.
+  void Apply(decltype(ElementLanes::planes) make)
+  {
+    SurfaceElements& s = this->Surface;
+    std::vector<Element> made(s.elements.size());
+    ParallelFor(0, std::int64_t(made.size()), Batch,
       [&](std::int64_t first, std::int64_t last)
-      { lanes.planes(s, this->Coverage, first, last, planes.data()); });
-    s.elements.swap(planes);
-    ParallelFor(0, count, Batch,
-      [&](std::int64_t first, std::int64_t last)
-      { lanes.polish(s, this->Coverage, first, last, planes.data()); });
-    s.elements.swap(planes);
+      { make(s, this->Coverage, first, last, made.data()); });
+    s.elements.swap(made);
   }
 
   SurfaceElements Surface;
 
 private:
   const float* Coverage;
+  bool IsCoverage;
 };
 } // namespace
 
@@ -172,19 +181,43 @@ double PlaneDistanceFromCoverage(const glm::dvec3& normal, const glm::dvec3& sid
   return covered <= 0.5 ? fromCenter : -fromCenter;
 }
 
+EdgeFacts MeasureEdges(const GridGeometry& geometry, std::span<const float> values)
+{
+  Extractor extractor(geometry, values, true);
+  extractor.Scan({}, 0.0F);
+  extractor.List();
+  return extractor.Gradients();
+}
+
 SurfaceElements ExtractSurfaceElements(const GridGeometry& geometry,
   std::span<const float> coverage, std::span<float> sides, float beyond)
 {
-  geometry.Validate();
-  if (coverage.size() != geometry.Size() ||
-      coverage.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
-    throw std::invalid_argument("surface elements: " + std::to_string(coverage.size()) +
-                                " coverage values for " + std::to_string(geometry.Size()) +
-                                " voxels; both must be the same and below 2^31");
-  Extractor extractor(geometry, coverage);
+  Extractor extractor(geometry, coverage, true);
   extractor.Scan(sides, beyond);
   extractor.List();
-  extractor.Fill();
+  if (const EdgeFacts facts = extractor.Gradients(); !facts.Coverage())
+    throw std::invalid_argument(
+      "surface elements: of " + std::to_string(facts.partial) + " partial voxels " +
+      std::to_string(facts.blurred) + " are partial to both sides, and " +
+      std::to_string(facts.stray) +
+      " have no surface near; this is a grey or noisy image, not coverage, whose edges are a voxel "
+      "wide (make that with Coverage, or take GreyDistance)");
+  const ElementLanes& lanes = BestElementLanes();
+  extractor.Apply(lanes.planes);
+  extractor.Apply(lanes.polish);
+  // Mean of the parabola over a cross-section: h^2 / 12 along each of two axes, half of it each.
+  extractor.Surface.section = 1.0F / 24.0F;
+  return std::move(extractor.Surface);
+}
+
+SurfaceElements ExtractIsosurfaceElements(
+  const GridGeometry& geometry, std::span<const float> values, std::span<float> sides, float beyond)
+{
+  Extractor extractor(geometry, values, false);
+  extractor.Scan(sides, beyond);
+  extractor.List();
+  extractor.Gradients();
+  extractor.Apply(BestElementLanes().isoPlanes);
   return std::move(extractor.Surface);
 }
 
