@@ -6,6 +6,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <random>
 
@@ -131,6 +135,75 @@ TEST(CoverageDistance, TheBandIsTheFullFieldWithinFourVoxels)
       ASSERT_GE(std::abs(full[v]), 3.3F) << v;
     }
   EXPECT_GT(within, 5000U);
+}
+
+/// Of voxels within three voxels of a box: by how far the nearest of its edges' lines is, in [0,
+/// 3), [3, 5) and beyond.
+struct EdgeErrors
+{
+  std::array<double, 3> rms{}, most{};
+  double inside = 0.0; ///< the most of voxels that are inside
+};
+EdgeErrors ErrorsAtEdges(const glm::dmat3& axes)
+{
+  const glm::dvec3 center(0.31, -0.22, 0.43), half(9.3, 12.1, 15.4);
+  const auto inBox = [&](const glm::dvec3& p) { return glm::transpose(axes) * (p - center); };
+  const hasp::AnalyticVolume box{ "box",
+    [&](const glm::dvec3& p)
+    {
+      const glm::dvec3 q = glm::abs(inBox(p)) - half;
+      return -(glm::length(glm::max(q, 0.0)) + std::min(0.0, std::max({ q.x, q.y, q.z })));
+    },
+    1.0 };
+  const auto grid = Cube(56);
+  const auto distance = hasp::CoverageDistance(grid, hasp::AnalyticCoverage(box, grid));
+  EdgeErrors errors;
+  std::array<int, 3> counts{};
+  for (std::size_t n = 0; n < distance.size(); ++n)
+  {
+    const glm::dvec3 p = grid.IndexToWorld(glm::dvec3(n % 56, n / 56 % 56, n / 3136));
+    const double truth = -box.value(p), error = std::abs(distance[n] - truth);
+    if (std::abs(truth) > 3.0)
+      continue;
+    glm::dvec3 q = glm::abs(glm::abs(inBox(p)) - half);
+    std::sort(&q.x, &q.x + 3);
+    const double edge = std::hypot(q.x, q.y);
+    const std::size_t part = edge < 3.0 ? 0 : edge < 5.0 ? 1 : 2;
+    errors.rms[part] += error * error;
+    ++counts[part];
+    errors.most[part] = std::max(errors.most[part], error);
+    if (truth < 0.0)
+      errors.inside = std::max(errors.inside, error);
+  }
+  for (std::size_t part = 0; part < 3; ++part)
+    errors.rms[part] = std::sqrt(errors.rms[part] / counts[part]);
+  return errors;
+}
+
+TEST(CoverageDistance, SharpEdgesAreWithinTheStatedError)
+{
+  EdgeErrors worst;
+  for (const double turn : { 0.0, 0.3, 0.7, 1.1, 2.0 })
+    for (const glm::dvec3& axis : { glm::dvec3(0, 0, 1), glm::dvec3(1, 2, -1) })
+    {
+      const EdgeErrors errors =
+        ErrorsAtEdges(glm::dmat3(glm::rotate(glm::dmat4(1), turn, glm::normalize(axis))));
+      for (std::size_t part = 0; part < 3; ++part)
+      {
+        worst.rms[part] = std::max(worst.rms[part], errors.rms[part]);
+        worst.most[part] = std::max(worst.most[part], errors.most[part]);
+      }
+      worst.inside = std::max(worst.inside, errors.inside);
+    }
+  for (std::size_t part = 0; part < 3; ++part)
+    std::printf("%-24s rms %.3f  most %.3f voxels\n",
+      std::array{ "within three of an edge", "within five", "beyond" }[part], worst.rms[part],
+      worst.most[part]);
+  std::printf("%-24s %21.3f voxels\n", "inside", worst.inside);
+  EXPECT_LT(worst.rms[0], 0.2);
+  EXPECT_LT(worst.most[0], 0.95);
+  EXPECT_LT(worst.inside, 0.9);
+  EXPECT_LT(worst.most[2], 0.02);
 }
 
 TEST(CoverageDistance, StretchedAndTurnedVoxelsKeepMillimetres)
