@@ -189,4 +189,22 @@ std::vector<float> Coverage(const AnyGridView& source, const GridGeometry& targe
   return coverage;
 }
 
+std::vector<std::uint8_t> KeepLabel(const AnyGridView& labels, int label)
+{
+  GeometryOf(labels).Validate();
+  std::vector<std::uint8_t> keep(GeometryOf(labels).Size());
+  std::visit(
+    [&](const auto& view)
+    {
+      ParallelFor(0, std::int64_t(keep.size()), 1 << 16,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t v = first; v < last; ++v)
+            keep[v] = double(view.data[v]) == label;
+        });
+    },
+    labels);
+  return keep;
+}
+
 } // namespace hasp

@@ -37,4 +37,12 @@ std::vector<float> Coverage(const AnyGridView& source, const GridGeometry& targe
 std::vector<std::uint8_t> KeepLargePieces(const AnyGridView& source, double isovalue,
   double leastMm3, const ProgressFunction& progress = {});
 
+/// Marks the samples of one fragment, value `label` of `labels`, one byte a sample, for
+/// CoverageSettings::keep. Coverage is then that of a segmentation mask (thesis 2.1.3, Fig. 2.4):
+/// grey values say where in a voxel the surface passes, labels whose it is. A point belongs to the
+/// label of the heaviest inside corner of its cell, so a neighbouring fragment counts as outside,
+/// half way between the two, and so does what is above the isovalue and has no label. `labels` has
+/// the source's geometry. std::invalid_argument if its geometry is invalid. O(samples).
+std::vector<std::uint8_t> KeepLabel(const AnyGridView& labels, int label);
+
 } // namespace hasp

@@ -1,7 +1,7 @@
 #include "Distance/CoverageDistance.h"
 
+#include "Distance/ElementLanes.h"
 #include "Distance/EuclideanDistance.h"
-#include "Distance/SurfaceElements.h"
 #include "Grid/ParallelFor.h"
 
 #include <glm/common.hpp>
@@ -10,167 +10,206 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace hasp
 {
 
 namespace
 {
-constexpr double BandVoxels = 4.0;   // least squares within, discs beyond
-constexpr double DiscVoxels = 0.75;  // elements lie less than a voxel apart: discs overlap
-constexpr double KernelVoxels = 1.7; // where a neighbour's weight falls to zero
-constexpr double DoubtVoxels = 0.25; // farther apart than this, both answers straddle an edge
+constexpr int Side = ElementLanes::Side, Reach = ElementLanes::Reach;
+constexpr float BandVoxels = 4.0F; // no farther than Reach - 1: elements are half a voxel off
 
-/// Distance of one voxel from the elements near its nearest seed.
-class Evaluator
+/// Distances within the band, a brick of voxels at a time.
+class Band
 {
 public:
-  Evaluator(const GridGeometry& geometry, const SurfaceElements& surface)
-    : Geometry(geometry),
-      Surface(surface),
-      PerVoxel(1.0 / geometry.spacing),
-      Voxel(std::min({ geometry.spacing.x, geometry.spacing.y, geometry.spacing.z }))
+  Band(const SurfaceElements& surface, const float* coverage, std::vector<float>& distance)
+    : Surface(surface),
+      Coverage(coverage),
+      Distance(distance),
+      Bricks((surface.dims + Side - 1) / Side)
   {
   }
 
-  /// Signed mm; `inside` decides the sign away from the surface.
-  double operator()(const glm::dvec3& x, std::size_t seed, bool inside) const
+  void Fill(const ProgressFunction& progress)
   {
-    Neighbours near;
-    this->Gather(seed, near);
-    const SurfaceElement* best = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (int n = 0; n < near.count; ++n)
-      if (const double d = this->SquaredToDisc(x, *near.element[n]); d < least)
-      {
-        least = d;
-        best = near.element[n];
-      }
-    least = std::sqrt(least);
-    const double disc = inside ? -least : least;
-    if (best->normal == glm::dvec3(0.0))
-      return disc;
-    const double facing = glm::dot(best->normal, x - best->point);
-    if (least > BandVoxels * this->Voxel)
-      return disc;
-    const double fine = this->LeastSquares(x, *best, facing, near);
-    const double signedDisc = std::copysign(least, least < this->Voxel ? facing : disc);
-    return std::abs(fine - signedDisc) < DoubtVoxels * this->Voxel ? fine : signedDisc;
+    const std::int64_t slabs = this->Bricks.z,
+                       perSlab = std::int64_t(this->Bricks.x) * this->Bricks.y;
+    const std::int64_t step = std::max<std::int64_t>(1, slabs / 8); // slabs between two reports
+    for (std::int64_t k = 0; k < slabs; k += step)
+    {
+      ReportProgress(progress, double(k) / double(slabs));
+      ParallelFor(k * perSlab, std::min(slabs, k + step) * perSlab, 2,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t b = first; b < last; ++b)
+            this->FillBrick(
+              glm::ivec3(b % this->Bricks.x, b / this->Bricks.x % this->Bricks.y, b / perSlab));
+        });
+    }
   }
 
 private:
-  struct Neighbours
+  /// Bits of the elements in and around a brick; false if there are none.
+  bool Gather(const glm::ivec3& origin, ElementLanes::Bits& bits) const
   {
-    const SurfaceElement* element[27];
-    int count = 0;
-  };
-
-  void Gather(std::size_t seed, Neighbours& near) const
-  {
-    const std::size_t row = this->Geometry.dims.x, slice = row * this->Geometry.dims.y;
-    const glm::ivec3 c(seed % row, seed / row % this->Geometry.dims.y, seed / slice);
-    const glm::ivec3 low = glm::max(c - 1, glm::ivec3(0));
-    const glm::ivec3 high = glm::min(c + 1, this->Geometry.dims - 1);
-    for (int k = low.z; k <= high.z; ++k)
-      for (int j = low.y; j <= high.y; ++j)
-        for (int i = low.x; i <= high.x; ++i)
-          if (const auto id = this->Surface.at[k * slice + j * row + i];
-              id != SurfaceElements::None)
-            near.element[near.count++] = &this->Surface.elements[id];
-  }
-
-  /// Squared, mm^2: what is compared 27 times a voxel needs no root.
-  double SquaredToDisc(const glm::dvec3& x, const SurfaceElement& e) const
-  {
-    const glm::dvec3 v = x - e.point;
-    const double height = glm::dot(v, e.normal);
-    const glm::dvec3 lateral = v - height * e.normal, scaled = lateral * this->PerVoxel;
-    const double voxels = glm::dot(scaled, scaled);
-    const double radius = e.normal == glm::dvec3(0.0) ? 0.0 : DiscVoxels;
-    if (voxels <= radius * radius)
-      return height * height;
-    const double beyond = 1.0 - radius / std::sqrt(voxels); // share of the way outside the disc
-    return height * height + glm::dot(lateral, lateral) * beyond * beyond;
-  }
-
-  /// Implicit moving least squares around the foot point f. The mean of n_q and the local normal
-  /// m, (n_q + m)/2 . (f - p_q), is exact on spheres, so averaging adds no curvature bias.
-  double LeastSquares(
-    const glm::dvec3& x, const SurfaceElement& best, double facing, const Neighbours& near) const
-  {
-    glm::dvec3 m = best.normal, f = x - facing * m;
-    double distance = facing;
-    for (int iteration = 0; iteration < 2; ++iteration)
-    {
-      double weight[27], sum = 0.0, residual = 0.0;
-      glm::dvec3 mean(0.0);
-      for (int n = 0; n < near.count; ++n)
+    const SurfaceElements& s = this->Surface;
+    std::uint32_t any = 0;
+    const int x = origin.x - Reach, word = std::max(0, x) / 32;
+    for (int z = 0; z < Side + 2 * Reach; ++z)
+      for (int y = 0; y < Side + 2 * Reach; ++y)
       {
-        const glm::dvec3 v = (f - near.element[n]->point) * (this->PerVoxel / KernelVoxels);
-        const double w = std::max(0.0, 1.0 - glm::dot(v, v));
-        weight[n] = w * w * w;
-        sum += weight[n];
-        mean += weight[n] * near.element[n]->normal;
+        const int j = origin.y + y - Reach, k = origin.z + z - Reach;
+        std::uint32_t found = 0;
+        if (j >= 0 && j < s.dims.y && k >= 0 && k < s.dims.z)
+        {
+          const std::uint32_t* row =
+            &s.bits[(std::size_t(k) * s.dims.y + j) * s.wordsPerRow + word];
+          const std::uint64_t both = row[0] | std::uint64_t(row[1]) << 32;
+          found = static_cast<std::uint32_t>(x < 0 ? both << -x : both >> (x - 32 * word)) &
+                  ((1U << (Side + 2 * Reach)) - 1);
+        }
+        bits.row[z][y] = found;
+        any |= found;
       }
-      const double length = glm::length(mean);
-      if (!(length > 0.1 * sum))
-        return facing;
-      m = mean / length;
-      for (int n = 0; n < near.count; ++n)
-        residual +=
-          weight[n] * 0.5 * glm::dot(near.element[n]->normal + m, f - near.element[n]->point);
-      distance = glm::dot(m, x - f) + residual / sum;
-      f = x - distance * m;
+    return any != 0;
+  }
+
+  void FillBrick(const glm::ivec3& brick)
+  {
+    ElementLanes::Bits bits;
+    const glm::ivec3 origin = brick * Side;
+    if (!this->Gather(origin, bits))
+      return;
+    const SurfaceElements& s = this->Surface;
+    const ElementLanes& lanes = BestElementLanes();
+    std::int32_t list[Side * Side * Side + ElementLanes::Padding];
+    float found[Side * Side * Side + ElementLanes::Padding];
+    // The surface passes up to half a voxel's diagonal from the centre of an element's voxel.
+    int count = lanes.listNear(s, bits, BandVoxels + 0.5F * glm::length(s.sides), list);
+    const auto at = [&](std::int32_t packed)
+    { return origin + glm::ivec3(packed & 15, packed >> 4 & 15, packed >> 8 & 15); };
+    if (glm::any(glm::greaterThan(origin + Side, s.dims))) // at the grid's end
+    {
+      count = int(std::remove_if(list, list + count,
+                    [&](std::int32_t packed)
+                    { return glm::any(glm::greaterThanEqual(at(packed), s.dims)); }) -
+                  list);
+      std::fill_n(list + count, count ? ElementLanes::Padding : 0, list[std::max(0, count - 1)]);
     }
+    lanes.near(s, this->Coverage, origin, list, count, found);
+    for (int n = 0; n < count; ++n)
+      if (std::abs(found[n]) < BandVoxels)
+      {
+        const glm::ivec3 p = at(list[n]);
+        this->Distance[(std::size_t(p.z) * s.dims.y + p.y) * s.dims.x + p.x] =
+          found[n] * static_cast<float>(s.unit);
+      }
+  }
+
+  const SurfaceElements& Surface;
+  const float* Coverage;
+  std::vector<float>& Distance;
+  glm::ivec3 Bricks;
+};
+
+/// Distances to the elements of the nearest voxels, beyond the band.
+void FillFar(const GridGeometry& geometry, const SurfaceElements& surface, const float* coverage,
+  float band, std::vector<float>& distance, const ProgressFunction& progress)
+{
+  const ElementLanes& lanes = BestElementLanes();
+  std::vector<SurfaceElements::Element> refined(surface.elements.size());
+  ParallelFor(0, std::int64_t(refined.size()), 1024,
+    [&](std::int64_t first, std::int64_t last)
+    { lanes.refine(surface, coverage, first, last, refined.data()); });
+  std::vector<std::uint8_t> seeds(distance.size());
+  std::transform(surface.at.begin(), surface.at.end(), seeds.begin(),
+    [](std::int32_t id) { return id == SurfaceElements::None ? 0 : 1; });
+  const FeatureTransform nearest =
+    NearestSeeds(geometry, seeds, [&](double share) { return !progress || progress(0.8 * share); });
+  const std::int64_t nx = geometry.dims.x, ny = geometry.dims.y;
+  ParallelFor(0, ny * geometry.dims.z, 16,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t row = first; row < last; ++row)
+        lanes.farRow(surface, refined.data(), int(row % ny), int(row / ny),
+          nearest.seed.data() + row * nx, band, distance.data() + row * nx);
+    });
+}
+
+std::vector<float> Distances(const GridGeometry& geometry, std::span<const float> coverage,
+  bool isCoverage, bool everywhere, const ProgressFunction& progress)
+{
+  geometry.Validate();
+  std::vector<float> distance(coverage.size());
+  const auto part = [&](double from, double to)
+  {
+    return [&progress, from, to](double share)
+    { return !progress || progress(from + (to - from) * share); };
+  };
+  ReportProgress(progress, 0.0);
+  const float band =
+    BandVoxels *
+    static_cast<float>(std::min({ geometry.spacing.x, geometry.spacing.y, geometry.spacing.z }));
+  const SurfaceElements surface = isCoverage
+                                    ? ExtractSurfaceElements(geometry, coverage, distance, band)
+                                    : ExtractIsosurfaceElements(geometry, coverage, distance, band);
+  if (surface.elements.empty())
+  {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    std::fill(distance.begin(), distance.end(), coverage.front() >= 0.5F ? -far : far);
     return distance;
   }
-
-  const GridGeometry& Geometry;
-  const SurfaceElements& Surface;
-  glm::dvec3 PerVoxel;
-  double Voxel;
-};
+  Band(surface, coverage.data(), distance).Fill(part(0.2, everywhere ? 0.5 : 1.0));
+  if (everywhere)
+    FillFar(geometry, surface, coverage.data(), band, distance, part(0.5, 1.0));
+  ReportProgress(progress, 1.0);
+  return distance;
+}
 } // namespace
 
 std::vector<float> CoverageDistance(
   const GridGeometry& geometry, std::span<const float> coverage, const ProgressFunction& progress)
 {
-  const SurfaceElements surface = ExtractSurfaceElements(geometry, coverage);
-  ReportProgress(progress, 0.2);
-  std::vector<float> distance(coverage.size());
-  if (surface.elements.empty())
-  {
-    constexpr float far = std::numeric_limits<float>::infinity();
-    std::fill(
-      distance.begin(), distance.end(), !coverage.empty() && coverage.front() >= 0.5F ? -far : far);
-    return distance;
-  }
-  std::vector<std::uint8_t> seeds(coverage.size());
-  std::transform(surface.at.begin(), surface.at.end(), seeds.begin(),
-    [](std::uint32_t id) { return id == SurfaceElements::None ? 0 : 1; });
-  const FeatureTransform nearest = NearestSeeds(
-    geometry, seeds, [&](double share) { return !progress || progress(0.2 + 0.4 * share); });
-  const Evaluator evaluate(geometry, surface);
-  const std::int64_t nx = geometry.dims.x, ny = geometry.dims.y, nz = geometry.dims.z;
-  const std::int64_t step = std::max<std::int64_t>(1, nz / 8); // slices between two reports
-  for (std::int64_t k = 0; k < nz; k += step)
-  {
-    ReportProgress(progress, 0.6 + 0.4 * double(k) / double(nz));
-    ParallelFor(k * ny, std::min(nz, k + step) * ny, 16,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (std::int64_t row = first; row < last; ++row)
-          for (std::int64_t i = 0; i < nx; ++i)
-          {
-            const std::size_t voxel = row * nx + i;
-            const glm::dvec3 x = glm::dvec3(i, row % ny, row / ny) * geometry.spacing;
-            distance[voxel] =
-              static_cast<float>(evaluate(x, nearest.seed[voxel], coverage[voxel] >= 0.5F));
-          }
-      });
-  }
-  ReportProgress(progress, 1.0);
-  return distance;
+  return Distances(geometry, coverage, true, true, progress);
+}
+
+std::vector<float> CoverageDistanceBand(
+  const GridGeometry& geometry, std::span<const float> coverage, const ProgressFunction& progress)
+{
+  return Distances(geometry, coverage, true, false, progress);
+}
+
+std::vector<float> GreyDistance(
+  const AnyGridView& image, double isovalue, const ProgressFunction& progress)
+{
+  const GridGeometry& geometry = GeometryOf(image);
+  geometry.Validate();
+  if (!std::isfinite(isovalue))
+    throw std::invalid_argument("grey distance: isovalue must be finite");
+  std::vector<float> values(geometry.Size());
+  std::visit(
+    [&](const auto& view)
+    {
+      ParallelFor(0, std::int64_t(values.size()), 1 << 16,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t v = first; v < last; ++v)
+            values[v] = static_cast<float>(double(view.data[v]) - isovalue) + 0.5F;
+        });
+    },
+    image);
+  return Distances(geometry, values, false, true, progress);
+}
+
+std::vector<float> ImageDistance(
+  const GridView<const float>& image, const ProgressFunction& progress)
+{
+  const GridGeometry& geometry = image.geometry;
+  const std::span<const float> values(image.data, geometry.Size());
+  return MeasureEdges(geometry, values).Coverage() ? CoverageDistance(geometry, values, progress)
+                                                   : GreyDistance(image, 0.5, progress);
 }
 
 } // namespace hasp

@@ -1,14 +1,15 @@
 #include "Distance/SurfaceElements.h"
 
+#include "Distance/ElementLanes.h"
 #include "Grid/ParallelFor.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -17,126 +18,135 @@ namespace hasp
 
 namespace
 {
-constexpr float Least = 0.03F, Most = 0.97F; // outside these the plane is known too poorly
+using Element = SurfaceElements::Element;
 
+constexpr std::int64_t Batch = 1024; // elements a piece of work
+
+/// One after the other, what SurfaceElements consists of.
 class Extractor
 {
 public:
-  Extractor(const GridGeometry& geometry, std::span<const float> coverage)
-    : Geometry(geometry),
-      Alpha(coverage)
+  Extractor(const GridGeometry& geometry, std::span<const float> coverage, bool isCoverage)
+    : Coverage(coverage.data()),
+      IsCoverage(isCoverage)
   {
-    for (int n = 0; n < 27; ++n)
-    {
-      const glm::dvec3 d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-      this->Gaussian[n] = std::exp(-0.5 * glm::dot(d, d)); // sigma: one voxel
-    }
+    geometry.Validate();
+    if (coverage.size() != geometry.Size() ||
+        coverage.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+      throw std::invalid_argument("surface elements: " + std::to_string(coverage.size()) +
+                                  " values for " + std::to_string(geometry.Size()) +
+                                  " voxels; both must be the same and below 2^31");
+    SurfaceElements& s = this->Surface;
+    s.dims = geometry.dims;
+    s.unit = std::min({ geometry.spacing.x, geometry.spacing.y, geometry.spacing.z });
+    s.sides = glm::vec3(geometry.spacing / s.unit);
+    // A word more, so that what lies around a brick may be read as 64 bits.
+    s.wordsPerRow = std::size_t(s.dims.x) / 32 + 2;
+    s.bits.assign(s.wordsPerRow * s.dims.y * s.dims.z, 0U);
+    s.at.assign(coverage.size(), SurfaceElements::None);
   }
 
-  float At(const glm::ivec3& p) const
+  /// Which voxels have an element.
+  void Scan(std::span<float> sides, float beyond)
   {
-    const glm::ivec3 q = glm::clamp(p, glm::ivec3(0), this->Geometry.dims - 1);
-    return this
-      ->Alpha[(std::size_t(q.z) * this->Geometry.dims.y + q.y) * this->Geometry.dims.x + q.x];
-  }
-  bool Within(const glm::ivec3& p) const
-  {
-    return glm::all(glm::greaterThanEqual(p, glm::ivec3(0))) &&
-           glm::all(glm::lessThan(p, this->Geometry.dims));
-  }
-
-  /// The element of a voxel, if it has one.
-  bool Make(const glm::ivec3& p, SurfaceElement& element) const
-  {
-    const float alpha = this->At(p);
-    const glm::dvec3 center = glm::dvec3(p) * this->Geometry.spacing;
-    if (alpha > Least && alpha < Most)
-    {
-      element.normal = this->Normal(p);
-      const double d = element.normal == glm::dvec3(0.0)
-                         ? 0.0
-                         : PlaneDistanceFromCoverage(element.normal, this->Geometry.spacing, alpha);
-      element.point = center - d * element.normal;
-      return true;
-    }
-    // Saturated next to saturated of the other kind: the face between them, owned by the inner one.
-    if (alpha < Most)
-      return false;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int side = -1; side <= 1; side += 2)
+    const ElementLanes& lanes = BestElementLanes();
+    SurfaceElements& s = this->Surface;
+    const std::int64_t nx = s.dims.x, ny = s.dims.y, rows = ny * s.dims.z;
+    std::atomic<bool> sound{ true };
+    ParallelFor(0, rows, 64,
+      [&](std::int64_t first, std::int64_t last)
       {
-        glm::ivec3 q = p;
-        q[axis] += side;
-        if (!this->Within(q) || this->At(q) > Least)
-          continue;
-        glm::dvec3 normal = this->Normal(p);
-        if (normal == glm::dvec3(0.0))
-          normal[axis] = side;
-        element = { center, normal };
-        element.point[axis] += 0.5 * side * this->Geometry.spacing[axis];
-        return true;
-      }
-    return false;
+        std::vector<float> padded(nx + 2 + ElementLanes::Padding, 0.0F);
+        for (std::int64_t r = first; r < last; ++r)
+        {
+          const float* here = this->Coverage + r * nx;
+          std::copy(here, here + nx, padded.begin() + 1);
+          padded[0] = here[0];
+          padded[nx + 1] = here[nx - 1];
+          const std::int64_t y = r % ny, slice = ny * nx;
+          const ElementLanes::Row row{ padded.data() + 1,
+            { y > 0 ? here - nx : here, y + 1 < ny ? here + nx : here,
+              r >= ny ? here - slice : here, r + ny < rows ? here + slice : here },
+            int(nx) };
+          if (!lanes.scanRow(row, this->IsCoverage, &s.bits[r * s.wordsPerRow],
+                sides.empty() ? nullptr : sides.data() + r * nx, beyond))
+            sound = false;
+        }
+      });
+    if (!sound)
+      throw std::invalid_argument(this->IsCoverage
+                                    ? "surface elements: coverage must be in [0, 1]"
+                                    : "surface elements: a value is NaN; say what it stands for");
   }
 
-  /// Of a voxel that a plane cuts, one neighbour is always clear of the plane.
-  bool SaturatedNear(const glm::ivec3& p) const
+  /// Numbers them.
+  void List()
   {
-    for (int n = 0; n < 27; ++n)
-      if (const float a = this->At(p + glm::ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
-          a <= Least || a >= Most)
-        return true;
-    return false;
+    SurfaceElements& s = this->Surface;
+    const std::int64_t rows = std::int64_t(s.dims.y) * s.dims.z;
+    std::vector<std::size_t> first(rows + 1, 0);
+    ParallelFor(0, rows, 256,
+      [&](std::int64_t low, std::int64_t high)
+      {
+        for (std::int64_t r = low; r < high; ++r)
+          for (std::size_t w = 0; w < s.wordsPerRow; ++w)
+            first[r + 1] += std::popcount(s.bits[r * s.wordsPerRow + w]);
+      });
+    for (std::int64_t r = 0; r < rows; ++r)
+      first[r + 1] += first[r];
+    s.places.resize(first.back());
+    s.elements.resize(first.back());
+    ParallelFor(0, rows, 256,
+      [&](std::int64_t low, std::int64_t high)
+      {
+        for (std::int64_t r = low; r < high; ++r)
+        {
+          std::size_t n = first[r];
+          for (std::size_t w = 0; w < s.wordsPerRow; ++w)
+            for (std::uint32_t left = s.bits[r * s.wordsPerRow + w]; left; left &= left - 1)
+            {
+              const auto x = static_cast<std::int32_t>(w * 32 + std::countr_zero(left));
+              const auto voxel = static_cast<std::int32_t>(r * s.dims.x + x);
+              s.at[voxel] = static_cast<std::int32_t>(n);
+              s.places[n++] = { x, std::int32_t(r % s.dims.y), std::int32_t(r / s.dims.y), voxel };
+            }
+        }
+      });
   }
+
+  /// Gradients of all elements, as their normals.
+  EdgeFacts Gradients()
+  {
+    const ElementLanes& lanes = BestElementLanes();
+    SurfaceElements& s = this->Surface;
+    std::atomic<std::size_t> partial{ 0 }, blurred{ 0 }, stray{ 0 };
+    ParallelFor(0, std::int64_t(s.elements.size()), Batch,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        const EdgeFacts found = lanes.gradients(s, this->Coverage, first, last, s.elements.data());
+        partial += found.partial;
+        blurred += found.blurred;
+        stray += found.stray;
+      });
+    return { partial, blurred, stray };
+  }
+
+  /// Replaces all elements by what one of the lanes' functions makes of them.
+  void Apply(decltype(ElementLanes::planes) make)
+  {
+    SurfaceElements& s = this->Surface;
+    std::vector<Element> made(s.elements.size());
+    ParallelFor(0, std::int64_t(made.size()), Batch,
+      [&](std::int64_t first, std::int64_t last)
+      { make(s, this->Coverage, first, last, made.data()); });
+    s.elements.swap(made);
+  }
+
+  SurfaceElements Surface;
 
 private:
-  /// Sobel gradient per mm, pointing into the solid.
-  glm::dvec3 Gradient(const glm::ivec3& p) const
-  {
-    constexpr double smooth[3] = { 1, 2, 1 };
-    glm::dvec3 g(0.0);
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-        {
-          const double a = this->At(p + glm::ivec3(x, y, z));
-          g += a * glm::dvec3(x * smooth[y + 1] * smooth[z + 1], y * smooth[x + 1] * smooth[z + 1],
-                     z * smooth[x + 1] * smooth[y + 1]);
-        }
-    return g / (32.0 * this->Geometry.spacing);
-  }
-
-  /// Outward unit normal: one smoothing of the neighbours' normals takes the error of the planes
-  /// from 0.05 to below 0.01 voxel. Where they cancel (sheets and specks thinner than a voxel): 0.
-  glm::dvec3 Normal(const glm::ivec3& p) const
-  {
-    glm::dvec3 sum(0.0);
-    double weights = 0.0;
-    for (int n = 0; n < 27; ++n)
-    {
-      const glm::ivec3 q = p + glm::ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-      const float alpha = this->At(q);
-      if (alpha <= Least || alpha >= Most)
-        continue;
-      const glm::dvec3 g = this->Gradient(q);
-      const double length = glm::length(g);
-      if (!(length > 1e-6))
-        continue;
-      sum += this->Gaussian[n] / length * g;
-      weights += this->Gaussian[n];
-    }
-    if (weights == 0.0)
-    {
-      sum = this->Gradient(p); // a face between saturated voxels
-      weights = glm::length(sum);
-    }
-    const double length = glm::length(sum);
-    return length > 0.1 * weights && length > 0.0 ? -sum / length : glm::dvec3(0.0);
-  }
-
-  const GridGeometry& Geometry;
-  std::span<const float> Alpha;
-  std::array<double, 27> Gaussian{};
+  const float* Coverage;
+  bool IsCoverage;
 };
 } // namespace
 
@@ -171,52 +181,44 @@ double PlaneDistanceFromCoverage(const glm::dvec3& normal, const glm::dvec3& sid
   return covered <= 0.5 ? fromCenter : -fromCenter;
 }
 
-SurfaceElements ExtractSurfaceElements(
-  const GridGeometry& geometry, std::span<const float> coverage)
+EdgeFacts MeasureEdges(const GridGeometry& geometry, std::span<const float> values)
 {
-  geometry.Validate();
-  if (coverage.size() != geometry.Size())
-    throw std::invalid_argument("surface elements: " + std::to_string(coverage.size()) +
-                                " coverage values for " + std::to_string(geometry.Size()) +
-                                " voxels");
-  const Extractor extractor(geometry, coverage);
-  const std::int64_t nx = geometry.dims.x, ny = geometry.dims.y, nz = geometry.dims.z;
-  std::vector<std::vector<std::pair<std::size_t, SurfaceElement>>> perSlice(nz);
-  std::atomic<std::size_t> partial{ 0 }, lonely{ 0 };
-  ParallelFor(0, nz, 1,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t k = first; k < last; ++k)
-        for (std::int64_t j = 0; j < ny; ++j)
-          for (std::int64_t i = 0; i < nx; ++i)
-          {
-            const std::size_t voxel = (k * ny + j) * nx + i;
-            if (!(coverage[voxel] > Least))
-              continue;
-            SurfaceElement element;
-            if (extractor.Make(glm::ivec3(i, j, k), element))
-              perSlice[k].emplace_back(voxel, element);
-            if (coverage[voxel] < Most)
-            {
-              ++partial;
-              lonely += !extractor.SaturatedNear(glm::ivec3(i, j, k));
-            }
-          }
-    });
-  if (lonely * 5 > partial)
-    throw std::invalid_argument("surface elements: " + std::to_string(lonely) + " of " +
-                                std::to_string(partial) +
-                                " partial voxels have only partial neighbours; this is a "
-                                "blurred image, not coverage (make that with Coverage)");
-  SurfaceElements result;
-  result.at.assign(coverage.size(), SurfaceElements::None);
-  for (const auto& slice : perSlice)
-    for (const auto& [voxel, element] : slice)
-    {
-      result.at[voxel] = static_cast<std::uint32_t>(result.elements.size());
-      result.elements.push_back(element);
-    }
-  return result;
+  Extractor extractor(geometry, values, true);
+  extractor.Scan({}, 0.0F);
+  extractor.List();
+  return extractor.Gradients();
+}
+
+SurfaceElements ExtractSurfaceElements(const GridGeometry& geometry,
+  std::span<const float> coverage, std::span<float> sides, float beyond)
+{
+  Extractor extractor(geometry, coverage, true);
+  extractor.Scan(sides, beyond);
+  extractor.List();
+  if (const EdgeFacts facts = extractor.Gradients(); !facts.Coverage())
+    throw std::invalid_argument(
+      "surface elements: of " + std::to_string(facts.partial) + " partial voxels " +
+      std::to_string(facts.blurred) + " are partial to both sides, and " +
+      std::to_string(facts.stray) +
+      " have no surface near; this is a grey or noisy image, not coverage, whose edges are a voxel "
+      "wide (make that with Coverage, or take GreyDistance)");
+  const ElementLanes& lanes = BestElementLanes();
+  extractor.Apply(lanes.planes);
+  extractor.Apply(lanes.polish);
+  // Mean of the parabola over a cross-section: h^2 / 12 along each of two axes, half of it each.
+  extractor.Surface.section = 1.0F / 24.0F;
+  return std::move(extractor.Surface);
+}
+
+SurfaceElements ExtractIsosurfaceElements(
+  const GridGeometry& geometry, std::span<const float> values, std::span<float> sides, float beyond)
+{
+  Extractor extractor(geometry, values, false);
+  extractor.Scan(sides, beyond);
+  extractor.List();
+  extractor.Gradients();
+  extractor.Apply(BestElementLanes().isoPlanes);
+  return std::move(extractor.Surface);
 }
 
 } // namespace hasp

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -100,6 +101,42 @@ TEST(Coverage, SpecksAreLeftOut)
   EXPECT_GT(without[ct.Offset(14, 5, 5)], 0.3F);
   for (int i = 0; i < 11; ++i)
     EXPECT_EQ(with[ct.Offset(i, 5, 5)], without[ct.Offset(i, 5, 5)]);
+}
+
+TEST(Coverage, ANeighbouringFragmentCountsAsOutside)
+{
+  // A block of bone, index 2 to 17 on each axis, cut into labels 1 and 2 between samples 9 and 10,
+  // and label 0 from sample 15 on: bright, but nobody's.
+  const hasp::GridGeometry grid{ glm::ivec3(20), {}, glm::dvec3(1), glm::dmat3(1) };
+  std::vector<std::int16_t> grey(grid.Size(), 0);
+  std::vector<std::uint8_t> labels(grid.Size(), 0);
+  const hasp::GridView<const std::int16_t> ct{ grey.data(), grid };
+  for (int k = 2; k < 18; ++k)
+    for (int j = 2; j < 18; ++j)
+      for (int i = 2; i < 18; ++i)
+      {
+        grey[ct.Offset(i, j, k)] = 1000;
+        labels[ct.Offset(i, j, k)] = i < 10 ? 1 : i < 15 ? 2 : 0;
+      }
+  // Four voxels a sample along x, inside the block along y and z: the surface lies at index 1.5,
+  // where the grey value is half, the cut at 9.5, and nobody's part begins at 14.5.
+  const hasp::GridGeometry target{ { 80, 3, 3 }, { -0.375, 8, 8 }, { 0.25, 1, 1 }, glm::dmat3(1) };
+  hasp::CoverageSettings settings;
+  settings.isovalue = 500;
+  const hasp::AnyGridView mask = hasp::GridView<const std::uint8_t>{ labels.data(), grid };
+  for (const int label : { 1, 2 })
+  {
+    const auto keep = hasp::KeepLabel(mask, label);
+    settings.keep = keep;
+    const auto coverage = hasp::Coverage(ct, target, settings);
+    const double low = label == 1 ? 1.5 : 9.5, high = label == 1 ? 9.5 : 14.5;
+    for (std::size_t v = 0; v < coverage.size(); ++v)
+    {
+      const double from = -0.5 + 0.25 * double(v % 80), to = from + 0.25;
+      const double share = std::clamp((std::min(to, high) - std::max(from, low)) / 0.25, 0.0, 1.0);
+      ASSERT_NEAR(coverage[v], share, 1e-6) << label << " " << v;
+    }
+  }
 }
 
 TEST(Coverage, SpecksByTheThousandReportProgressNowAndThen)

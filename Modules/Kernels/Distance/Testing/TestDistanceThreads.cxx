@@ -1,5 +1,6 @@
 // The same bits whatever the number of threads: coverage, distance, contour and what trees are
 // asked.
+#include "Distance/ChamferDistance.h"
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/EuclideanDistance.h"
@@ -17,7 +18,7 @@ namespace
 
 struct Results
 {
-  std::vector<float> coverage, distance, binary;
+  std::vector<float> coverage, distance, band, grey, chamfer, binary;
   hasp::TriangleMesh mesh;
 };
 
@@ -39,6 +40,9 @@ TEST(DistanceThreads, GiveTheSameBits)
         settings.isovalue = 0;
         r.coverage = hasp::Coverage(grid, target, settings);
         r.distance = hasp::CoverageDistance(target, r.coverage);
+        r.band = hasp::CoverageDistanceBand(target, r.coverage);
+        r.grey = hasp::GreyDistance(grid, 0);
+        r.chamfer = hasp::ChamferDistance(target, r.coverage);
         std::vector<std::uint8_t> inside(r.coverage.size());
         for (std::size_t n = 0; n < inside.size(); ++n)
           inside[n] = r.coverage[n] >= 0.5F;
@@ -49,11 +53,14 @@ TEST(DistanceThreads, GiveTheSameBits)
   };
   const Results one = make(1);
   ASSERT_GT(one.mesh.triangles.size(), 1000U);
-  for (const int threads : { 2, 3, 8 })
+  for (const int threads : { 2, 3, 4, 8 })
   {
     const Results many = make(threads);
     EXPECT_EQ(many.coverage, one.coverage) << threads;
     EXPECT_EQ(many.distance, one.distance) << threads;
+    EXPECT_EQ(many.band, one.band) << threads;
+    EXPECT_EQ(many.grey, one.grey) << threads;
+    EXPECT_EQ(many.chamfer, one.chamfer) << threads;
     EXPECT_EQ(many.binary, one.binary) << threads;
     EXPECT_EQ(many.mesh.points, one.mesh.points) << threads;
     EXPECT_EQ(many.mesh.triangles, one.mesh.triangles) << threads;

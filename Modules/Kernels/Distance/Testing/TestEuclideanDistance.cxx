@@ -60,6 +60,30 @@ TEST(EuclideanDistance, NearestSeedsMatchBruteForce)
     }
 }
 
+TEST(EuclideanDistance, SignedDistancesMatchBruteForce)
+{
+  std::mt19937 random(9);
+  for (const double density : { 0.02, 0.4, 0.97 })
+  {
+    const auto grid = Grid({ 19, 13, 11 }, { 0.957, 0.5, 1.5 });
+    std::vector<std::uint8_t> inside(grid.Size());
+    std::bernoulli_distribution chance(density);
+    for (auto& s : inside)
+      s = chance(random);
+    inside[7] = 1;
+    inside[8] = 0;
+    const auto distance = SignedEuclideanDistance(grid, inside);
+    for (std::size_t n = 0; n < inside.size(); ++n)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t m = 0; m < inside.size(); ++m)
+        if (inside[m] != inside[n])
+          least = std::min(least, glm::length(Position(grid, n) - Position(grid, m)));
+      ASSERT_NEAR(distance[n], (inside[n] ? -1 : 1) * (least - 0.25), 1e-5) << n;
+    }
+  }
+}
+
 TEST(EuclideanDistance, EmptyAndFullMasksAreInfinitelyFar)
 {
   const auto grid = Grid({ 5, 7, 3 }, { 1, 2, 0.5 });
