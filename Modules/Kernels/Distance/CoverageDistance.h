@@ -19,14 +19,14 @@ namespace hasp
 /// with its curvature made up for), farther out to the element of the nearest voxel that has one,
 /// bent as the surface is there.
 ///
-/// Error on smooth surfaces of 12 voxels' radius and more: 0.001 to 0.002 voxel rms and 0.02 at most
-/// within three voxels, below 0.02 rms out to 40; where voxels of length h lie along a surface of
-/// radius R, h^2 / (8 R). Sharp edges are not kept: within three voxels of the edges of boxes, turned
-/// nine ways and of exact coverage, 0.19 voxels rms and 0.9 at most (TestCoverageDistance prints and
-/// holds it), because elements of the faces turn towards each other; five voxels from the edges
-/// 0.005. Away from the surface the sign is that of the voxel's own coverage. Throws as
-/// ExtractSurfaceElements; Cancelled. Any thread; all cores, the same result with any number of them.
-/// O(voxels); 20 bytes a voxel.
+/// Error on smooth surfaces of 12 voxels' radius and more: 0.001 to 0.002 voxel rms and 0.02 at
+/// most within three voxels, below 0.02 rms out to 40; where voxels of length h lie along a surface
+/// of radius R, h^2 / (8 R). Sharp edges are not kept: within three voxels of the edges of boxes,
+/// turned nine ways and of exact coverage, 0.19 voxels rms and 0.9 at most (TestCoverageDistance
+/// prints and holds it), because elements of the faces turn towards each other; five voxels from
+/// the edges 0.005. Away from the surface the sign is that of the voxel's own coverage. Throws as
+/// ExtractSurfaceElements; Cancelled. Any thread; all cores, the same result with any number of
+/// them. O(voxels); 20 bytes a voxel.
 std::vector<float> CoverageDistance(const GridGeometry& geometry, std::span<const float> coverage,
   const ProgressFunction& progress = {});
 

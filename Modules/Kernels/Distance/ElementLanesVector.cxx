@@ -42,7 +42,7 @@ HWY_INLINE std::uint64_t BitsOf(Mask m)
 
 } // namespace
 
-ElementLanes Here()
+ElementLanes ElementLanesHere()
 {
   return { hwy::TargetName(HWY_TARGET), ScanRow, Gradients, Planes, IsoPlanes, Polish, Refine,
     ListNear, Near, FarRow };
@@ -55,12 +55,12 @@ HWY_AFTER_NAMESPACE();
 namespace hasp
 {
 
-HWY_EXPORT(Here);
+HWY_EXPORT(ElementLanesHere);
 
 std::vector<ElementLanes> VectorElementLanes()
 {
   std::vector<ElementLanes> all;
-  const auto& table = HWY_DISPATCH_TABLE(Here);
+  const auto& table = HWY_DISPATCH_TABLE(ElementLanesHere);
   for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
   {
     const std::int64_t target = left & -left;

@@ -194,7 +194,7 @@ void SideBySide(ContactRuns runs, const ContactPlacement& placement, const MapVi
   }
 }
 
-ContactKernels Here()
+ContactKernels ContactForceHere()
 {
   return { hwy::TargetName(HWY_TARGET),
     { SideBySide<ContactTerms::Force>, SideBySide<ContactTerms::Matrix>,
@@ -208,12 +208,12 @@ HWY_AFTER_NAMESPACE();
 namespace hasp
 {
 
-HWY_EXPORT(Here);
+HWY_EXPORT(ContactForceHere);
 
 std::vector<ContactKernels> LanesContactKernels()
 {
   std::vector<ContactKernels> kernels;
-  const auto& table = HWY_DISPATCH_TABLE(Here);
+  const auto& table = HWY_DISPATCH_TABLE(ContactForceHere);
   for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
   {
     const std::int64_t target = left & -left;

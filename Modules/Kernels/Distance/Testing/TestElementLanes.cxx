@@ -16,8 +16,8 @@ void ExpectAlike(const Elements& a, const Elements& b, const char* what)
   for (std::size_t n = 0; n < a.size(); ++n)
     for (int c = 0; c < 3; ++c)
     {
-      // Fused additions differ in the last bits; edges, where a choice may fall the other way, there
-      // are none of.
+      // Fused additions differ in the last bits; edges, where a choice may fall the other way,
+      // there are none of.
       ASSERT_NEAR(a[n].point[c], b[n].point[c], 2e-4) << what << " " << n;
       ASSERT_NEAR(a[n].normal[c], b[n].normal[c], 2e-4) << what << " " << n;
     }
