@@ -1,5 +1,7 @@
 #include "vtkHaspHapticInteractor.h"
 
+#include "HapticDrawing.h"
+#include "HapticExchange.h"
 #include "HapticRenderScene.h"
 
 #include "Devices/CoLocation.h"
@@ -241,6 +243,31 @@ TEST(HapticInteractor, TheDrawnTipMeetsTheDevicesTip)
   EXPECT_LT(glm::length(RotationVector(glm::conjugate(Pose(stylus).orientation) *
                                        truth.orientation * TurnBy({ 0, 0, 0.4 }))),
     0.002);
+}
+
+TEST(HapticInteractor, WhatIsNoLongerDrawnIsAnotherPicture)
+{
+  vtkNew<vtkRenderer> renderer;
+  HapticDrawing drawing;
+  drawing.SetRenderer(renderer);
+  drawing.forces = true;
+  HapticSnapshot seen;
+  const auto update = [&](const glm::dvec3& force)
+  {
+    ++seen.ticks;
+    seen.contact.force = force;
+    return drawing.Update(seen, nullptr);
+  };
+  EXPECT_TRUE(update({ 0, 0, 1 }));
+  EXPECT_FALSE(update({ 0, 0, 1 }));
+  drawing.forces = false;
+  EXPECT_TRUE(update({ 0, 0, 1 })) << "the arrow is gone";
+  EXPECT_FALSE(update({ 0, 0, 1 }));
+  drawing.forces = true;
+  EXPECT_TRUE(update({ 0, 0, 1 })) << "and there again, of the same force";
+  EXPECT_TRUE(update({ 0, 0, 0 }));
+  drawing.forces = false;
+  EXPECT_FALSE(update({ 0, 0, 0 })) << "there was none to be seen";
 }
 
 } // namespace
