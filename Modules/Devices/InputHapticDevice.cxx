@@ -86,7 +86,7 @@ void InputHapticDevice::TakeSteps(const Input& input) noexcept
 {
   if (input.placed != this->Heard.placed)
   {
-    this->Goal = input.place;
+    this->Goal = this->Pose = input.place;
     this->Heard.moved = glm::dvec3(0.0);
     this->Heard.turned = { 1, 0, 0, 0 };
   }

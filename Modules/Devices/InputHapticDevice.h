@@ -33,7 +33,8 @@ public:
   // ignored.
   void MoveBy(const glm::dvec3& mm) noexcept;
   void TurnBy(const glm::dvec3& radians) noexcept; ///< about fixed axes
-  void MoveTo(const RigidPose& pose) noexcept;     ///< and forgets all steps before
+  /// There at the next tick, however slowly steps are followed; forgets all steps before.
+  void MoveTo(const RigidPose& pose) noexcept;
   /// `nowNs`: on the loop's clock (MonotonicClock). Say rates again as long as they hold.
   void SetRates(const glm::dvec3& mmPerS, const glm::dvec3& radPerS, std::int64_t nowNs) noexcept;
   /// A button that is let go before the next tick was not pressed.

@@ -100,6 +100,19 @@ TEST(InputHapticDevice, MoveToForgetsWhatWasBefore)
   EXPECT_LT(Turned(sample.pose.orientation, TurnBy({ 0.6, 0, 0 })), 1e-12);
 }
 
+TEST(InputHapticDevice, MoveToIsThereAtOnceHoweverSlowlyStepsAreFollowed)
+{
+  InputHapticDevice device({ .followS = 1.0 });
+  DeviceSample sample;
+  device.Read(0, sample);
+  device.MoveBy({ 50, 0, 0 });
+  device.Read(Ms, sample);
+  device.MoveTo({ { 1, 2, 3 }, TurnBy({ 0.5, 0, 0 }) });
+  device.Read(2 * Ms, sample);
+  EXPECT_LT(glm::length(sample.pose.position - glm::dvec3(1, 2, 3)), 1e-12);
+  EXPECT_LT(Turned(sample.pose.orientation, TurnBy({ 0.5, 0, 0 })), 1e-12);
+}
+
 TEST(InputHapticDevice, RatesAreIntegratedWhileTheyAreFresh)
 {
   InputHapticDevice device(AtOnce);

@@ -114,29 +114,33 @@ bool HapticDrawing::DrawShell(const HapticSnapshot& now, const HapticDiscRequest
   return true;
 }
 
-void HapticDrawing::DropUnused()
+bool HapticDrawing::DropUnused()
 {
   if (!this->Renderer)
-    return;
+    return false;
+  bool seen = false;
   if (!this->forces && this->ArrowProp)
   {
+    seen = !this->Arrows.empty();
     this->Renderer->RemoveViewProp(this->ArrowProp);
     this->ArrowProp = nullptr;
   }
   if (!this->shell && this->ShellProp)
   {
+    seen = seen || this->ShellProp->GetVisibility();
     this->Renderer->RemoveViewProp(this->ShellProp);
     this->ShellProp = nullptr;
     this->ShellMapper = nullptr;
   }
+  return seen;
 }
 
 bool HapticDrawing::Update(const HapticSnapshot& seen, const HapticDiscRequest* discs)
 {
-  this->DropUnused();
+  bool changed = this->DropUnused();
   if (std::exchange(this->Ticks, seen.ticks) == seen.ticks)
-    return false;
-  bool changed = this->Pointer && this->MovePointer(seen);
+    return changed;
+  changed = (this->Pointer && this->MovePointer(seen)) || changed;
   if (!this->Renderer)
     return changed;
   changed = (this->forces && this->DrawForces(seen)) || changed;

@@ -45,8 +45,8 @@ public:
 
 private:
   void Drop();
-  void DropUnused();
-  /// True if the picture is another one now.
+  /// True if the picture is another one now; so the next ones.
+  bool DropUnused();
   bool MovePointer(const HapticSnapshot& seen);
   bool DrawForces(const HapticSnapshot& seen);
   bool DrawShell(const HapticSnapshot& now, const HapticDiscRequest* discs);

@@ -30,6 +30,22 @@ constexpr unsigned long Followed[] = { vtkCommand::MouseMoveEvent, vtkCommand::L
   vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::TDxMotionEvent };
 constexpr int Middle = 2;
 constexpr double FullDeflection = 350.0; // of a SpaceMouse, per axis
+
+/// Of a press; -1 for all else.
+int PressedButton(unsigned long event)
+{
+  switch (event)
+  {
+    case vtkCommand::LeftButtonPressEvent:
+      return 0;
+    case vtkCommand::RightButtonPressEvent:
+      return 1;
+    case vtkCommand::MiddleButtonPressEvent:
+      return Middle;
+    default:
+      return -1;
+  }
+}
 }
 
 HapticInput::HapticInput()
@@ -55,6 +71,8 @@ void HapticInput::Follow(
 {
   if (this->Interactor)
     this->Interactor->RemoveObserver(this->Command);
+  if (this->Device != nullptr && this->Held != 0)
+    this->Device->SetButtons(0); // nobody would say so
   this->Interactor = interactor;
   this->Renderer = renderer;
   this->Device = device;
@@ -66,6 +84,11 @@ void HapticInput::Follow(
       interactor->AddObserver(event, this->Command, 1.0F); // before the style
 }
 
+void HapticInput::FollowIn(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer)
+{
+  this->Follow(interactor, renderer, this->Device);
+}
+
 void HapticInput::At(const glm::dvec3& tool, double scale)
 {
   this->Tool = tool;
@@ -75,7 +98,8 @@ void HapticInput::At(const glm::dvec3& tool, double scale)
 double HapticInput::MmPerPixel() const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const double height = std::max(1, this->Renderer->GetSize()[1]);
+  const int* size = this->Renderer->GetSize();
+  const double width = std::max(1, size[0]), height = std::max(1, size[1]);
   double high = 2.0 * camera->GetParallelScale();
   if (!camera->GetParallelProjection())
   {
@@ -84,6 +108,8 @@ double HapticInput::MmPerPixel() const
     camera->GetDirectionOfProjection(&along.x);
     const double depth = std::max(glm::dot(this->Tool - eye, along), 1e-3 * camera->GetDistance());
     high = 2.0 * depth * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+    if (camera->GetUseHorizontalViewAngle())
+      high *= height / width;
   }
   return high / height / this->Scale; // of the device
 }
@@ -134,15 +160,18 @@ bool HapticInput::Takes(int button) const
 /// Buttons 0 and 1 are the device's, the middle one turns.
 bool HapticInput::Press(int button)
 {
+  const bool taken = this->Takes(button == Middle ? -1 : button);
+  this->Give(button, taken);
+  return taken;
+}
+
+/// From its press on; also where the release of the press before was lost.
+void HapticInput::Give(int button, bool device)
+{
   const std::uint32_t bit = 1U << button;
-  if (!this->Takes(button == Middle ? -1 : button))
-  {
-    this->Styles |= bit;
-    return false;
-  }
-  this->Held |= bit;
+  (device ? this->Held : this->Styles) |= bit;
+  (device ? this->Styles : this->Held) &= ~bit;
   this->Device->SetButtons(this->Held & ~(1U << Middle));
-  return true;
 }
 
 bool HapticInput::Release(int button)
@@ -172,11 +201,9 @@ bool HapticInput::Step(unsigned long event)
       this->Move();
       return this->Takes(-1);
     case vtkCommand::LeftButtonPressEvent:
-      return this->Press(0);
     case vtkCommand::RightButtonPressEvent:
-      return this->Press(1);
     case vtkCommand::MiddleButtonPressEvent:
-      return this->Press(Middle);
+      return this->Press(PressedButton(event));
     case vtkCommand::MouseWheelForwardEvent:
     case vtkCommand::MouseWheelBackwardEvent:
       if (!this->Takes(-1))
@@ -214,6 +241,8 @@ bool HapticInput::Handle(unsigned long event, void* data)
   }
   if (!this->Interactor->GetControlKey() && this->Styles == 0)
     return this->Step(event);
+  if (const int button = PressedButton(event); button >= 0)
+    this->Give(button, false);
   this->Any = false; // the pointer stays where it is, as a mouse that is lifted
   return false;
 }

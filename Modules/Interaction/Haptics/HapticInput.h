@@ -38,14 +38,16 @@ public:
   HapticInput(const HapticInput&) = delete;
   HapticInput& operator=(const HapticInput&) = delete;
 
-  /// Null for any: lets go.
+  /// Null for any: lets go. No button of the device before is held then.
   void Follow(
     vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device);
+  /// The same device, from another window; null for any: none, as long as nobody says another.
+  void FollowIn(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
   /// Where the tool is (world), and how large a mm of the device is there: once a frame.
   void At(const glm::dvec3& tool, double scale);
 
-  /// Asked at each press, notch of the wheel and key: is it the tool's? At this pixel; button 0, 1,
-  /// or -1 for all else. None: all of it is the device's.
+  /// Asked at each press, move, notch of the wheel and key: is it the tool's? At this pixel; button
+  /// 0, 1, or -1 for all else. None: all of it is the device's.
   std::function<bool(int button, int x, int y)> takes;
 
   double wheelMm = 2.0;                        ///< of the device, a notch or a key
@@ -58,6 +60,7 @@ private:
   bool Takes(int button) const;
   bool Press(int button);
   bool Release(int button);
+  void Give(int button, bool device);
   void Rates(const vtkTDxMotionEventInfo& said);
   void Move();
   bool Key();
@@ -72,7 +75,7 @@ private:
   double Scale = 1.0;
   std::array<int, 2> Before{ 0, 0 };
   std::uint32_t Held = 0;
-  std::uint32_t Styles = 0; ///< buttons whose drags are the style's
+  std::uint32_t Styles = 0; ///< buttons whose drags are the style's: until the last release
   bool Any = false;
 };
 

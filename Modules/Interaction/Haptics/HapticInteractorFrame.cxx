@@ -3,6 +3,7 @@
 #include "HapticInteractorInternals.h"
 
 #include "vtkCamera.h"
+#include "vtkRenderWindow.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -34,6 +35,8 @@ bool vtkHaspHapticInteractor::Update()
   if (self.loop->GetProfile() == nullptr)
     return false;
   self.loop->Update();
+  if (!self.loop->GetStarted())
+    this->Release(); // the window has ended it: nothing would be felt
   bool moved = false;
   try
   {
@@ -47,7 +50,7 @@ bool vtkHaspHapticInteractor::Update()
   {
     if (!std::exchange(self.faulty, true))
       vtkErrorMacro(<< "What was in hand is let go: " << error.what());
-    self.grab.Drop(self.loop);
+    this->Release();
   }
   const hasp::HapticDiscRequest* discs =
     self.drawing.shell ? self.loop->AskForDiscs(self.drawing.mostDiscs) : nullptr;
@@ -97,24 +100,35 @@ void vtkHaspHapticInteractor::SendControl()
   self.input.At(seen.tool.position, this->Scale);
 }
 
-/// A press of the mouse that may take something: the device's point goes to what is seen there, if
-/// a tool is within reach of it. False: it is nothing of haptics.
+/// A press of the mouse that may take something: the middle of the device's workspace goes to what
+/// is seen there, if a tool is within reach of it. False: it is nothing of haptics.
 bool vtkHaspHapticInteractor::PointAt(int x, int y)
 {
   Internals& self = *this->Self;
+  vtkRenderWindow* window = self.renderer ? self.renderer->GetRenderWindow() : nullptr;
+  if (!self.loop->GetStarted() || window == nullptr || window->GetNeverRendered() ||
+      !self.renderer->IsInViewport(x, y))
+    return false;
   const double depth = self.renderer->GetZ(x, y);
-  if (!(depth < 1.0) || !self.loop->GetStarted())
+  if (!(depth < 1.0))
     return false;
   self.renderer->SetDisplayPoint(x, y, depth);
   self.renderer->DisplayToWorld();
   glm::dvec4 seen;
   self.renderer->GetWorldPoint(&seen.x);
   const glm::dvec3 point = glm::dvec3(seen) / seen.w;
-  if (self.props.Nearest(point, this->GrabReach) < 0)
+  try
+  {
+    if (self.props.Nearest(point, this->GrabReach) < 0)
+      return false;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "Nothing is taken in hand: " << error.what());
     return false;
+  }
   hasp::HapticControl control = self.loop->GetControl();
-  const glm::dvec3 device = self.loop->GetSnapshot().raw.position;
-  control.place = { point - control.axes * (control.scale * device), control.axes };
+  control.place = { point, control.axes };
   ++control.placed;
   self.placed = true;
   return self.loop->SetControl(control);

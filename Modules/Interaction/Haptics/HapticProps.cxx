@@ -75,7 +75,7 @@ HapticProps::~HapticProps() = default;
 HapticProp& HapticProps::Find(vtkProp3D* prop)
 {
   for (HapticProp& it : this->Props)
-    if (it.prop == prop)
+    if (prop != nullptr && it.prop == prop) // images stand there without one
       return it;
   vtkMapper* mapper = MapperOf(prop);
   auto* cells = vtkHaspClusteredCellMapper::SafeDownCast(mapper);
@@ -134,7 +134,8 @@ int HapticProps::AddTool(const std::vector<vtkProp3D*>& group)
 
 void HapticProps::Remove(vtkProp3D* prop)
 {
-  std::erase_if(this->Props, [prop](const HapticProp& it) { return it.prop == prop; });
+  std::erase_if(
+    this->Props, [prop](const HapticProp& it) { return prop != nullptr && it.prop == prop; });
 }
 
 bool HapticProps::Wanted() const

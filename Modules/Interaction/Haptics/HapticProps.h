@@ -4,6 +4,7 @@
 #include "BodyBaking.h"
 #include "HapticExchange.h"
 
+#include "vtkHaspInteractionHapticsModule.h" // for export macro: tests
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -58,7 +59,7 @@ struct HapticProp
 ///
 /// Threads: RENDER. Samples and points are read by the WORKER: shared with the prop's data, which
 /// may be replaced, but not changed in place while State is Baking.
-class HapticProps
+class VTKHASPINTERACTIONHAPTICS_EXPORT HapticProps
 {
 public:
   HapticProps();

@@ -27,13 +27,13 @@ vtkHaspHapticInteractor::vtkHaspHapticInteractor() : Self(std::make_unique<Inter
 {
   this->Self->timer->SetClientData(this);
   this->Self->timer->SetCallback(
-    [](vtkObject*, unsigned long event, void* self, void*)
+    [](vtkObject*, unsigned long event, void* self, void* data)
     {
       auto* haptic = static_cast<vtkHaspHapticInteractor*>(self);
       if (event == vtkCommand::ModifiedEvent)
         haptic->BeginTimer();
-      else if (haptic->Update() && haptic->Self->interactor)
-        haptic->Self->interactor->Render();
+      else if (data != nullptr && *static_cast<int*>(data) == haptic->Self->timerId)
+        haptic->Frame();
     });
 }
 
@@ -41,6 +41,14 @@ vtkHaspHapticInteractor::~vtkHaspHapticInteractor()
 {
   this->Self->EndTimer();
   this->Self->input.Follow(nullptr, nullptr, nullptr);
+}
+
+void vtkHaspHapticInteractor::Frame()
+{
+  // A style takes any timer for its own, and repeats the last step of a drag.
+  this->Self->timer->AbortFlagOn();
+  if (this->Update() && this->Self->interactor)
+    this->Self->interactor->Render();
 }
 
 bool vtkHaspHapticInteractor::AddTouchable(vtkProp3D* prop)
@@ -94,7 +102,15 @@ int vtkHaspHapticInteractor::AddTool(const std::vector<vtkProp3D*>& group)
 void vtkHaspHapticInteractor::Remove(vtkProp3D* prop)
 {
   this->Self->props.Remove(prop);
-  this->FollowProps();
+  try
+  {
+    this->FollowProps();
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "What is left cannot be touched: " << error.what());
+    this->Release();
+  }
 }
 
 void vtkHaspHapticInteractor::SetRenderer(vtkRenderer* renderer)
@@ -102,7 +118,11 @@ void vtkHaspHapticInteractor::SetRenderer(vtkRenderer* renderer)
   Internals& self = *this->Self;
   self.renderer = renderer;
   self.drawing.SetRenderer(renderer);
-  self.loop->SetRenderWindow(renderer != nullptr ? renderer->GetRenderWindow() : nullptr);
+  vtkRenderWindow* window = renderer != nullptr ? renderer->GetRenderWindow() : nullptr;
+  self.loop->SetRenderWindow(window);
+  self.input.FollowIn(window != nullptr ? window->GetInteractor() : nullptr, renderer);
+  if (self.loop->GetStarted())
+    this->StartTimer();
   this->Modified();
 }
 
@@ -142,10 +162,14 @@ bool vtkHaspHapticInteractor::UseMouse()
   hasp::InputHapticDevice* feed = device.get();
   if (!this->SetDevice(std::move(device)))
     return false;
-  self.input.takes = [this](int button, int x, int y)
+  self.input.takes = [this, feed](int button, int x, int y)
   {
-    return this->Self->grab.Tool() >= 0 ||
-           (button >= 0 && button == this->GrabButton && this->PointAt(x, y));
+    if (this->Self->grab.Tool() >= 0)
+      return true;
+    if (button < 0 || button != this->GrabButton || !this->PointAt(x, y))
+      return false;
+    feed->MoveTo({}); // whatever way it has gone, its workspace does not end
+    return true;
   };
   self.input.Follow(window->GetInteractor(), self.renderer, feed);
   return true;
@@ -153,7 +177,10 @@ bool vtkHaspHapticInteractor::UseMouse()
 
 bool vtkHaspHapticInteractor::Start()
 {
-  if (!this->Self->loop->Start())
+  Internals& self = *this->Self;
+  if (vtkRenderWindow* window = self.renderer ? self.renderer->GetRenderWindow() : nullptr)
+    self.loop->SetRenderWindow(window); // which the renderer may have been given since
+  if (!self.loop->Start())
     return false;
   this->SendControl();
   this->StartTimer();
@@ -168,7 +195,7 @@ void vtkHaspHapticInteractor::StartTimer()
   if (window == nullptr || window->GetInteractor() == nullptr)
     return;
   self.interactor = window->GetInteractor();
-  self.interactor->AddObserver(vtkCommand::TimerEvent, self.timer);
+  self.interactor->AddObserver(vtkCommand::TimerEvent, self.timer, 1.0F); // before the style
   // Interactors give timers only once they are initialised, which their Start does: that enables
   // them, and says so.
   self.interactor->AddObserver(vtkCommand::ModifiedEvent, self.timer);

@@ -41,7 +41,8 @@ struct RigidPose;
  * Call Update once a frame, before it is drawn: all eyes of a frame then see the same pose,
  * whatever draws them. With an interactor (SetRenderer's window has one) Start does it by a timer,
  * and asks for a picture (RenderEvent) when something moved; the timer begins with the interactor,
- * whichever starts first. One without timers (no display) is a warning.
+ * whichever starts first, and nobody else sees its events. One without timers (no display) is a
+ * warning.
  *
  * Poses: the device moves along the axes of the renderer's camera (CameraRelative), `Scale` world
  * mm for its mm; or, by SetDeviceToWorld, stands where it really stands (FitCoLocation), so that
@@ -84,12 +85,14 @@ public:
   };
 
   ///@{
-  /** False after an error: not an actor with one of the two mappers, or not rigid. */
+  /** False after an error: not an actor with one of the two mappers, or not rigid. An image has no
+   * prop that could go or be removed: it is kept. */
   bool AddTouchable(vtkProp3D* prop);
   bool AddTouchable(vtkImageData* image, double isovalue, vtkMatrix4x4* imageToWorld);
   ///@}
   ///@{
-  /** Taken in hand together. Number of the tool; -1 after an error. */
+  /** Taken in hand together. Number of the tool; -1 after an error. What can be touched as well is
+   * not felt by the tool it belongs to. */
   int AddTool(vtkProp3D* prop);
 #ifndef __VTK_WRAP__
   int AddTool(const std::vector<vtkProp3D*>& group);
@@ -97,7 +100,8 @@ public:
   ///@}
   void Remove(vtkProp3D* prop);
 
-  /** Where it is drawn, whose camera says what right is, and whose window ends it. */
+  /** Where it is drawn, whose camera says what right is, and whose window ends it. The mouse and
+   * the timer go along. */
   void SetRenderer(vtkRenderer* renderer);
 
 #ifndef __VTK_WRAP__
@@ -112,11 +116,13 @@ public:
 #endif
   /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what. A
    * press of GrabButton where the last picture shows nothing within GrabReach of a tool is the
-   * interactor's style's, and so is its drag. The renderer's window needs an interactor. False
-   * after an error. */
+   * interactor's style's, and so is its drag. What is seen there is what the depth of the window's
+   * last layer says. The renderer's window needs an interactor. False after an error. */
   bool UseMouse();
 
-  /** False after an error, as vtkHaspHapticLoop's: no device, above all. */
+  /** False after an error, as vtkHaspHapticLoop's: no device, above all. With nothing to touch or
+   * nothing to take it begins all the same: the device is read, nothing is felt (GetState says
+   * Idle), and what is added later counts. */
   bool Start();
   void Stop(); ///< lets go, too
   /** Once a frame; true if something moved. */
@@ -132,6 +138,7 @@ public:
   int GetHeldTool() const; ///< -1: none
   ///@}
 
+  /** For snapshots, control, rates. Device, scene and window are set here, not there. */
   vtkHaspHapticLoop* GetLoop();
 
   ///@{
@@ -209,6 +216,7 @@ private:
   void FollowContact();
   void StartTimer();
   void BeginTimer();
+  void Frame();
   bool PointAt(int x, int y);
 
   int GrabButton = 0, ClutchButton = 1;

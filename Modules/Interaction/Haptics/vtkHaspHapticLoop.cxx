@@ -14,6 +14,7 @@
 #include <exception>
 #include <optional>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkHaspHapticLoop);
 
@@ -37,6 +38,7 @@ struct vtkHaspHapticLoop::Internals
   std::size_t sceneBytes = 0;
   std::optional<hasp::RigidPose> start; // of the tool, as long as it is not started
 
+  static inline std::vector<vtkHaspHapticLoop*> All; // RENDER's: FollowExit tells them from others
   vtkNew<vtkCallbackCommand> goes, exits;
   vtkWeakPointer<vtkRenderWindow> window;
   vtkWeakPointer<vtkRenderWindowInteractor> interactor;
@@ -61,6 +63,7 @@ struct vtkHaspHapticLoop::Internals
 
 vtkHaspHapticLoop::vtkHaspHapticLoop() : Self(std::make_unique<Internals>())
 {
+  Internals::All.push_back(this);
   this->Self->goes->SetClientData(this);
   this->Self->goes->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<vtkHaspHapticLoop*>(self)->Stop(); });
@@ -71,6 +74,7 @@ vtkHaspHapticLoop::vtkHaspHapticLoop() : Self(std::make_unique<Internals>())
 
 vtkHaspHapticLoop::~vtkHaspHapticLoop()
 {
+  std::erase(Internals::All, this);
   this->Self->Unobserve();
   this->Stop();
 }
@@ -359,18 +363,26 @@ void vtkHaspHapticLoop::SetRenderWindow(vtkRenderWindow* window)
 }
 
 /// Called when all others were asked. An interactor ends by itself only if nobody listens to its
-/// ExitEvent, so what it would have done without us is done here.
+/// ExitEvent, so what it would have done without us, and others like us, is done here: by the first
+/// of them, for all.
 void vtkHaspHapticLoop::FollowExit()
 {
-  Internals& self = *this->Self;
-  vtkRenderWindowInteractor* interactor = self.interactor;
-  interactor->RemoveObserver(self.exits);
+  vtkRenderWindowInteractor* interactor = this->Self->interactor;
+  std::vector<vtkHaspHapticLoop*> loops;
+  for (vtkHaspHapticLoop* loop : Internals::All)
+    if (loop->Self->interactor == interactor)
+      loops.push_back(loop);
+  for (vtkHaspHapticLoop* loop : loops)
+    interactor->RemoveObserver(loop->Self->exits);
   const bool asked = interactor->HasObserver(vtkCommand::ExitEvent);
-  interactor->AddObserver(vtkCommand::ExitEvent, self.exits, ExitPriority);
+  for (vtkHaspHapticLoop* loop : loops) // not called again for this event
+    interactor->AddObserver(vtkCommand::ExitEvent, loop->Self->exits, ExitPriority);
   if (asked && !interactor->GetDone())
     return; // somebody has refused to end
-  this->Stop();
-  interactor->TerminateApp();
+  for (vtkHaspHapticLoop* loop : loops)
+    loop->Stop();
+  if (!asked)
+    interactor->TerminateApp();
 }
 
 void vtkHaspHapticLoop::ListResources(hasp::ResourceList& resources) const

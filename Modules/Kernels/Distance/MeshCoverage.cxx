@@ -65,6 +65,17 @@ std::vector<std::uint32_t> FirstEqual(const std::vector<glm::dvec3>& points)
   return first;
 }
 
+[[noreturn]] void Refuse(const glm::dvec3& edge, bool wound)
+{
+  const std::string at = "the edge at (" + std::to_string(edge.x) + ", " + std::to_string(edge.y) +
+                         ", " + std::to_string(edge.z) + ") mm";
+  throw std::invalid_argument(
+    wound ? "mesh coverage: the triangles on both sides of " + at +
+              " are wound against each other; turn all of them the same way round first"
+          : "mesh coverage: the mesh is not closed: " + at +
+              " has no triangle that goes on beyond it; fill its holes first");
+}
+
 /// Where triangles pass each edge as often one way as the other there is no rim: whatever line goes
 /// in comes out, and what AddSpan fills is what the surface encloses.
 void CheckClosed(const TriangleMesh& mesh)
@@ -85,16 +96,11 @@ void CheckClosed(const TriangleMesh& mesh)
   {
     const Edge& edge = edges[n];
     int turns = 0;
+    const std::size_t begin = n;
     for (; n < edges.size() && edges[n].Ends() == edge.Ends(); ++n)
       turns += edges[n].turn;
-    if (turns == 0)
-      continue;
-    const glm::dvec3 at = 0.5 * (mesh.points[edge.low] + mesh.points[edge.high]);
-    throw std::invalid_argument("mesh coverage: the mesh is not closed: the edge at (" +
-                                std::to_string(at.x) + ", " + std::to_string(at.y) + ", " +
-                                std::to_string(at.z) +
-                                ") mm has no triangle that goes on beyond it; fill its holes "
-                                "first");
+    if (turns != 0)
+      Refuse(0.5 * (mesh.points[edge.low] + mesh.points[edge.high]), (n - begin) % 2 == 0);
   }
 }
 

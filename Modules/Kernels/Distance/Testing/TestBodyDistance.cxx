@@ -121,6 +121,10 @@ TEST(MeshCoverage, WhatIsNoClosedMeshIsRefused)
   EXPECT_NE(said.find("not closed"), std::string::npos) << said;
   EXPECT_NE(said.find("14.000000) mm"), std::string::npos) << said;
   TriangleMesh wrong = AnyBox().Mesh();
+  std::swap(wrong.triangles[3].y, wrong.triangles[3].z);
+  const std::string turned = Refusal([&] { hasp::MeshCoverage(wrong, grid); });
+  EXPECT_NE(turned.find("wound against each other"), std::string::npos) << turned;
+  wrong = AnyBox().Mesh();
   wrong.triangles[3].y = 8;
   EXPECT_NE(
     Refusal([&] { hasp::MeshCoverage(wrong, grid); }).find("point 8 of 8"), std::string::npos);

@@ -286,4 +286,57 @@ TEST(HapticInput, APressThatIsNotTakenIsTheStylesUntilItsRelease)
   EXPECT_EQ(presses.times + moves.times + releases.times, 8);
 }
 
+// Who had a button's press has its drag, too: a style that zooms goes on zooming, and ends.
+TEST(HapticInput, TheStylesDragIsItsOwnUntilItsLastRelease)
+{
+  Window w;
+  const Count moves(w.interactor, vtkCommand::MouseMoveEvent),
+    releases(w.interactor, vtkCommand::RightButtonReleaseEvent);
+  w.MoveTo(100, 100);
+  w.Say(vtkCommand::RightButtonPressEvent, "c");
+  w.MoveTo(120, 100); // Ctrl is let go
+  EXPECT_EQ(w.Place(), glm::dvec3(0.0));
+  EXPECT_EQ(moves.times, 1);
+  w.Say(vtkCommand::LeftButtonPressEvent); // another one meanwhile, let go last
+  w.Say(vtkCommand::RightButtonReleaseEvent);
+  w.MoveTo(140, 100);
+  EXPECT_EQ(w.Place(), glm::dvec3(0.0));
+  EXPECT_EQ(moves.times, 2);
+  w.Say(vtkCommand::LeftButtonReleaseEvent);
+  w.MoveTo(150, 100); // put down again
+  w.MoveTo(160, 100);
+  EXPECT_GT(w.Place().x, 0.0);
+  EXPECT_EQ(moves.times, 2);
+  EXPECT_EQ(releases.times, 1);
+}
+
+// A release that no window saw: whose the next press is, his is its release.
+TEST(HapticInput, ASecondPressWithoutAReleaseIsAskedForAnew)
+{
+  Window w;
+  bool take = true;
+  w.input.takes = [&](int, int, int) { return take; };
+  const Count presses(w.interactor, vtkCommand::LeftButtonPressEvent),
+    releases(w.interactor, vtkCommand::LeftButtonReleaseEvent);
+  w.Say(vtkCommand::LeftButtonPressEvent);
+  EXPECT_EQ(w.Read().buttons, 1u);
+  take = false;
+  w.Say(vtkCommand::LeftButtonPressEvent);
+  EXPECT_EQ(w.Read().buttons, 0u);
+  w.Say(vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_EQ(presses.times, 1);
+  EXPECT_EQ(releases.times, 1) << "or the camera turns for ever";
+}
+
+TEST(HapticInput, APixelIsAsLargeWhicheverAngleTheCameraIsGiven)
+{
+  Window w;
+  w.window->SetSize(Side, Side / 2);
+  w.renderer->GetActiveCamera()->UseHorizontalViewAngleOn();
+  w.MoveTo(100, 50);
+  w.MoveTo(110, 50);
+  const double mm = PixelMm(w.renderer->GetActiveCamera()->GetViewAngle(), Distance);
+  EXPECT_LT(glm::length(w.Place() - glm::dvec3(10 * mm, 0, 0)), StepTolerance);
+}
+
 } // namespace

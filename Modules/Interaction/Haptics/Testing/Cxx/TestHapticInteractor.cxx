@@ -1,9 +1,12 @@
 #include "vtkHaspHapticInteractor.h"
 
+#include "HapticDrawing.h"
+#include "HapticExchange.h"
 #include "HapticRenderScene.h"
 
 #include "Devices/CoLocation.h"
 
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
 #include "vtkVolume.h"
@@ -241,6 +244,93 @@ TEST(HapticInteractor, TheDrawnTipMeetsTheDevicesTip)
   EXPECT_LT(glm::length(RotationVector(glm::conjugate(Pose(stylus).orientation) *
                                        truth.orientation * TurnBy({ 0, 0, 0.4 }))),
     0.002);
+}
+
+// After the end a device is read, but nothing is felt: a tool would go through all.
+TEST(HapticInteractor, WhatIsInHandAtTheEndStaysThere)
+{
+  Frames frames;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  frames.haptic->SetRenderer(nullptr);
+  frames.window->SetInteractor(interactor);
+  vtkNew<vtkRenderer> renderer;
+  frames.haptic->SetRenderer(renderer); // which has no window yet
+  frames.window->AddRenderer(renderer);
+  const auto ground = BallActor(15.0), ball = BallActor(5.0, 360.0, { 0, 0, 40 });
+  frames.haptic->AddTouchable(ground);
+  const int tool = frames.haptic->AddTool(ball);
+  const auto hand = [] {
+    return HandAt(At(0, 0, 40), { HoldMotion{ 0.05 }, MinimumJerkMotion{ At(0, 0, -40), 2.0 } });
+  };
+  ASSERT_TRUE(frames.haptic->SetDevice(hand()));
+  UpdateUntilReady(frames.haptic);
+  ASSERT_TRUE(frames.haptic->Start());
+  ASSERT_TRUE(frames.haptic->Grab(tool));
+  frames.UntilTicks(100);
+  const Count releases(frames.haptic, vtkHaspHapticInteractor::ReleaseEvent);
+  interactor->InvokeEvent(vtkCommand::ExitEvent);
+  EXPECT_FALSE(frames.haptic->GetLoop()->IsRunning());
+  frames.haptic->Update();
+  EXPECT_EQ(frames.haptic->GetHeldTool(), -1);
+  EXPECT_EQ(releases.times, 1);
+}
+
+TEST(HapticInteractor, ADroppedToolIsSaidToBeReleased)
+{
+  Frames frames;
+  const auto ground = BallActor(15.0), ball = BallActor(5.0, 360.0, { 0, 0, 40 });
+  frames.haptic->AddTouchable(ground);
+  const int tool = frames.haptic->AddTool(ball);
+  ASSERT_TRUE(frames.haptic->SetDevice(HandAt(At(0, 0, 40))));
+  UpdateUntilReady(frames.haptic);
+  ASSERT_TRUE(frames.haptic->Start());
+  ASSERT_TRUE(frames.haptic->Grab(tool));
+  const Count releases(frames.haptic, vtkHaspHapticInteractor::ReleaseEvent);
+  ground->SetScale(2.0);
+  EXPECT_NE(
+    ErrorsOf(frames.haptic, [&] { frames.haptic->Update(); }).find("scales"), std::string::npos);
+  EXPECT_EQ(frames.haptic->GetHeldTool(), -1);
+  EXPECT_EQ(releases.times, 1);
+}
+
+// Images stand in the list without a prop: none is not one of them.
+TEST(HapticInteractor, NoPropIsNoneThatIsThere)
+{
+  vtkNew<vtkHaspHapticInteractor> haptic;
+  haptic->SetSpacing(1.0);
+  ASSERT_TRUE(haptic->AddTouchable(GreyBall(), -8.0, nullptr));
+  EXPECT_NE(ErrorsOf(haptic, [&] { EXPECT_FALSE(haptic->AddTouchable(nullptr)); }), "");
+  EXPECT_NE(ErrorsOf(haptic, [&] { EXPECT_EQ(haptic->AddTool(nullptr), -1); }), "");
+  haptic->Remove(nullptr);
+  const auto ball = BallActor(5.0);
+  EXPECT_GE(haptic->AddTool(ball), 0);
+  ASSERT_TRUE(haptic->SetDevice(HandAt({})));
+  EXPECT_EQ(haptic->GetState(), vtkHaspHapticInteractor::Baking) << "the image is still there";
+}
+
+TEST(HapticInteractor, WhatIsNoLongerDrawnIsAnotherPicture)
+{
+  vtkNew<vtkRenderer> renderer;
+  HapticDrawing drawing;
+  drawing.SetRenderer(renderer);
+  drawing.forces = true;
+  HapticSnapshot seen;
+  const auto update = [&](const glm::dvec3& force)
+  {
+    ++seen.ticks;
+    seen.contact.force = force;
+    return drawing.Update(seen, nullptr);
+  };
+  EXPECT_TRUE(update({ 0, 0, 1 }));
+  EXPECT_FALSE(update({ 0, 0, 1 }));
+  drawing.forces = false;
+  EXPECT_TRUE(update({ 0, 0, 1 })) << "the arrow is gone";
+  EXPECT_FALSE(update({ 0, 0, 1 }));
+  drawing.forces = true;
+  EXPECT_TRUE(update({ 0, 0, 1 })) << "and there again, of the same force";
+  EXPECT_TRUE(update({ 0, 0, 0 }));
+  drawing.forces = false;
+  EXPECT_FALSE(update({ 0, 0, 0 })) << "there was none to be seen";
 }
 
 } // namespace

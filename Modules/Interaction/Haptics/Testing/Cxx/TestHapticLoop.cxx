@@ -322,7 +322,12 @@ class EndingInteractor : public vtkGenericRenderWindowInteractor
 public:
   static EndingInteractor* New();
   vtkTypeMacro(EndingInteractor, vtkGenericRenderWindowInteractor);
-  void TerminateApp() override { this->Done = true; }
+  void TerminateApp() override
+  {
+    this->Done = true;
+    ++this->ended;
+  }
+  int ended = 0;
 };
 vtkStandardNewMacro(EndingInteractor);
 
@@ -356,9 +361,30 @@ TEST(HapticLoop, AnInteractorEndsAsItDoesWithoutHaptics)
     {
       interactor->ExitCallback();
       EXPECT_EQ(interactor->GetDone(), application != Refuses) << application;
+      EXPECT_EQ(interactor->ended, application == Refuses ? 0 : again + 1) << application;
       EXPECT_EQ(loop->IsRunning(), application == Refuses) << application;
     }
   }
+}
+
+// Two hands at one window: neither is an application that refuses.
+TEST(HapticLoop, TwoLoopsOfAWindowEndWithIt)
+{
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<EndingInteractor> interactor;
+  window->SetInteractor(interactor);
+  vtkNew<vtkHaspHapticLoop> one, other;
+  for (vtkHaspHapticLoop* loop : { one.Get(), other.Get() })
+  {
+    loop->SetRenderWindow(window);
+    ASSERT_TRUE(loop->SetDevice(HandAt(At(0, 0, 30))));
+    ASSERT_TRUE(loop->Start());
+    ASSERT_GT(loop->SetScene(Tip(), Ball()), 0u);
+  }
+  interactor->ExitCallback();
+  EXPECT_EQ(interactor->ended, 1);
+  EXPECT_FALSE(one->IsRunning());
+  EXPECT_FALSE(other->IsRunning());
 }
 
 TEST(HapticLoop, DiscsAreAskedForAndAnswered)

@@ -22,13 +22,19 @@ class TimedInteractor : public vtkGenericRenderWindowInteractor
 public:
   static TimedInteractor* New();
   vtkTypeMacro(TimedInteractor, vtkGenericRenderWindowInteractor);
-  int timers = 0;
+  int timers = 0, made = 0; ///< how many, and VTK's number of the last
 
 protected:
-  int InternalCreateTimer(int, int, unsigned long) override
+  int InternalCreateTimer(int number, int, unsigned long) override
   {
+    this->made = number;
     EXPECT_TRUE(this->GetInitialized());
     return ++this->timers;
+  }
+  int InternalDestroyTimer(int) override
+  {
+    --this->timers;
+    return 1;
   }
 };
 vtkStandardNewMacro(TimedInteractor);
@@ -220,6 +226,138 @@ TEST(HapticWindow, APressElsewhereIsTheCameras)
   EXPECT_EQ(others({ 2, 0 }), (std::array{ 1, 1, 1, 1 }));
   mouse.Say(vtkCommand::MouseMoveEvent, { 0, 0 });
   EXPECT_EQ(moves.times, 2);
+}
+
+// A style repeats its last step at each timer's event that it sees: the camera would turn on.
+TEST(HapticWindow, ItsTimerIsNobodyElses)
+{
+  Frames frames;
+  vtkNew<TimedInteractor> interactor;
+  interactor->EnableRenderOff();
+  interactor->SetRenderWindow(frames.renderer->GetRenderWindow());
+  interactor->Initialize();
+  ASSERT_TRUE(frames.haptic->UseMouse());
+  const Count others(interactor, vtkCommand::TimerEvent); // was there before
+  ASSERT_TRUE(frames.haptic->Start());
+  ASSERT_EQ(interactor->timers, 1);
+  frames.haptic->Update();
+  const std::uint64_t ticks = frames.haptic->GetLoop()->GetSnapshot().ticks;
+  int own = interactor->made, strange = own + 1;
+  interactor->InvokeEvent(vtkCommand::TimerEvent, &own);
+  EXPECT_EQ(others.times, 0);
+  EXPECT_EQ(frames.haptic->GetLoop()->GetSnapshot().ticks, ticks + 1) << "a frame";
+  interactor->InvokeEvent(vtkCommand::TimerEvent, &strange);
+  EXPECT_EQ(others.times, 1);
+  EXPECT_EQ(frames.haptic->GetLoop()->GetSnapshot().ticks, ticks + 1) << "another's is no frame";
+}
+
+TEST(HapticWindow, ItsFramesFollowTheRenderer)
+{
+  Frames frames;
+  vtkNew<vtkRenderWindow> beside;
+  vtkNew<vtkRenderer> renderer;
+  beside->AddRenderer(renderer);
+  vtkNew<TimedInteractor> before, after;
+  before->SetRenderWindow(frames.window);
+  after->SetRenderWindow(beside);
+  for (TimedInteractor* interactor : { before.Get(), after.Get() })
+  {
+    interactor->EnableRenderOff();
+    interactor->Initialize();
+  }
+  ASSERT_TRUE(frames.haptic->UseMouse());
+  ASSERT_TRUE(frames.haptic->Start());
+  ASSERT_EQ(after->timers, 0);
+  frames.haptic->SetRenderer(renderer);
+  EXPECT_EQ(after->timers, 1);
+  EXPECT_EQ(before->timers, 0);
+}
+
+TEST(HapticWindow, APressInAnotherViewportIsNotThisOnes)
+{
+  Mouse mouse;
+  mouse.haptic->SetGrabReach(1000.0);
+  vtkNew<vtkRenderer> beside;
+  beside->SetViewport(0.0, 0.0, 0.5, 1.0);
+  beside->AddActor(mouse.ground);
+  mouse.renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  mouse.window->AddRenderer(beside);
+  beside->SetActiveCamera(mouse.renderer->GetActiveCamera());
+  mouse.window->Render();
+  const Count presses(mouse.interactor, vtkCommand::LeftButtonPressEvent);
+  mouse.Say(vtkCommand::LeftButtonPressEvent, { -25, 0 }); // the ground, beside
+  mouse.Say(vtkCommand::LeftButtonReleaseEvent, { -25, 0 });
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), -1);
+  EXPECT_EQ(presses.times, 1);
+  mouse.Say(vtkCommand::LeftButtonPressEvent, { 25, 0 });
+  EXPECT_GE(mouse.haptic->GetHeldTool(), 0);
+}
+
+TEST(HapticWindow, TheMouseFollowsTheRenderer)
+{
+  Mouse mouse;
+  const Count presses(mouse.interactor, vtkCommand::LeftButtonPressEvent);
+  mouse.haptic->SetRenderer(nullptr);
+  mouse.Say(vtkCommand::LeftButtonPressEvent, { 2, 0 });
+  mouse.Say(vtkCommand::LeftButtonReleaseEvent, { 2, 0 });
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), -1);
+  EXPECT_EQ(presses.times, 1);
+  mouse.haptic->SetRenderer(mouse.renderer);
+  mouse.Say(vtkCommand::LeftButtonPressEvent, { 2, 0 });
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), mouse.tools[1]);
+  // What is held in the window before is let go.
+  mouse.haptic->SetRenderer(nullptr);
+  mouse.UntilTicks(mouse.haptic->GetLoop()->GetSnapshot().ticks + 20);
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), -1);
+}
+
+TEST(HapticWindow, APropThatIsScaledNowIsAnErrorAndNoMore)
+{
+  Mouse mouse;
+  mouse.left->SetScale(2.0);
+  const std::string said = ErrorsOf(mouse.haptic,
+    [&] {
+      EXPECT_NO_THROW(mouse.Say(vtkCommand::LeftButtonPressEvent, { 2, 0 }));
+    });
+  EXPECT_NE(said.find("scales"), std::string::npos) << said;
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), -1);
+  mouse.ground->SetScale(2.0);
+  ErrorsOf(mouse.haptic, [&] { EXPECT_NO_THROW(mouse.haptic->Remove(mouse.left)); });
+}
+
+TEST(HapticWindow, APressBeforeTheFirstPictureTakesNothing)
+{
+  Frames frames;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(frames.window);
+  ASSERT_TRUE(frames.haptic->UseMouse());
+  ASSERT_TRUE(frames.haptic->Start());
+  const Count presses(interactor, vtkCommand::LeftButtonPressEvent);
+  interactor->SetEventInformation(100, 100);
+  interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  EXPECT_EQ(presses.times, 1);
+  EXPECT_TRUE(frames.window->GetNeverRendered());
+}
+
+// Drags of the camera all go one way, and the pointer comes back each time with no button held.
+TEST(HapticWindow, HoweverFarThePointerWasCarriedAToolGoesOn)
+{
+  Mouse mouse;
+  for (int drag = 0; drag < 120; ++drag)
+  {
+    mouse.Say(vtkCommand::MouseMoveEvent, { -45, -45 });
+    mouse.Say(vtkCommand::MouseMoveEvent, { 45, -45 });
+    mouse.Say(vtkCommand::LeftButtonPressEvent, { 45, -45 });
+    mouse.Say(vtkCommand::MouseMoveEvent, { -45, -45 });
+    mouse.Say(vtkCommand::LeftButtonReleaseEvent, { -45, -45 });
+  }
+  mouse.Say(vtkCommand::LeftButtonPressEvent, { 2, 0 });
+  ASSERT_EQ(mouse.haptic->GetHeldTool(), mouse.tools[1]);
+  const double before = Pose(mouse.right).position.x;
+  mouse.Say(vtkCommand::MouseMoveEvent, { 2, 0 });
+  mouse.Say(vtkCommand::MouseMoveEvent, { 12, 0 });
+  mouse.UntilTicks(mouse.haptic->GetLoop()->GetSnapshot().ticks + 500);
+  EXPECT_NEAR(Pose(mouse.right).position.x - before, 10.0, 0.3);
 }
 
 } // namespace
