@@ -28,6 +28,8 @@ constexpr unsigned long Followed[] = { vtkCommand::MouseMoveEvent, vtkCommand::L
   vtkCommand::RightButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
   vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MouseWheelForwardEvent,
   vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::TDxMotionEvent };
+constexpr unsigned long ReleaseEvents[] = { vtkCommand::LeftButtonReleaseEvent,
+  vtkCommand::RightButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent };
 constexpr int Middle = 2;
 constexpr double FullDeflection = 350.0; // of a SpaceMouse, per axis
 
@@ -46,6 +48,13 @@ int PressedButton(unsigned long event)
       return -1;
   }
 }
+
+int ReleasedButton(unsigned long event)
+{
+  return event == vtkCommand::LeftButtonReleaseEvent    ? 0
+         : event == vtkCommand::RightButtonReleaseEvent ? 1
+                                                        : Middle;
+}
 }
 
 HapticInput::HapticInput()
@@ -59,6 +68,10 @@ HapticInput::HapticInput()
       if (input->Handle(event, data))
         input->Command->AbortFlagOn();
     });
+  this->Releases->SetPassiveObserver(1);
+  this->Releases->SetClientData(this);
+  this->Releases->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
+    { static_cast<HapticInput*>(self)->Styles &= ~(1U << ReleasedButton(event)); });
 }
 
 HapticInput::~HapticInput()
@@ -70,7 +83,10 @@ void HapticInput::Follow(
   vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, InputHapticDevice* device)
 {
   if (this->Interactor)
+  {
     this->Interactor->RemoveObserver(this->Command);
+    this->Interactor->RemoveObserver(this->Releases);
+  }
   if (this->Device != nullptr && this->Held != 0)
     this->Device->SetButtons(0); // nobody would say so
   this->Interactor = interactor;
@@ -79,9 +95,12 @@ void HapticInput::Follow(
   this->Any = false;
   this->Styles = 0;
   this->Held = 0;
-  if (interactor != nullptr && renderer != nullptr && device != nullptr)
-    for (const unsigned long event : Followed)
-      interactor->AddObserver(event, this->Command, 1.0F); // before the style
+  if (interactor == nullptr || renderer == nullptr || device == nullptr)
+    return;
+  for (const unsigned long event : Followed)
+    interactor->AddObserver(event, this->Command, 1.0F); // before the style
+  for (const unsigned long event : ReleaseEvents)
+    interactor->AddObserver(event, this->Releases);
 }
 
 void HapticInput::FollowIn(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer)
@@ -177,7 +196,6 @@ void HapticInput::Give(int button, bool device)
 bool HapticInput::Release(int button)
 {
   const std::uint32_t bit = 1U << button;
-  this->Styles &= ~bit;
   if ((this->Held & bit) == 0)
     return false; // the style had the press
   this->Held &= ~bit;
@@ -231,11 +249,9 @@ bool HapticInput::Handle(unsigned long event, void* data)
       this->Rates(*static_cast<const vtkTDxMotionEventInfo*>(data));
       return true;
     case vtkCommand::LeftButtonReleaseEvent:
-      return this->Release(0);
     case vtkCommand::RightButtonReleaseEvent:
-      return this->Release(1);
     case vtkCommand::MiddleButtonReleaseEvent:
-      return this->Release(Middle);
+      return this->Release(ReleasedButton(event));
     default:
       break;
   }

@@ -68,6 +68,8 @@ private:
   double MmPerPixel() const;
 
   vtkNew<vtkCallbackCommand> Command;
+  /// Hears of releases even while a style keeps its drag's events to itself (GrabFocus).
+  vtkNew<vtkCallbackCommand> Releases;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkWeakPointer<vtkRenderer> Renderer;
   InputHapticDevice* Device = nullptr;

@@ -1,5 +1,6 @@
 // PressBalls: a window with two balls; drag the small one with the left button, and press
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkHaspHapticInteractor.h"
 #include "vtkHaspHeadlessWindows.h"
 #include "vtkInteractorStyleTrackballCamera.h"
@@ -49,10 +50,15 @@ int main()
   interactor->SetInteractorStyle(style);
 
   vtkNew<vtkHaspHapticInteractor> haptic;
-  haptic->SetRenderer(renderer); // its window has an interactor
-  haptic->AddTouchable(ground);  // an actor: vtkHaspClusteredCellMapper, or a closed surface
-  haptic->AddTool(fragment);     // in hand while the left button is held
-  haptic->SetShowForces(true);   // arrows
+  haptic->SetRenderer(renderer);    // its window has an interactor
+  haptic->AddTouchable(ground);     // an actor: vtkHaspClusteredCellMapper, or a closed surface
+  haptic->AddTool(fragment);        // in hand while the left button is held
+  haptic->SetShowForces(true);      // arrows
+  vtkNew<vtkCallbackCommand> ready; // until then a press turns the camera
+  ready->SetCallback([](vtkObject*, unsigned long, void*, void*)
+    { std::cout << "Ready: drag the small ball onto the large one\n"
+                << std::flush; });
+  haptic->AddObserver(vtkHaspHapticInteractor::ReadyEvent, ready);
   if (!haptic->UseMouse() || !haptic->Start()) // or SetDevice
     return 1;
   interactor->Start();

@@ -27,6 +27,7 @@ int main(int argc, char* argv[])
   const int tool = haptic->AddTool(copy);
   haptic->SetDevice(std::make_unique<hasp::SimulatedHapticDevice>(
     hasp::SimulatedDeviceSettings{}, hasp::HandIntention(hasp::RigidPose{})));
+  std::cerr << "Making distances and points of it: half a minute for a head\n";
   while (haptic->Update(), haptic->GetState() == vtkHaspHapticInteractor::Baking)
     ; // with a window: draw meanwhile
   for (haptic->Start(), haptic->Grab(tool); haptic->GetLoop()->GetSnapshot().contacts == 0;)

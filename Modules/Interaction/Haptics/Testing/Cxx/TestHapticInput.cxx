@@ -7,6 +7,7 @@
 #include "Realtime/LoopThread.h"
 
 #include "vtkGenericRenderWindowInteractor.h"
+#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkTDxMotionEventInfo.h"
 
 #include <gtest/gtest.h>
@@ -34,6 +35,8 @@ struct Window
     this->window->SetSize(Side, Side);
     this->window->AddRenderer(this->renderer);
     this->window->SetInteractor(this->interactor);
+    this->interactor->EnableRenderOff();
+    this->interactor->SetInteractorStyle(nullptr); // those that are in the way say so
     this->renderer->GetActiveCamera()->SetPosition(0, 0, Distance);
     this->input.Follow(this->interactor, this->renderer, &this->device);
     this->input.At(glm::dvec3(0.0), 1.0);
@@ -308,6 +311,38 @@ TEST(HapticInput, TheStylesDragIsItsOwnUntilItsLastRelease)
   EXPECT_GT(w.Place().x, 0.0);
   EXPECT_EQ(moves.times, 2);
   EXPECT_EQ(releases.times, 1);
+}
+
+// VTK's styles keep a drag's events to themselves, its release among them.
+TEST(HapticInput, AfterEachDragOfVtksOwnStyleTheNextPressIsAskedForAgain)
+{
+  Window w;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  w.interactor->SetInteractorStyle(style);
+  w.interactor->Enable();
+  bool take = false;
+  w.input.takes = [&](int, int, int) { return take; };
+  constexpr std::pair<unsigned long, unsigned long> Buttons[] = {
+    { vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent },
+    { vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonReleaseEvent },
+    { vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonReleaseEvent }
+  };
+  for (const auto& [press, release] : Buttons)
+  {
+    take = false;
+    w.MoveTo(100, 100);
+    w.Say(press);
+    ASSERT_NE(style->GetState(), VTKIS_NONE) << "the camera's";
+    w.MoveTo(110, 100);
+    w.Say(release);
+    EXPECT_EQ(style->GetState(), VTKIS_NONE);
+    take = true;
+    w.Say(vtkCommand::LeftButtonPressEvent);
+    EXPECT_EQ(w.Read().buttons, 1u) << press;
+    EXPECT_EQ(style->GetState(), VTKIS_NONE);
+    w.Say(vtkCommand::LeftButtonReleaseEvent);
+    EXPECT_EQ(w.Read().buttons, 0u) << press;
+  }
 }
 
 // A release that no window saw: whose the next press is, his is its release.

@@ -99,6 +99,7 @@ struct Mouse : Frames
     this->renderer->GetActiveCamera()->ParallelProjectionOn();
     this->renderer->GetActiveCamera()->SetParallelScale(50.0); // half of 200 pixels: 0.5 mm each
     this->interactor->SetRenderWindow(this->window);
+    this->interactor->SetInteractorStyle(nullptr); // it would keep a drag's events to itself
     for (vtkActor* actor : { this->ground.Get(), this->left.Get(), this->right.Get() })
       this->renderer->AddActor(actor);
     this->haptic->AddTouchable(this->ground);
@@ -330,6 +331,7 @@ TEST(HapticWindow, APressBeforeTheFirstPictureTakesNothing)
   Frames frames;
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(frames.window);
+  interactor->SetInteractorStyle(nullptr);
   ASSERT_TRUE(frames.haptic->UseMouse());
   ASSERT_TRUE(frames.haptic->Start());
   const Count presses(interactor, vtkCommand::LeftButtonPressEvent);
