@@ -1,13 +1,10 @@
 #include "Distance/BlockContour.h"
-#include "Distance/ImplicitShapes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 namespace hasp
@@ -15,64 +12,22 @@ namespace hasp
 
 namespace
 {
-constexpr double LeastTurn = 1e-3; ///< of a triangle's area, twice
 constexpr int MostLevels = 2;      ///< edges of vertices below are halved where a tip comes through
 constexpr double Steepest = 1.001; ///< slopes: directions are orthonormal within 1e-4
 
-/// Keeps shares of corners, which sum up to 1, at least those of `least`, on the way to `safe`,
-/// whose shares are.
-template <class Shares>
-Shares KeepInside(const Shares& wanted, const Shares& safe, const Shares& least, bool& moved)
+/// Share of an edge that points keep from its ends. The thinnest parts of a tetrahedron, with two
+/// points near to the ends of edges, are about as high as its square.
+double EdgeMargin(double steps)
 {
-  double way = 1.0;
-  for (int n = 0; n < Shares::length(); ++n)
-    if (wanted[n] < least[n])
-      way = std::min(way, (safe[n] - least[n]) / (safe[n] - wanted[n]));
-  moved = way < 1.0;
-  return safe + way * (wanted - safe);
+  return std::clamp(1.6 / std::sqrt(steps), 0.01, 0.25);
 }
 
-/// Of the triangles of a fan from a center to a ring: the least height.
-double LeastHeight(const glm::dvec3& center, const std::vector<glm::dvec3>& ring)
+/// The same of vertices that halve edges and triangles; of those of level 1 parts are halved again.
+double TipMargin(double steps, int level)
 {
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t n = 0; n < ring.size(); ++n)
-  {
-    const glm::dvec3 a = ring[n] - center, b = ring[(n + 1) % ring.size()] - center;
-    const double longest = std::max({ glm::dot(a, a), glm::dot(b, b), glm::dot(b - a, b - a) });
-    least = std::min(least, glm::length(glm::cross(a, b)) / std::sqrt(longest));
-  }
-  return least;
+  return std::max((level == 0 ? 16.0 : 24.0) / std::sqrt(steps), 0.03);
 }
 
-/// Between the points of an open line and its sides that do not end there: the least distance.
-double LeastGap(std::span<const glm::dvec3> line)
-{
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t n = 0; n < line.size(); ++n)
-    for (std::size_t k = 0; k + 1 < line.size(); ++k)
-      if (n != k && n != k + 1)
-        least = std::min(least, CapsuleDistance(line[n], line[k], line[k + 1], 0.0));
-  return least;
-}
-
-/// Twice the area of a triangle in a triangle, by the shares of its corners; above 0 to the left.
-double Turn(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
-{
-  return (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
-}
-
-/// A line through four places turns one way, also back to its start: it does not meet itself.
-bool IsConvex(const std::array<glm::dvec3, 4>& line)
-{
-  double least = 1.0, most = -1.0;
-  for (int n = 0; n < 4; ++n)
-  {
-    const double turn = Turn(line[n], line[(n + 1) % 4], line[(n + 2) % 4]);
-    least = std::min(least, turn), most = std::max(most, turn);
-  }
-  return least > LeastTurn || most < -LeastTurn;
-}
 } // namespace
 
 BlockContour::BlockContour(
@@ -134,9 +89,15 @@ std::uint32_t BlockContour::GridVertex(const glm::ivec3& place)
   return found->second;
 }
 
+glm::dvec3 BlockContour::Rounded(const glm::dvec3& index) const
+{
+  return glm::dvec3(glm::vec3(this->Grid.IndexToWorld(index)));
+}
+
 std::uint32_t BlockContour::AddPoint(const glm::dvec3& index)
 {
-  this->Points.push_back(index);
+  this->Indices.push_back(index);
+  this->Points.push_back(this->Rounded(index));
   return std::uint32_t(this->Points.size() - 1);
 }
 
@@ -149,16 +110,18 @@ BlockContour::Edge& BlockContour::FindEdge(std::uint32_t a, std::uint32_t b)
   if (!this->Before(a, b))
     std::swap(a, b);
   const Vertex p = this->Vertices[a], q = this->Vertices[b];
+  const double steps = glm::distance(p.world, q.world) / this->Limits.step;
   Edge edge;
   if (this->Inside(a) != this->Inside(b))
   {
     edge.crossing = FindCrossing(this->Solid, p.world, p.sample.value, q.world, q.sample.value);
-    const double share =
-      std::clamp(edge.crossing.share, this->Limits.margin, 1.0 - this->Limits.margin);
+    const double margin = EdgeMargin(steps);
+    const double share = std::clamp(edge.crossing.share, margin, 1.0 - margin);
     edge.point = this->AddPoint(p.index + share * (q.index - p.index));
   }
   else if (const int level = std::max(p.level, q.level); level < MostLevels)
-    if (const auto tip = FindTip(this->Solid, p.world, p.sample, q.world, q.sample))
+    if (const auto tip =
+          FindTip(this->Solid, p.world, p.sample, q.world, q.sample, TipMargin(steps, level)))
     {
       edge.split = this->AddVertex(p.index + *tip * (q.index - p.index), level + 1);
       ++this->Splits;
@@ -184,8 +147,11 @@ const BlockContour::Face& BlockContour::FindFace(std::uint32_t a, std::uint32_t 
            level < MostLevels)
   {
     const auto vertex = [&](int n) -> const Vertex& { return this->Vertices[v[n]]; };
+    const std::array<glm::dvec3, 3> world{ vertex(0).world, vertex(1).world, vertex(2).world };
+    const double shortest = std::min({ glm::distance(world[0], world[1]),
+      glm::distance(world[1], world[2]), glm::distance(world[2], world[0]) });
     const auto tip =
-      FindTip(this->Solid, { vertex(0).world, vertex(1).world, vertex(2).world }, this->Inside(a));
+      FindTip(this->Solid, world, this->Inside(a), TipMargin(shortest / this->Limits.step, level));
     if (tip)
     {
       face.split = this->AddVertex(vertex(0).index + tip->y * (vertex(1).index - vertex(0).index) +
@@ -195,51 +161,6 @@ const BlockContour::Face& BlockContour::FindFace(std::uint32_t a, std::uint32_t 
     }
   }
   return face;
-}
-
-void BlockContour::Bend(Face& face, const std::array<std::uint32_t, 3>& v)
-{
-  std::array<glm::dvec3, 3> world, index;
-  for (int n = 0; n < 3; ++n)
-    world[n] = this->Vertices[v[n]].world, index[n] = this->Vertices[v[n]].index;
-  EdgeCrossing crossing[2];
-  glm::dvec3 end[2];
-  int count = 0;
-  for (int n = 0; n < 3; ++n)
-    if (const auto p = v[n], q = v[(n + 1) % 3]; this->Inside(p) != this->Inside(q))
-    {
-      const Edge& edge = this->FindEdge(p, q);
-      if (count == 0)
-        face.from = edge.point;
-      end[count] = Barycentric(world, this->Grid.IndexToWorld(this->Points[edge.point]));
-      crossing[count++] = edge.crossing;
-    }
-  const glm::dvec3 normal = glm::normalize(glm::cross(world[1] - world[0], world[2] - world[0]));
-  Bends bends = FindBends(this->Solid, normal, crossing[0], crossing[1], this->Limits.tolerance);
-  const glm::dvec3 safe = 0.5 * (end[0] + end[1]);
-  glm::dvec3 share[2];
-  bool moved[2]{};
-  for (int n = 0; n < bends.count; ++n)
-    share[n] =
-      KeepInside(Barycentric(world, bends.point[n].at), safe,
-      glm::dvec3(0.25 * this->Limits.margin), moved[n]);
-  if (bends.count == 2 && !IsConvex({ end[0], share[0], share[1], end[1] }))
-  {
-    // The one that is further from the straight line.
-    const auto off = [&](int n) { return std::abs(Turn(end[0], share[n], end[1])); };
-    if (off(1) > off(0))
-      std::swap(share[0], share[1]), std::swap(bends.point[0], bends.point[1]);
-    bends.count = 1;
-  }
-  for (int n = 0; n < bends.count; ++n)
-  {
-    // From the first corner on, so that a point on a plane of the grid has that plane's index.
-    face.point[n] = this->AddPoint(
-      index[0] + share[n].y * (index[1] - index[0]) + share[n].z * (index[2] - index[0]));
-    this->CreasePoints += bends.point[n].Crease();
-    this->KeptInside += moved[n];
-  }
-  face.bends = bends;
 }
 
 void BlockContour::Cell(const glm::ivec3& cell)
@@ -313,102 +234,6 @@ void BlockContour::Refine(const Tetrahedron& corners)
   if (split != None)
     return divide(face, split);
   this->Surface(corners);
-}
-
-void BlockContour::Surface(const Tetrahedron& corners)
-{
-  const TetrahedronSides sides = SidesOf({ this->Inside(corners[0]), this->Inside(corners[1]),
-    this->Inside(corners[2]), this->Inside(corners[3]) });
-  if (sides.crossings == 0)
-    return;
-  Loop loop;
-  for (int n = 0; n < 4; ++n)
-    loop.tetrahedron[n] = this->Vertices[corners[n]].world;
-  for (int n = 0; n < sides.crossings; ++n)
-    this->Follow(loop, corners, sides, n);
-
-  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
-  { this->Triangles.push_back(sides.odd ? glm::uvec3(a, c, b) : glm::uvec3(a, b, c)); };
-  const auto& points = loop.points;
-  if (points.size() == std::size_t(sides.crossings))
-  {
-    for (std::size_t n = 2; n < points.size(); ++n)
-      triangle(points[0], points[n - 1], points[n]);
-    return;
-  }
-  const glm::dvec4 share = this->FanCenter(loop);
-  glm::dvec3 index(0.0);
-  for (int n = 0; n < 4; ++n)
-    index += share[n] * this->Vertices[corners[n]].index;
-  const std::uint32_t center = this->AddPoint(index);
-  for (std::size_t n = 0; n < points.size(); ++n)
-    triangle(center, points[n], points[(n + 1) % points.size()]);
-}
-
-/// From one crossing of a tetrahedron's surface up to the next.
-void BlockContour::Follow(
-  Loop& loop, const Tetrahedron& corners, const TetrahedronSides& sides, int n)
-{
-  const auto& e = sides.crossing[n];
-  const auto& next = sides.crossing[(n + 1) % sides.crossings];
-  const auto id = [&](int place) { return corners[sides.corner[place]]; };
-  const auto worldOf = [&](std::uint32_t point)
-  { return this->Grid.IndexToWorld(this->Points[point]); };
-  const Edge& edge = this->FindEdge(id(e[0]), id(e[1]));
-  const std::size_t begin = loop.points.size();
-  loop.points.push_back(edge.point);
-  loop.ring.push_back(worldOf(edge.point));
-  loop.places.push_back({ edge.crossing.at, edge.crossing.sample.face });
-  loop.start += edge.crossing.at / double(sides.crossings);
-  loop.safe += Barycentric(loop.tetrahedron, loop.ring.back()) / double(sides.crossings);
-
-  const int third = e[0] == next[0] ? next[1] : next[0];
-  const Face& face = this->FindFace(id(e[0]), id(e[1]), id(third));
-  for (int b = 0; b < face.bends.count; ++b)
-  {
-    const int at = face.from == edge.point ? b : face.bends.count - 1 - b;
-    const BendPoint& bend = face.bends.point[at];
-    loop.points.push_back(face.point[at]);
-    loop.ring.push_back(worldOf(face.point[at]));
-    for (const std::uint32_t met : bend.faces)
-      loop.places.push_back({ bend.at, met });
-    if (bend.Crease())
-      loop.creases += bend.at, ++loop.creaseCount;
-  }
-  if (face.bends.count > 0)
-  {
-    std::vector<glm::dvec3> line(loop.ring.begin() + std::ptrdiff_t(begin), loop.ring.end());
-    line.push_back(worldOf(this->FindEdge(id(next[0]), id(next[1])).point));
-    loop.gap[sides.corner[6 - e[0] - e[1] - third]] = LeastGap(line);
-  }
-}
-
-/// The fan's center, as shares of the tetrahedron's corners.
-glm::dvec4 BlockContour::FanCenter(const Loop& loop)
-{
-  const auto& t = loop.tetrahedron;
-  // Two fans on both sides of a triangle rise from the same line in it. Where that line comes close
-  // to itself they are as far apart as they are steep: enough for `height`.
-  glm::dvec4 least(0.125 * this->Limits.margin);
-  for (int n = 0; n < 4; ++n)
-  {
-    const glm::dvec3 &a = t[(n + 1) % 4], &b = t[(n + 2) % 4], &c = t[(n + 3) % 4];
-    const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
-    const double altitude = std::abs(glm::dot(t[n] - a, normal));
-    const double steep = this->Limits.height * this->Solid.Cell() / (loop.gap[n] * altitude);
-    least[n] = std::max(least[n], std::min(steep, 0.75 * loop.safe[n]));
-  }
-  const glm::dvec3 corner = FindCorner(this->Solid, t, loop.places,
-    loop.creaseCount > 0 ? loop.creases / double(loop.creaseCount) : loop.start,
-    this->Limits.tolerance);
-  bool moved = false;
-  glm::dvec4 share = KeepInside(Barycentric(t, corner), loop.safe, least, moved);
-  const auto place = [&]
-  { return share[0] * t[0] + share[1] * t[1] + share[2] * t[2] + share[3] * t[3]; };
-  for (int n = 0; n < 6 && LeastHeight(place(), loop.ring) < this->Limits.height; ++n)
-    share = 0.5 * (share + loop.safe), moved = true;
-  this->KeptInside += moved;
-  return share;
 }
 
 } // namespace hasp

@@ -1,5 +1,6 @@
 #pragma once
 #include "Distance/CreasePoints.h"
+#include "Distance/DividedTetrahedron.h"
 #include "Distance/KuhnTetrahedra.h"
 
 #include <cstdint>
@@ -12,9 +13,7 @@ namespace hasp
 struct ContourLimits
 {
   double tolerance; ///< mm, of a curve from straight sides of triangles
-  double margin;    ///< share of an edge that points keep from its ends, in [0.01, 0.05]; a quarter
-                    ///< of it from the sides of a triangle, an eighth of it in a tetrahedron
-  double height;    ///< mm, of the thinnest triangle of a fan, so that rounding turns none over
+  double step;      ///< mm, of the floats that the points are rounded to
 };
 
 /// The sharp contour (SharpContour.h) of one block of cells, which knows nothing of other blocks:
@@ -32,9 +31,11 @@ public:
   /// Halves what may hold surface, and leaves out the rest.
   void Contour(const glm::ivec3& first, int size);
 
-  std::vector<glm::dvec3> Points;    ///< index coordinates, no two the same
+  std::vector<glm::dvec3> Indices;   ///< of the points before they were rounded, no two the same
+  std::vector<glm::dvec3> Points;    ///< mm, world, of 32-bit floats
   std::vector<glm::uvec3> Triangles; ///< counter-clockwise from outside in a right-handed grid
   std::size_t Cells = 0, Splits = 0, CreasePoints = 0, KeptInside = 0;
+  double LeastSteps = 1e30; ///< of floats, that the parts of divided tetrahedra are high
 
 private:
   static constexpr std::uint32_t None = ~0U;
@@ -55,23 +56,23 @@ private:
   struct Face
   {
     std::uint32_t split = None; ///< the vertex that divides it by three
-    std::uint32_t from = None;  ///< the crossing that the bends come after, on one way round
+    std::uint32_t from = None;  ///< the first of the triangle's crossings
     std::uint32_t point[2]{};   ///< of the surface, where it bends
     Bends bends;
+    CrossedTriangle triangle; ///< by the rounded points
   };
 
   /// The closed line on a tetrahedron's boundary: crossings of edges, and bends between.
   struct Loop
   {
-    std::array<glm::dvec3, 4> tetrahedron;
-    std::vector<std::uint32_t> points;
-    std::vector<glm::dvec3> ring; ///< the points' places
+    std::array<glm::dvec3, 4> index, world; ///< of the tetrahedron's corners
+    Shell shell;                            ///< the boundary, divided by the line
+    std::vector<std::uint32_t> points;      ///< counter-clockwise in a right-handed grid
     std::vector<FacePlace> places;
     glm::dvec3 start{ 0.0 };   ///< the middle of the crossings
     glm::dvec4 safe{ 0.0 };    ///< the same, kept away from the ends of edges, as shares
     glm::dvec3 creases{ 0.0 }; ///< sum of
     int creaseCount = 0;
-    double gap[4]{ 1e30, 1e30, 1e30, 1e30 }; ///< of the line to itself, across from each corner
   };
 
   bool Inside(std::uint32_t vertex) const { return this->Vertices[vertex].sample.value < 0.0; }
@@ -80,6 +81,7 @@ private:
     const std::array<std::uint32_t, 2>& a, const std::array<std::uint32_t, 2>& b) const;
   std::uint32_t AddVertex(const glm::dvec3& index, int level);
   std::uint32_t GridVertex(const glm::ivec3& place);
+  glm::dvec3 Rounded(const glm::dvec3& index) const;
   std::uint32_t AddPoint(const glm::dvec3& index);
   Edge& FindEdge(std::uint32_t a, std::uint32_t b);
   const Face& FindFace(std::uint32_t a, std::uint32_t b, std::uint32_t c);
@@ -90,7 +92,9 @@ private:
   void Bend(Face& face, const std::array<std::uint32_t, 3>& corners);
   void Surface(const Tetrahedron& corners);
   void Follow(Loop& loop, const Tetrahedron& corners, const TetrahedronSides& sides, int n);
-  glm::dvec4 FanCenter(const Loop& loop);
+  void Enclose(Loop& loop, const Tetrahedron& corners);
+  bool IsPlain(const Loop& loop, std::size_t first);
+  glm::dvec3 FanCenter(const Loop& loop);
 
   const BoundedSolid& Solid;
   const GridGeometry& Grid;

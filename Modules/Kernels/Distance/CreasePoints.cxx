@@ -17,7 +17,7 @@ constexpr double RootShare = 1e-7;   ///< of a cell: a root is good
 constexpr double LeastSine = 0.03;   ///< of faces that meet: below, they are one
 constexpr double CornerSlack = 0.02; ///< of a tetrahedron: a corner may be so far outside
 constexpr double TipDepth = 0.007;   ///< of an edge
-constexpr double TipMargin = 0.03;   ///< of an edge
+constexpr double MostMargin = 0.3;   ///< of an edge: above, and there is no room for a tip
 } // namespace
 
 EdgeCrossing FindCrossing(const BoundedSolid& solid, const glm::dvec3& a, double valueA,
@@ -86,13 +86,13 @@ std::optional<double> FindDeep(const BoundedSolid& solid, const glm::dvec3& a,
 } // namespace
 
 std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, const Sample& sampleA,
-  const glm::dvec3& b, const Sample& sampleB) noexcept
+  const glm::dvec3& b, const Sample& sampleB, double margin) noexcept
 {
   const glm::dvec3 along = b - a;
   const double length = glm::length(along), depth = TipDepth * length;
   const double side = sampleA.value < 0.0 ? -1.0 : 1.0;
   const double va = side * sampleA.value, vb = side * sampleB.value;
-  if (0.5 * (va + vb - length) > -depth)
+  if (0.5 * (va + vb - length) > -depth || margin > MostMargin)
     return std::nullopt;
   if (sampleA.face == sampleB.face && LeastOfCubic(va, side * glm::dot(sampleA.gradient, along), vb,
                                         side * glm::dot(sampleB.gradient, along)) > -depth)
@@ -106,13 +106,15 @@ std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, co
   const double last =
     *deep + (1.0 - *deep) * FindCrossing(solid, at, value, b, sampleB.value).share;
   const double middle = 0.5 * (first + last);
-  const double share = std::clamp(middle, TipMargin, 1.0 - TipMargin);
+  const double share = std::clamp(middle, margin, 1.0 - margin);
   return share > first && share < last ? std::optional(share) : std::nullopt;
 }
 
-std::optional<glm::dvec3> FindTip(
-  const BoundedSolid& solid, const std::array<glm::dvec3, 3>& triangle, bool inside) noexcept
+std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
+  const std::array<glm::dvec3, 3>& triangle, bool inside, double margin) noexcept
 {
+  if (margin > MostMargin)
+    return std::nullopt;
   const glm::dvec3 normal =
     glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
   const double depth = TipDepth * glm::distance(triangle[0], triangle[1]);
@@ -124,8 +126,8 @@ std::optional<glm::dvec3> FindTip(
     const double value = inside ? -sample.value : sample.value;
     const glm::dvec3 share = Barycentric(triangle, x);
     if (value < -depth)
-      return std::min({ share.x, share.y, share.z }) >= TipMargin ? std::optional(share)
-                                                                  : std::nullopt;
+      return std::min({ share.x, share.y, share.z }) >= margin ? std::optional(share)
+                                                               : std::nullopt;
     glm::dvec3 slope = inside ? -sample.gradient : sample.gradient;
     slope -= glm::dot(slope, normal) * normal;
     const double squared = glm::dot(slope, slope);

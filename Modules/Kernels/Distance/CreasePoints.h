@@ -23,16 +23,16 @@ EdgeCrossing FindCrossing(const BoundedSolid& solid, const glm::dvec3& a, double
   const glm::dvec3& b, double valueB) noexcept;
 
 /// Between a and b, of one side, the solid may come through the edge and go again, with the tip of
-/// a wedge, say. The middle of such a tip, as a share of the edge in [0.05, 0.95]; nothing if no
-/// place is deeper in it than 1.5 % of the edge.
+/// a wedge, say. The middle of such a tip, as a share of the edge, `margin` of it from its ends;
+/// nothing if no place is deeper in it than 0.7 % of the edge, or the margin is above 0.3.
 std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a,
-  const ImplicitSolid::Sample& sampleA, const glm::dvec3& b,
-  const ImplicitSolid::Sample& sampleB) noexcept;
+  const ImplicitSolid::Sample& sampleA, const glm::dvec3& b, const ImplicitSolid::Sample& sampleB,
+  double margin) noexcept;
 
 /// The same in a triangle, for corners that come through it between its sides: shares of its
-/// corners of 0.05 at least, or nothing.
-std::optional<glm::dvec3> FindTip(
-  const BoundedSolid& solid, const std::array<glm::dvec3, 3>& triangle, bool inside) noexcept;
+/// corners of `margin` at least, or nothing.
+std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
+  const std::array<glm::dvec3, 3>& triangle, bool inside, double margin) noexcept;
 
 /// A place in a simplex where the surface bends between the crossings of its edges.
 struct BendPoint

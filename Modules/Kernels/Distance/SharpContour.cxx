@@ -21,7 +21,6 @@ namespace
 {
 constexpr int BlockCells = 8;
 constexpr double MostFloatStep = 1e-3;
-constexpr double ThinnestSteps = 4.0;      ///< of floats
 constexpr std::int64_t BatchBlocks = 4096; ///< between two reports of progress
 
 /// Puts the blocks' meshes into one. Points on the sides of blocks, which several have, are told by
@@ -29,17 +28,13 @@ constexpr std::int64_t BatchBlocks = 4096; ///< between two reports of progress
 class Welder
 {
 public:
-  explicit Welder(const GridGeometry& grid)
-    : Grid(grid),
-      Mirrored(glm::determinant(grid.direction) < 0.0)
-  {
-  }
+  explicit Welder(const GridGeometry& grid) : Mirrored(glm::determinant(grid.direction) < 0.0) {}
 
   void Add(const BlockContour& block)
   {
     this->NewId.clear();
-    for (const glm::dvec3& index : block.Points)
-      this->NewId.push_back(this->Id(index));
+    for (std::size_t n = 0; n < block.Points.size(); ++n)
+      this->NewId.push_back(this->Id(block.Indices[n], block.Points[n]));
     for (const glm::uvec3& t : block.Triangles)
     {
       glm::uvec3 triangle(this->NewId[t.x], this->NewId[t.y], this->NewId[t.z]);
@@ -61,7 +56,7 @@ private:
     }
   };
 
-  std::uint32_t Id(const glm::dvec3& index)
+  std::uint32_t Id(const glm::dvec3& index, const glm::dvec3& world)
   {
     const glm::dvec3 blocks = index / double(BlockCells);
     const bool shared = glm::any(glm::equal(blocks, glm::floor(blocks)));
@@ -74,11 +69,10 @@ private:
       if (!isNew)
         return found->second;
     }
-    this->Mesh.points.push_back(this->Grid.IndexToWorld(index));
+    this->Mesh.points.push_back(world);
     return std::uint32_t(next);
   }
 
-  const GridGeometry& Grid;
   bool Mirrored;
   std::vector<std::uint32_t> NewId;
   std::unordered_map<glm::dvec3, std::uint32_t, Hash> Shared;
@@ -114,13 +108,6 @@ double FloatStep(const GridGeometry& grid)
          std::min({ grid.spacing.x, grid.spacing.y, grid.spacing.z });
 }
 
-/// What rounding to such steps cannot make meet: the thinnest triangles of two points near to the
-/// ends of edges are about as high as the square of the margin.
-double Margin(const GridGeometry& grid)
-{
-  return std::clamp(1.6 * std::sqrt(FloatStep(grid)), 0.01, 0.05);
-}
-
 void Check(const GridGeometry& grid, const SharpContourSettings& settings)
 {
   grid.Validate();
@@ -144,8 +131,8 @@ TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
 {
   Check(grid, settings);
   const BoundedSolid bounded(solid, grid);
-  const ContourLimits limits{ settings.tolerance * bounded.Cell(), Margin(grid),
-    ThinnestSteps * FloatStep(grid) * bounded.Cell() };
+  const ContourLimits limits{ settings.tolerance * bounded.Cell(),
+    FloatStep(grid) * bounded.Cell() };
   const glm::i64vec3 blocks =
     (glm::i64vec3(grid.Cells()) + std::int64_t(BlockCells - 1)) / std::int64_t(BlockCells);
   const std::int64_t count = blocks.x * blocks.y * blocks.z;
@@ -175,6 +162,7 @@ TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
         made.splits += contour->Splits;
         made.creasePoints += contour->CreasePoints;
         made.keptInside += contour->KeptInside;
+        made.leastHeight = std::min(made.leastHeight, contour->LeastSteps);
       }
     ReportProgress(progress, double(end) / double(count));
   }

@@ -24,6 +24,8 @@ struct SharpContourFacts
   std::size_t splits = 0;       ///< of edges and triangles through which a tip came
   std::size_t creasePoints = 0; ///< of triangles, where faces meet
   std::size_t keptInside = 0;   ///< points that were held in their triangle or tetrahedron
+  double leastHeight = 1e30;    ///< of the parts of divided tetrahedra, in steps of floats: proof
+                                ///< that the surface does not meet itself
 };
 
 /// The surface of a solid with its edges and corners: a closed 2-manifold without
@@ -46,7 +48,7 @@ struct SharpContourFacts
 ///
 /// Points keep a margin from the ends of an edge, a quarter of it from the sides of a triangle, an
 /// eighth from those of a tetrahedron. It is 1 % of the edge, up to 5 % where the steps of floats
-/// are coarse against the grid; fans grow flatter before a triangle gets thinner than four steps.
+/// are coarse against the grid; fans grow flatter before a triangle gets thinner than eight steps.
 ///
 /// Returns world millimetres, points welded, triangles counter-clockwise seen from outside. Empty
 /// if nothing is inside. Limits: what is thinner than a cell may be missing, but for the tips of

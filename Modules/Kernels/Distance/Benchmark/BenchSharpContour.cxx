@@ -1,5 +1,6 @@
 // The sharp contour of random trees, checked, and its figures beside the plain one's. Not a test.
-//   BenchKernelSharpContour [trees = 1000] [first = 0]
+//   BenchKernelSharpContour [trees = 1000] [first tree: no figures of sharpness] [situation, 0 to
+//   4]
 #include "Distance/NearSurface.h"
 #include "Distance/SharpContour.h"
 #include "Distance/TetrahedraContour.h"
@@ -31,21 +32,46 @@ hasp::TriangleMesh Rounded(hasp::TriangleMesh mesh)
   return hasp::WeldPoints(mesh);
 }
 
-void RandomTrees(int first, int count, double scale, const glm::dvec3& shift)
+/// Where all trees of a run lie.
+struct Situation
+{
+  const char* name;
+  double scale;
+  glm::dvec3 shift;
+  bool turned; ///< each in another way
+};
+
+void RandomTrees(int first, int count, const Situation& situation)
 {
   const double spacings[] = { 0.4, 0.5, 0.83 };
-  int meshes = 0, empty = 0, open = 0, crowded = 0, turned = 0, thin = 0, crossing = 0;
+  const double scale = situation.scale;
+  int meshes = 0, empty = 0, refused = 0, open = 0, crowded = 0, turned = 0, thin = 0, crossing = 0;
   std::size_t triangles = 0;
-  double seconds = 0;
+  double seconds = 0, least = 1e30, kept = 0;
   for (int n = first; n < first + count; ++n)
     for (const double spacing : spacings)
     {
+      std::mt19937 random{ unsigned(n) };
+      const glm::dmat3 axes = situation.turned ? hasp::AnyAxes(random) : glm::dmat3(1.0);
       const auto tree = std::make_shared<hasp::MovedSolid>(
-        hasp::RandomSolid(unsigned(n) + 1, 1 + n % 4), scale, shift);
+        hasp::RandomSolid(unsigned(n) + 1, 1 + n % 4), scale, situation.shift, axes);
       // Grid points on round numbers, so that faces lie along them; and the border cuts.
-      const auto grid = hasp::GridAround(shift, scale * 6.0, scale * spacing);
+      const auto grid = hasp::GridAround(situation.shift, scale * 6.0, scale * spacing);
+      hasp::TriangleMesh mesh;
       const auto start = Clock::now();
-      const auto mesh = hasp::SharpContour(*tree, grid);
+      try
+      {
+        hasp::SharpContourFacts facts;
+        mesh = hasp::SharpContour(*tree, grid, {}, &facts);
+        least = std::min(least, facts.leastHeight);
+        kept += double(facts.keptInside);
+      }
+      catch (const std::exception& error)
+      {
+        ++refused;
+        std::printf("tree %d spacing %g: %s\n", n, spacing, error.what());
+        continue;
+      }
       seconds += Since(start);
       if (mesh.triangles.empty())
       {
@@ -73,11 +99,11 @@ void RandomTrees(int first, int count, double scale, const glm::dvec3& shift)
           n, spacing, check.borderEdges, check.crowdedEdges, check.pinchedPoints, check.turnedEdges,
           check.degenerate, pairs);
     }
-  std::printf("%d trees, scale %g, shift %g: %d meshes (%d empty), %zu triangles, %.1f s; not "
-              "closed %d, not manifold "
-              "%d, not outward %d, degenerate %d, self-intersecting %d\n",
-    count, scale, shift.x, meshes, empty, triangles, seconds, open, crowded, turned, thin,
-    crossing);
+  std::printf("%d trees %s: %d meshes (%d empty), %zu triangles, %.1f s; refused %d, not closed "
+              "%d, not manifold %d, not outward %d, degenerate %d, self-intersecting %d; least "
+              "height %.2f steps, %.2f %% kept inside\n",
+    count, situation.name, meshes, empty, triangles, seconds, refused, open, crowded, turned, thin,
+    crossing, least, 100.0 * kept / double(triangles));
 }
 
 void PrintSharpness(int poses)
@@ -129,8 +155,14 @@ int main(int argc, char** argv)
 #if !HASP_WITH_CGAL
   std::printf("self-intersections: not checked (HASP_ENABLE_CGAL is off)\n");
 #endif
-  PrintSharpness(27);
-  RandomTrees(first, trees, 1.0, glm::dvec3(0));
-  RandomTrees(first, trees, 0.125, glm::dvec3(150, -180, 120));
-  RandomTrees(first, trees, 1.0, glm::dvec3(150, -180, 120));
+  if (argc < 3)
+    PrintSharpness(27);
+  const glm::dvec3 far(150, -180, 120);
+  const Situation situations[] = { { "at 0", 1.0, {}, false }, { "turned", 1.0, {}, true },
+    { "at 150 -180 120", 1.0, far, false },
+    { "turned, 0.125 as large, at 150 -180 120", 0.125, far, true },
+    { "0.08 as large, at 300 -400 200", 0.08, { 300, -400, 200 }, false } };
+  for (int n = 0; n < 5; ++n)
+    if (argc < 4 || std::atoi(argv[3]) == n)
+      RandomTrees(first, trees, situations[n]);
 }
