@@ -12,8 +12,10 @@
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -84,28 +86,48 @@ TEST(SharpContour, SlotsEdgesAndHolesAreTrue)
   }
 }
 
+/// What the random trees of a test lie like.
+struct Place
+{
+  double scale;
+  glm::dvec3 at;
+  bool turned;
+};
+
 TEST(SharpContour, RandomTreesAreSoundAsFloatsAtAnyScale)
 {
   // Half of the shapes lie on grid points: coplanar, touching, slots along planes of voxels.
   // bin/BenchKernelSharpContour looks at 1,000 of them.
+  const glm::dvec3 far(150, -180, 120);
   int meshes = 0;
+  const auto check = [&](unsigned seed, double spacing, const Place& place)
+  {
+    std::mt19937 random(seed);
+    const auto axes = place.turned ? hasp::AnyAxes(random) : glm::dmat3(1);
+    const hasp::MovedSolid tree(
+      hasp::RandomSolid(seed, 1 + int((seed - 1) % 4)), place.scale, place.at, axes);
+    hasp::SharpContourFacts facts;
+    const auto mesh = hasp::SharpContour(
+      tree, hasp::GridAround(place.at, 6.0 * place.scale, spacing * place.scale), {}, &facts);
+    if (mesh.triangles.empty())
+      return;
+    ++meshes;
+    SCOPED_TRACE(testing::Message() << seed << " " << spacing << " " << place.scale);
+    EXPECT_GE(facts.leastHeight, 0.05); // the proof: no part is turned over
+    for (const glm::dvec3& p : mesh.points)
+      ASSERT_EQ(p, glm::dvec3(glm::vec3(p)));
+    ASSERT_TRUE(hasp::CheckMesh(hasp::WeldPoints(mesh)).Sound());
+#if HASP_WITH_CGAL
+    ASSERT_EQ(hasp::CountSelfIntersections(mesh), 0U);
+#endif
+  };
   for (unsigned n = 0; n < 6; ++n)
     for (const double spacing : { 0.5, 0.83 })
-      for (const double scale : { 1.0, 0.1 })
-      {
-        const glm::dvec3 far = scale < 1.0 ? glm::dvec3(150, -180, 120) : glm::dvec3(0);
-        const hasp::MovedSolid tree(hasp::RandomSolid(1000 + n, 1 + int(n % 4)), scale, far);
-        const auto mesh =
-          Rounded(hasp::SharpContour(tree, hasp::GridAround(far, 6.0 * scale, spacing * scale)));
-        if (mesh.triangles.empty())
-          continue;
-        ++meshes;
-        ASSERT_TRUE(hasp::CheckMesh(mesh).Sound()) << n << " " << spacing << " " << scale;
-#if HASP_WITH_CGAL
-        ASSERT_EQ(hasp::CountSelfIntersections(mesh), 0U) << n << " " << spacing << " " << scale;
-#endif
-      }
-  EXPECT_GE(meshes, 16);
+      for (const Place& place : { Place{ 1.0, {}, false }, Place{ 0.125, far, false },
+             Place{ 0.125, far, true }, Place{ 0.08, 2.0 * far, true } })
+        check(1001 + n, spacing, place);
+  check(356, 0.83, { 0.125, far, false }); // met itself while thickness alone was looked at
+  EXPECT_GE(meshes, 36);
 #if !HASP_WITH_CGAL
   RecordProperty("SelfIntersections", "not checked: HASP_ENABLE_CGAL is off");
 #endif
@@ -151,6 +173,17 @@ TEST(SharpContour, IsSoundWhereGridsAndPartsAreExtreme)
     const auto slab = hasp::MakeSlab({ 0, 0, 0.01 }, { 1, 1, 3 }, width);
     const auto left = CheckContour(*slab, hasp::GridAround(glm::dvec3(0), 3, 0.5));
     EXPECT_TRUE(left.triangles == 0 || left.Sound()) << width;
+  }
+  // A slot below the grid's step, along a plane of points and across: sound, and no more lost.
+  for (const double at : { 0.0, 0.21 })
+  {
+    const auto box = hasp::MakeBox({}, glm::dmat3(1), { 2, 2, 2 });
+    const auto slot = hasp::MakeBox({ at, 0, 1.5 }, glm::dmat3(1), { 0.05, 3, 1 });
+    const auto cut =
+      CheckContour(*hasp::MakeDifference(box, slot), hasp::GridAround(glm::dvec3(0), 3, 0.5));
+    EXPECT_TRUE(cut.Sound()) << at;
+    EXPECT_GT(cut.volumeMm3, 64 - 0.8 - 0.8) << at; // faces on grid points are 1 % of a cell lower
+    EXPECT_LT(cut.volumeMm3, 64 + 1e-3) << at;
   }
   // 1 m long at 5 mm, and 0.05 mm.
   const auto bar = hasp::MakeBox({ 500, 0, 0 }, glm::dmat3(1), { 498, 12, 13 });
@@ -204,6 +237,27 @@ TEST(SharpContour, AsksOnlyNearTheSurface)
   EXPECT_LT(ball.Count, grid.Size() / 20 + 4 * mesh.triangles.size());
 }
 
+TEST(SharpContour, SaysHowFarItIsAndCanBeStopped)
+{
+  const auto ball = hasp::MakeCapsule({}, {}, 1);
+  const auto grid = hasp::GridAround(glm::dvec3(0), 8, 0.1); // 8,000 blocks: two batches
+  std::vector<double> said;
+  hasp::SharpContour(*ball, grid, {}, nullptr,
+    [&](double done)
+    {
+      said.push_back(done);
+      return true;
+    });
+  ASSERT_GE(said.size(), 2U);
+  EXPECT_TRUE(std::is_sorted(said.begin(), said.end()));
+  EXPECT_GT(said.front(), 0.0);
+  EXPECT_EQ(said.back(), 1.0);
+  int calls = 0;
+  EXPECT_THROW(hasp::SharpContour(*ball, grid, {}, nullptr, [&](double) { return ++calls < 1; }),
+    hasp::Cancelled);
+  EXPECT_EQ(calls, 1);
+}
+
 TEST(SharpContour, BadInputIsRefused)
 {
   const auto ball = hasp::MakeCapsule({}, {}, 1);
@@ -220,8 +274,6 @@ TEST(SharpContour, BadInputIsRefused)
   bad = grid;
   bad.origin.x = 9000; // where floats come in steps of 1 um
   EXPECT_THROW(hasp::SharpContour(*ball, bad), std::invalid_argument);
-  EXPECT_THROW(
-    hasp::SharpContour(*ball, grid, {}, nullptr, [](double) { return false; }), hasp::Cancelled);
   // A solid that is steeper than it says loses blocks: that is no mesh with holes, but an error.
   const Asked steep(hasp::MakeCapsule({ 0.1, 0.2, 0.3 }, { 0.1, 0.2, 0.3 }, 2), 3.0);
   EXPECT_THROW(
