@@ -33,9 +33,8 @@ struct SharpContourFacts
 /// keeps them.
 ///
 /// solid    its faces, continued, are asked for where they meet (FaceAt)
-/// grid     its points are asked for their side. What reaches the border is cut flat, an eighth of
-/// a
-///          cell before it.
+/// grid     its points are asked for their side. What reaches the border is cut flat, an eighth
+///          of a cell before it.
 /// Method: a hybrid of the hybrid points of Ju and Udeshi 2006 ("Intersection-free contouring on an
 /// octree grid") and the features of Kobbelt et al. 2001 ("Feature sensitive surface extraction"),
 /// on Kuhn's tetrahedra, six to a cell, as those of ContourTetrahedra. A crossing is the root of
@@ -56,7 +55,9 @@ struct SharpContourFacts
 /// their step / the edge, 25 % at most. So a face along grid points moves inwards by that.
 /// Limits: what is thinner than a cell may be missing, but for the tips of wedges; of a tetrahedron
 /// that holds two corners one is bevelled. Edges are true to 0.08 of a cell (the radius of a fillet
-/// as far off), nearer than a cell to a corner to 0.7 of one; a curved face to `tolerance`.
+/// as far off). Of the corners of boxes 17 of 20 are exact; the others, whose faces come through a
+/// triangle as a strip narrower than a cell, lose up to 0.4 of a cell. A curved face is true to
+/// `tolerance`.
 ///
 /// Returns world millimetres, points welded, triangles counter-clockwise seen from outside. Empty
 /// if nothing is inside.

@@ -36,6 +36,7 @@ hasp::MeshCheck CheckContour(const hasp::ImplicitSolid& solid, const hasp::GridG
 TEST(SharpContour, ABoxKeepsItsVolumeAndHasEightCorners)
 {
   std::mt19937 random(3);
+  int exact = 0;
   for (int n = 0; n < 4; ++n)
   {
     const auto axes = n == 0 ? glm::dmat3(1) : hasp::AnyAxes(random);
@@ -54,11 +55,14 @@ TEST(SharpContour, ABoxKeepsItsVolumeAndHasEightCorners)
     for (const double x : { -3.0, 3.0 })
       for (const double y : { -4.0, 4.0 })
         for (const double z : { -2.0, 2.0 })
-          EXPECT_LT(
-            hasp::DistanceToMesh(glm::dvec3(0.1, -0.13, 0.07) + axes * glm::dvec3(x, y, z), mesh),
-            0.13) // a quarter of a cell
-            << n;
+        {
+          const double off =
+            hasp::DistanceToMesh(glm::dvec3(0.1, -0.13, 0.07) + axes * glm::dvec3(x, y, z), mesh);
+          EXPECT_LT(off, 0.2) << n; // 0.4 of a cell
+          exact += off < 1e-5;
+        }
   }
+  EXPECT_GE(exact, 20) << "of 32";
 }
 
 TEST(SharpContour, SlotsEdgesAndHolesAreTrue)
@@ -142,7 +146,7 @@ TEST(SharpContour, PartsThatTouchAreOneAndWhatIsTakenAwayLeavesNoSkin)
   EXPECT_TRUE(both.Sound());
   EXPECT_EQ(both.pieces, 1U);
   // Faces on grid points are 1 % of a cell further in.
-  EXPECT_NEAR(both.volumeMm3 / 16, 1.0, 0.01);
+  EXPECT_NEAR(both.volumeMm3 / 16, 0.995, 0.0049);
   const auto none = hasp::SharpContour(*hasp::MakeDifference(left, left), grid);
   EXPECT_TRUE(none.triangles.empty());
 }
