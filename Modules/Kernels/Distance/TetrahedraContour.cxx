@@ -1,4 +1,5 @@
 #include "Distance/TetrahedraContour.h"
+#include "Distance/KuhnTetrahedra.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -17,12 +18,6 @@ namespace
 constexpr double EdgeMargin = 0.02;
 constexpr std::uint32_t NoPoint = std::numeric_limits<std::uint32_t>::max();
 
-/// Corner c of a cell is at (c&1, c>>1&1, c>>2). The six tetrahedra 0, a, b, 7 walk from corner 0
-/// to 7 along the axes in each order; odd orders have their middle corners swapped, so that all are
-/// positively oriented.
-constexpr int Tetrahedra[6][4] = { { 0, 1, 3, 7 }, { 0, 5, 1, 7 }, { 0, 3, 2, 7 }, { 0, 2, 6, 7 },
-  { 0, 4, 5, 7 }, { 0, 6, 4, 7 } };
-
 /// Marching over two slices of grid points at a time.
 class Marcher
 {
@@ -32,7 +27,6 @@ public:
     const std::size_t slice = std::size_t(this->Dims.x) * this->Dims.y;
     for (auto& ids : this->PointOnEdge)
       ids.assign(7 * slice, NoPoint);
-    // A left-handed grid turns every tetrahedron inside out.
     this->Mirrored = glm::determinant(field.geometry.direction) < 0.0;
   }
 
@@ -49,8 +43,6 @@ public:
   TriangleMesh Mesh;
 
 private:
-  static glm::ivec3 Offset(int corner) { return { corner & 1, corner >> 1 & 1, corner >> 2 }; }
-
   float Value(const glm::ivec3& p) const
   {
     const float v = this->Field(p.x, p.y, p.z);
@@ -68,46 +60,28 @@ private:
     int inside = 0;
     for (int c = 0; c < 8; ++c)
     {
-      value[c] = this->Value(cell + Offset(c));
+      value[c] = this->Value(cell + CellCorner(c));
       inside |= (value[c] < 0.0F) << c;
     }
     if (inside == 0 || inside == 255)
       return;
-    for (const auto& t : Tetrahedra)
+    for (const auto& t : KuhnTetrahedra)
       this->Tetrahedron(cell, value, t);
   }
 
   void Tetrahedron(const glm::ivec3& cell, const std::array<float, 8>& value, const int (&t)[4])
   {
-    // Inside corners first, keeping the orientation: an even permutation, or the faces are flipped.
-    int order[4], count = 0, at = 0;
-    for (int n = 0; n < 4; ++n)
-      if (value[t[n]] < 0.0F)
-        order[count++] = n;
-    at = count;
-    for (int n = 0; n < 4; ++n)
-      if (!(value[t[n]] < 0.0F))
-        order[at++] = n;
-    if (count == 0 || count == 4)
-      return;
-    bool odd = this->Mirrored;
-    for (int a = 0; a < 4; ++a)
-      for (int b = a + 1; b < 4; ++b)
-        odd ^= order[a] > order[b];
-    const auto point = [&](int a, int b)
-    { return this->Point(cell, value, t[order[a]], t[order[b]]); };
-    const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
-    { this->Mesh.triangles.push_back(odd ? glm::uvec3(a, c, b) : glm::uvec3(a, b, c)); };
-    if (count == 1)
-      triangle(point(0, 1), point(0, 2), point(0, 3));
-    else if (count == 3)
-      triangle(point(0, 3), point(1, 3), point(2, 3));
-    else
-    {
-      const std::uint32_t a = point(0, 2), b = point(0, 3), c = point(1, 3), d = point(1, 2);
-      triangle(a, b, c);
-      triangle(a, c, d);
-    }
+    const TetrahedronSides sides =
+      SidesOf({ value[t[0]] < 0.0F, value[t[1]] < 0.0F, value[t[2]] < 0.0F, value[t[3]] < 0.0F });
+    std::uint32_t points[4];
+    for (int n = 0; n < sides.crossings; ++n)
+      points[n] = this->Point(
+        cell, value, t[sides.corner[sides.crossing[n][0]]], t[sides.corner[sides.crossing[n][1]]]);
+    // A left-handed grid turns every tetrahedron inside out.
+    const bool turned = sides.odd != this->Mirrored;
+    for (int n = 2; n < sides.crossings; ++n)
+      this->Mesh.triangles.push_back(turned ? glm::uvec3(points[0], points[n], points[n - 1])
+                                            : glm::uvec3(points[0], points[n - 1], points[n]));
   }
 
   /// The crossing on the edge between two corners of a cell, made once and found again by every
@@ -115,7 +89,7 @@ private:
   std::uint32_t Point(const glm::ivec3& cell, const std::array<float, 8>& value, int a, int b)
   {
     const int low = std::min(a, b), high = std::max(a, b); // Kuhn edges never go down on any axis
-    const glm::ivec3 from = cell + Offset(low);
+    const glm::ivec3 from = cell + CellCorner(low);
     const std::size_t column = std::size_t(from.y) * this->Dims.x + from.x;
     std::uint32_t& id = this->PointOnEdge[from.z - cell.z][7 * column + (high - low) - 1];
     if (id == NoPoint)
@@ -125,8 +99,8 @@ private:
       if (this->Mesh.points.size() >= NoPoint)
         throw std::invalid_argument("contour: more than 2^32 - 1 points; use a coarser grid");
       id = static_cast<std::uint32_t>(this->Mesh.points.size());
-      this->Mesh.points.push_back(
-        this->Field.geometry.IndexToWorld(glm::dvec3(from) + t * glm::dvec3(Offset(high - low))));
+      this->Mesh.points.push_back(this->Field.geometry.IndexToWorld(
+        glm::dvec3(from) + t * glm::dvec3(CellCorner(high - low))));
     }
     return id;
   }

@@ -6,6 +6,7 @@
 #include "Distance/EuclideanDistance.h"
 #include "Distance/GridSolid.h"
 #include "Distance/NearSurface.h"
+#include "Distance/SharpContour.h"
 #include "Distance/TetrahedraContour.h"
 #include "Grid/AnalyticVolumes.h"
 #include "Grid/Testing/WithThreads.h"
@@ -80,11 +81,14 @@ TEST(DistanceThreads, AskATreeForTheSameBits)
         const auto near = hasp::EvaluateNearSurface(*tree, g, 0.25);
         const auto sampled =
           hasp::MakeGridSolid(std::make_shared<std::vector<float>>(hasp::DenseValues(near)), g);
-        return std::make_tuple(near.sides, near.near, near.values, sampled->Steepness());
+        const auto mesh = hasp::SharpContour(*tree, g);
+        return std::make_tuple(
+          near.sides, near.near, near.values, sampled->Steepness(), mesh.points, mesh.triangles);
       });
   };
   const auto one = make(1);
   ASSERT_GT(std::get<1>(one).size(), 50U);
+  ASSERT_GT(std::get<4>(one).size(), 1000U);
   for (const int threads : { 2, 4, 8 })
     EXPECT_EQ(make(threads), one) << threads;
 }

@@ -1,0 +1,239 @@
+#include "Distance/BlockContour.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr int MostLevels = 2;      ///< edges of vertices below are halved where a tip comes through
+constexpr double Steepest = 1.001; ///< slopes: directions are orthonormal within 1e-4
+
+/// Share of an edge that points keep from its ends. The thinnest parts of a tetrahedron, with two
+/// points near to the ends of edges, are about as high as its square.
+double EdgeMargin(double steps)
+{
+  return std::clamp(1.6 / std::sqrt(steps), 0.01, 0.25);
+}
+
+/// The same of vertices that halve edges and triangles; of those of level 1 parts are halved again.
+double TipMargin(double steps, int level)
+{
+  return std::max((level == 0 ? 16.0 : 24.0) / std::sqrt(steps), 0.03);
+}
+
+} // namespace
+
+BlockContour::BlockContour(
+  const BoundedSolid& solid, const GridGeometry& grid, const ContourLimits& limits)
+  : Solid(solid),
+    Grid(grid),
+    Limits(limits)
+{
+}
+
+void BlockContour::Contour(const glm::ivec3& first, int size)
+{
+  const glm::ivec3 last = glm::min(first + size, this->Grid.Cells());
+  if (first.x >= last.x || first.y >= last.y || first.z >= last.z)
+    return;
+  const glm::dvec3 middle = 0.5 * glm::dvec3(first + last);
+  const double reach = 0.5 * glm::length(this->Grid.spacing * glm::dvec3(last - first));
+  if (std::abs(this->Solid.At(this->Grid.IndexToWorld(middle))) > Steepest * reach)
+    return;
+  if (size == 1)
+    this->Cell(first);
+  else
+    for (int c = 0; c < 8; ++c)
+      this->Contour(first + CellCorner(c) * (size / 2), size / 2);
+}
+
+bool BlockContour::Before(std::uint32_t a, std::uint32_t b) const
+{
+  const glm::dvec3 &p = this->Vertices[a].index, &q = this->Vertices[b].index;
+  return p.z != q.z ? p.z < q.z : p.y != q.y ? p.y < q.y : p.x < q.x;
+}
+
+/// An order of all edges, the same in all tetrahedra round an edge or a triangle: edges of the
+/// grid before those that halving made.
+bool BlockContour::EarlierEdge(
+  const std::array<std::uint32_t, 2>& a, const std::array<std::uint32_t, 2>& b) const
+{
+  const auto level = [&](const auto& e)
+  { return std::max(this->Vertices[e[0]].level, this->Vertices[e[1]].level); };
+  if (level(a) != level(b))
+    return level(a) < level(b);
+  return a[0] != b[0] ? this->Before(a[0], b[0]) : this->Before(a[1], b[1]);
+}
+
+std::uint32_t BlockContour::AddVertex(const glm::dvec3& index, int level)
+{
+  const glm::dvec3 world = this->Grid.IndexToWorld(index);
+  this->Vertices.push_back({ index, world, this->Solid.SampleAt(world), level });
+  return std::uint32_t(this->Vertices.size() - 1);
+}
+
+std::uint32_t BlockContour::GridVertex(const glm::ivec3& place)
+{
+  const std::uint64_t key =
+    std::uint64_t(place.z) << 42 | std::uint64_t(place.y) << 21 | std::uint64_t(place.x);
+  const auto [found, isNew] = this->VertexAt.try_emplace(key, 0U);
+  if (isNew)
+    found->second = this->AddVertex(glm::dvec3(place), 0);
+  return found->second;
+}
+
+glm::dvec3 BlockContour::Rounded(const glm::dvec3& index) const
+{
+  return glm::dvec3(glm::vec3(this->Grid.IndexToWorld(index)));
+}
+
+std::uint32_t BlockContour::AddPoint(const glm::dvec3& index)
+{
+  this->Indices.push_back(index);
+  this->Points.push_back(this->Rounded(index));
+  return std::uint32_t(this->Points.size() - 1);
+}
+
+BlockContour::Edge& BlockContour::FindEdge(std::uint32_t a, std::uint32_t b)
+{
+  const auto [found, isNew] = this->EdgeBetween.try_emplace(
+    std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), std::uint32_t(this->EdgeList.size()));
+  if (!isNew)
+    return this->EdgeList[found->second];
+  if (!this->Before(a, b))
+    std::swap(a, b);
+  const Vertex p = this->Vertices[a], q = this->Vertices[b];
+  const double steps = glm::distance(p.world, q.world) / this->Limits.step;
+  Edge edge;
+  if (this->Inside(a) != this->Inside(b))
+  {
+    edge.crossing = FindCrossing(this->Solid, p.world, p.sample.value, q.world, q.sample.value);
+    const double margin = EdgeMargin(steps);
+    const double share = std::clamp(edge.crossing.share, margin, 1.0 - margin);
+    edge.point = this->AddPoint(p.index + share * (q.index - p.index));
+  }
+  else if (const int level = std::max(p.level, q.level); level < MostLevels)
+    if (const auto tip =
+          FindTip(this->Solid, p.world, p.sample, q.world, q.sample, TipMargin(steps, level)))
+    {
+      edge.split = this->AddVertex(p.index + *tip * (q.index - p.index), level + 1);
+      ++this->Splits;
+    }
+  this->EdgeList.push_back(edge);
+  return this->EdgeList.back();
+}
+
+const BlockContour::Face& BlockContour::FindFace(std::uint32_t a, std::uint32_t b, std::uint32_t c)
+{
+  std::array<std::uint32_t, 3> v{ a, b, c };
+  std::sort(v.begin(), v.end());
+  const auto [found, isNew] = this->FaceBetween.try_emplace(
+    std::uint64_t(v[0]) << 42 | std::uint64_t(v[1]) << 21 | v[2], Face());
+  Face& face = found->second;
+  if (!isNew)
+    return face;
+  std::sort(v.begin(), v.end(), [&](auto p, auto q) { return this->Before(p, q); });
+  if (this->Inside(a) != this->Inside(b) || this->Inside(a) != this->Inside(c))
+    this->Bend(face, v);
+  else if (const int level = std::max(
+             { this->Vertices[a].level, this->Vertices[b].level, this->Vertices[c].level });
+           level < MostLevels)
+  {
+    const auto vertex = [&](int n) -> const Vertex& { return this->Vertices[v[n]]; };
+    const std::array<glm::dvec3, 3> world{ vertex(0).world, vertex(1).world, vertex(2).world };
+    const double shortest = std::min({ glm::distance(world[0], world[1]),
+      glm::distance(world[1], world[2]), glm::distance(world[2], world[0]) });
+    const auto tip =
+      FindTip(this->Solid, world, this->Inside(a), TipMargin(shortest / this->Limits.step, level));
+    if (tip)
+    {
+      face.split = this->AddVertex(vertex(0).index + tip->y * (vertex(1).index - vertex(0).index) +
+                                     tip->z * (vertex(2).index - vertex(0).index),
+        level + 1);
+      ++this->Splits;
+    }
+  }
+  return face;
+}
+
+void BlockContour::Cell(const glm::ivec3& cell)
+{
+  ++this->Cells;
+  std::uint32_t corner[8];
+  for (int c = 0; c < 8; ++c)
+    corner[c] = this->GridVertex(cell + CellCorner(c));
+  for (const auto& t : KuhnTetrahedra)
+    this->Refine({ corner[t[0]], corner[t[1]], corner[t[2]], corner[t[3]] });
+}
+
+/// The ends of the edge to halve first, and the vertex that does it: None if there is nothing to
+/// do.
+std::array<std::uint32_t, 2> BlockContour::SplitEdge(
+  const Tetrahedron& corners, std::uint32_t& split)
+{
+  split = None;
+  std::array<std::uint32_t, 2> ends{};
+  for (int a = 0; a < 4; ++a)
+    for (int b = a + 1; b < 4; ++b)
+    {
+      std::array<std::uint32_t, 2> e{ corners[a], corners[b] };
+      const std::uint32_t at = this->FindEdge(e[0], e[1]).split;
+      if (at == None)
+        continue;
+      if (!this->Before(e[0], e[1]))
+        std::swap(e[0], e[1]);
+      if (split == None || this->EarlierEdge(e, ends))
+        split = at, ends = e;
+    }
+  return ends;
+}
+
+/// The same for triangles, of a tetrahedron without edges to halve.
+std::array<std::uint32_t, 3> BlockContour::SplitFace(
+  const Tetrahedron& corners, std::uint32_t& split)
+{
+  split = None;
+  for (int away = 0; away < 4; ++away)
+  {
+    const std::array<std::uint32_t, 3> v{ corners[away == 0 ? 1 : 0], corners[away < 2 ? 2 : 1],
+      corners[away < 3 ? 3 : 2] };
+    const auto face = [&](int n) { return this->Vertices[v[n]].sample.face; };
+    if (this->Inside(v[0]) != this->Inside(v[1]) || this->Inside(v[0]) != this->Inside(v[2]) ||
+        (face(0) == face(1) && face(0) == face(2)))
+      continue;
+    split = this->FindFace(v[0], v[1], v[2]).split;
+    if (split != None)
+      return v;
+  }
+  return {};
+}
+
+void BlockContour::Refine(const Tetrahedron& corners)
+{
+  const auto divide = [&](const auto& ends, std::uint32_t split)
+  {
+    for (const std::uint32_t end : ends)
+    {
+      Tetrahedron part = corners;
+      std::replace(part.begin(), part.end(), end, split);
+      this->Refine(part);
+    }
+  };
+  std::uint32_t split = None;
+  const auto edge = this->SplitEdge(corners, split);
+  if (split != None)
+    return divide(edge, split);
+  const auto face = this->SplitFace(corners, split);
+  if (split != None)
+    return divide(face, split);
+  this->Surface(corners);
+}
+
+} // namespace hasp
