@@ -22,8 +22,8 @@ int main(int argc, char* argv[])
   bone->SetInputKindToGrey();
   bone->SetIsoValue(std::atof(argv[2]));
   vtkNew<vtkHaspSolidSource> saw;
-  const double place[3] = { std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5]) };
-  const double normal[3] = { 1, 0, 0 };
+  const double normal[3] = { 1, 0, 0 },
+               place[3] = { std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5]) };
   if (!saw->SetToSlab(place, normal, std::atof(argv[6])))
     return 1;
   vtkNew<vtkHaspCsg> cut;
@@ -32,6 +32,7 @@ int main(int argc, char* argv[])
   cut->AddInputConnection(saw->GetOutputPort());
   vtkNew<vtkHaspSharpContour> surface;
   surface->SetInputConnection(cut->GetOutputPort());
+  surface->SetSpacing(0.8); // a CT's own
   vtkNew<vtkHaspSurfaceWriter> writer;
   writer->SetInputConnection(surface->GetOutputPort());
   writer->SetFileName(argv[7]);
