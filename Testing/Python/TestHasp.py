@@ -287,6 +287,38 @@ class Guide(unittest.TestCase):
         self.assertTrue(guide.ReadRecipe(str(recipe)))
 
 
+class Distance(unittest.TestCase):
+    """Bone that is sampled, less a shape that is not."""
+
+    def test_a_saw_cuts_a_ball_in_two(self):
+        distance = hasp.vtkHaspSignedDistance()
+        distance.SetInputData(ball())
+        distance.SetInputKindToGrey()
+        distance.SetIsoValue(0.0)
+        saw = hasp.vtkHaspSolidSource()
+        self.assertTrue(saw.SetToSlab((0, 0, 0), (1, 0, 0), 2.0))
+        cut = hasp.vtkHaspCsg()
+        cut.SetOperationToDifference()
+        cut.AddInputConnection(distance.GetOutputPort())
+        cut.AddInputConnection(saw.GetOutputPort())
+        contour = hasp.vtkHaspSharpContour()
+        contour.SetInputConnection(cut.GetOutputPort())
+        contour.Update()
+        solid = cut.GetOutput()
+        self.assertAlmostEqual(solid.EvaluateDistance((0, 0, 0)), 1.0, delta=1e-6)
+        self.assertAlmostEqual(solid.EvaluateDistance((5, 0, 0)), -4.0, delta=0.05)
+        mesh = contour.GetOutput()
+        self.assertGreater(mesh.GetNumberOfCells(), 1000)
+        nearest = min(abs(mesh.GetPoint(p)[0]) for p in range(mesh.GetNumberOfPoints()))
+        self.assertAlmostEqual(nearest, 1.0, delta=1e-5)  # the walls of the kerf
+
+    def test_what_is_no_shape_is_an_error(self):
+        saw = hasp.vtkHaspSolidSource()
+        said = errors_of(saw)
+        self.assertFalse(saw.SetToSlab((0, 0, 0), (0, 0, 0), 2.0))
+        self.assertTrue(said)
+
+
 class PointShell(unittest.TestCase):
     """A vtkPolyData with normals drawn as discs, and a force."""
 

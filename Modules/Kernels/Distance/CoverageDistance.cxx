@@ -1,5 +1,6 @@
 #include "Distance/CoverageDistance.h"
 
+#include "Distance/DistanceBounds.h"
 #include "Distance/ElementLanes.h"
 #include "Distance/EuclideanDistance.h"
 #include "Grid/ParallelFor.h"
@@ -162,8 +163,14 @@ std::vector<float> Distances(const GridGeometry& geometry, std::span<const float
     return distance;
   }
   Band(surface, coverage.data(), distance).Fill(part(0.2, everywhere ? 0.5 : 1.0));
+  if (!isCoverage)
+    BoundByCrossings(geometry, coverage, distance);
+  BoundByNeighbours(geometry, 0.0F, distance);
   if (everywhere)
+  {
     FillFar(geometry, surface, coverage.data(), band, distance, part(0.5, 1.0));
+    BoundByNeighbours(geometry, band, distance);
+  }
   ReportProgress(progress, 1.0);
   return distance;
 }

@@ -24,9 +24,10 @@ namespace hasp
 /// of radius R, h^2 / (8 R). Sharp edges are not kept: within three voxels of the edges of boxes,
 /// turned nine ways and of exact coverage, 0.19 voxels rms and 0.9 at most (TestCoverageDistance
 /// prints and holds it), because elements of the faces turn towards each other; five voxels from
-/// the edges 0.005. Away from the surface the sign is that of the voxel's own coverage. Throws as
-/// ExtractSurfaceElements; Cancelled. Any thread; all cores, the same result with any number of
-/// them. O(voxels); 20 bytes a voxel.
+/// the edges 0.005. Away from the surface the sign is that of the voxel's own coverage. Neighbours
+/// along an axis never differ by more than 1.01 times their spacing, also in noise and in walls of
+/// a voxel (DistanceBounds.h). Throws as ExtractSurfaceElements; Cancelled. Any thread; all cores,
+/// the same result with any number of them. O(voxels); 20 bytes a voxel.
 std::vector<float> CoverageDistance(const GridGeometry& geometry, std::span<const float> coverage,
   const ProgressFunction& progress = {});
 

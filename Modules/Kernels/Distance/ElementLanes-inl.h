@@ -236,6 +236,7 @@ EdgeFacts Gradients(const SurfaceElements& surface, const float* coverage, std::
 {
   const Field field(surface, coverage);
   const Floats least = Splat(ElementLanes::Least), most = Splat(ElementLanes::Most);
+  const Ints end = Splat(int(surface.at.size()) - 1);
   EdgeFacts sum;
   for (std::size_t n = first; n < last; n += Lanes)
   {
@@ -266,13 +267,18 @@ EdgeFacts Gradients(const SurfaceElements& surface, const float* coverage, std::
     StoreElements(None(), Splat(0.0F), per * g, Splat(0.0F), count, to + n);
     const Floats here = hn::GatherIndex(floats, coverage, at.voxel);
     const auto between = [&](Floats a) { return hn::And(hn::Gt(a, least), hn::Lt(a, most)); };
-    const Mask partial = between(here);
-    const Mask blurred = hn::And(known, hn::And(between(hn::GatherIndex(floats, coverage, ahead)),
-                                          between(hn::GatherIndex(floats, coverage, behind))));
-    const Floats half = Splat(0.5F);
-    const Mask unsure = hn::Gt(hn::Abs(hn::Sub(here, half)), Splat(0.25F));
-    const Mask stray = hn::And(unsure, hn::Or(hn::Lt(high, half), hn::Ge(low, half)));
-    const std::uint64_t some = BitsOf(partial) & ((std::uint64_t(1) << count) - 1);
+    // Where it turns back one step on, that is the other side of a thin wall, or of a gap.
+    const Floats inner = hn::GatherIndex(floats, coverage, ahead),
+                 outer = hn::GatherIndex(floats, coverage, behind);
+    const auto beyond = [&](Ints next)
+    {
+      const Ints on = hn::Sub(hn::Add(next, next), at.voxel);
+      return hn::GatherIndex(floats, coverage, hn::Min(hn::Max(on, Splat(0)), end));
+    };
+    const Mask onwards = hn::And(hn::Ge(beyond(ahead), inner), hn::Le(beyond(behind), outer));
+    const Mask blurred = hn::And(hn::And(known, onwards), hn::And(between(inner), between(outer)));
+    const Mask stray = hn::Or(hn::Lt(high, Splat(0.25F)), hn::Ge(low, Splat(0.75F)));
+    const std::uint64_t some = BitsOf(between(here)) & ((std::uint64_t(1) << count) - 1);
     sum.partial += __builtin_popcountll(some);
     sum.blurred += __builtin_popcountll(BitsOf(blurred) & some);
     sum.stray += __builtin_popcountll(BitsOf(stray) & some);

@@ -341,6 +341,24 @@ TEST(CoverageDistance, GreyScansAndNoiseAreNotTakenForCoverage)
     EXPECT_NO_THROW(hasp::CoverageDistance(grid, hasp::AnalyticCoverage(thin, grid))) << thin.name;
 }
 
+// The other side of a wall looks like a slope that goes on.
+TEST(CoverageDistance, WallsOfAnyThicknessAndPoseAreCoverage)
+{
+  const auto grid = Cube(32);
+  std::mt19937 random(3);
+  std::normal_distribution<double> any;
+  for (const double thick : { 0.6, 1.0, 1.6, 2.0, 2.5, 3.0, 4.0 }) // voxels
+    for (int n = 0; n < 6; ++n)
+    {
+      const glm::dvec3 normal = glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+      const hasp::AnalyticVolume wall{ "",
+        [&](const glm::dvec3& p) { return 0.5 * thick - std::abs(glm::dot(p, normal) - 0.1 * n); },
+        1 };
+      EXPECT_TRUE(hasp::MeasureEdges(grid, hasp::AnalyticCoverage(wall, grid)).Coverage())
+        << thick << ": " << normal.x << " " << normal.y << " " << normal.z;
+    }
+}
+
 TEST(CoverageDistance, AGreyScanIsMeasuredAsItIs)
 {
   const auto grid = Cube(48);

@@ -1,0 +1,38 @@
+#pragma once
+#include "Grid/Progress.h"
+
+#include "vtkAlgorithm.h"
+
+#include <exception>
+
+namespace hasp
+{
+
+/// Runs what a filter does, in RequestData: `work` gets the filter's progress, which ends it after
+/// AbortExecute. Returns 1, also where that was asked for, or 0 after an error, which is said. What
+/// `work` has not yet put into the output when it throws is not there.
+template <typename Work>
+int RunFilter(vtkAlgorithm* filter, const Work& work)
+{
+  try
+  {
+    work(ProgressFunction(
+      [filter](double share)
+      {
+        filter->UpdateProgress(share);
+        return !filter->GetAbortExecute();
+      }));
+    return 1;
+  }
+  catch (const Cancelled&)
+  {
+    return 1; // what was asked for: nothing
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(filter, << error.what());
+    return 0;
+  }
+}
+
+} // namespace hasp

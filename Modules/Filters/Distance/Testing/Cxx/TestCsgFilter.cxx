@@ -1,0 +1,164 @@
+#include "vtkHaspCsg.h"
+
+#include "FilterErrors.h"
+#include "Grid/AnalyticVolumes.h"
+#include "vtkHaspSolid.h"
+#include "vtkHaspSolidSource.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+const double Origin[3] = { 0, 0, 0 };
+
+/// Two balls of radius 2, at the origin and at x = 3, into one filter.
+struct TwoBalls
+{
+  TwoBalls()
+  {
+    const double second[3] = { 3, 0, 0 };
+    this->one->SetToCapsule(Origin, Origin, 2.0);
+    this->other->SetToCapsule(second, second, 2.0);
+    this->csg->AddInputConnection(this->one->GetOutputPort());
+    this->csg->AddInputConnection(this->other->GetOutputPort());
+  }
+  double At(double x, double y = 0.0)
+  {
+    this->csg->Update();
+    const double place[3] = { x, y, 0 };
+    return this->csg->GetOutput()->EvaluateDistance(place);
+  }
+  vtkNew<vtkHaspSolidSource> one, other;
+  vtkNew<vtkHaspCsg> csg;
+};
+
+TEST(CsgFilter, JoinsAsItIsTold)
+{
+  TwoBalls balls;
+  EXPECT_NEAR(balls.At(6), 1.0, 1e-12);
+  EXPECT_NEAR(balls.At(-3), 1.0, 1e-12);
+  balls.csg->SetOperationToIntersection();
+  EXPECT_NEAR(balls.At(-1), 2.0, 1e-12);
+  EXPECT_NEAR(balls.At(1.5), -0.5, 1e-12);
+  balls.csg->SetOperationToDifference();
+  EXPECT_NEAR(balls.At(1.5), 0.5, 1e-12);
+  EXPECT_NEAR(balls.At(-1), -1.0, 1e-12);
+  balls.csg->SetOperationToSmoothUnion();
+  balls.csg->SetRadius(0.8);
+  EXPECT_NEAR(balls.At(1.5, std::sqrt(4 - 2.25)), -0.2, 1e-12); // on both: r / 4 more
+  EXPECT_NEAR(balls.At(-3), 1.0, 1e-12);
+  balls.csg->SetOperationToOffset();
+  balls.csg->SetDistance(0.5);
+  EXPECT_NEAR(balls.At(6), 0.5, 1e-12);
+  balls.csg->SetOperationToShell();
+  balls.csg->SetRange(-0.5, 0.25);
+  EXPECT_NEAR(balls.At(-2), -0.25, 1e-12);
+  EXPECT_NEAR(balls.At(-1), 0.5, 1e-12);
+  balls.csg->SetOperationToUnion();
+  EXPECT_NEAR(balls.At(-3), 1.0, 1e-12);
+}
+
+TEST(CsgFilter, ADifferenceOfOnePartIsThePart)
+{
+  TwoBalls balls;
+  balls.csg->RemoveInputConnection(0, balls.other->GetOutputPort());
+  balls.csg->SetOperationToDifference();
+  balls.csg->Update();
+  EXPECT_EQ(balls.csg->GetOutput()->GetSolid(), balls.one->GetOutput()->GetSolid());
+}
+
+TEST(CsgFilter, FollowsWhatIsUpstream)
+{
+  TwoBalls balls;
+  EXPECT_NEAR(balls.At(6), 1.0, 1e-12);
+  const auto before = balls.csg->GetOutput()->GetSolid();
+  EXPECT_NEAR(balls.At(6), 1.0, 1e-12);
+  EXPECT_EQ(balls.csg->GetOutput()->GetSolid(), before) << "nothing has changed";
+  const double place[3] = { 4, 0, 0 };
+  balls.other->SetToCapsule(place, place, 1.5);
+  EXPECT_NEAR(balls.At(6), 0.5, 1e-12);
+}
+
+/// Signed distances of a ball, as vtkHaspSignedDistance gives.
+vtkSmartPointer<vtkImageData> BallImage()
+{
+  const hasp::GridGeometry grid{ glm::ivec3(25), glm::dvec3(-6), glm::dvec3(0.5), glm::dmat3(1) };
+  return hasp::MakeImage(
+    grid, hasp::SampleAnalytic<float>(hasp::AnalyticSphere(glm::dvec3(0), 4.0), grid, -1.0, 0.0));
+}
+
+TEST(CsgFilter, AnImageOfDistancesIsAPartAndReadOnce)
+{
+  const auto image = BallImage();
+  vtkNew<vtkHaspSolidSource> slab;
+  const double up[3] = { 0, 0, 1 };
+  slab->SetToSlab(Origin, up, 1.0);
+  vtkNew<vtkHaspCsg> cut;
+  cut->SetOperationToDifference();
+  cut->AddInputData(image);
+  cut->AddInputConnection(slab->GetOutputPort());
+  const auto at = [&](double x, double z)
+  {
+    cut->Update();
+    const double place[3] = { x, 0, z };
+    return cut->GetOutput()->EvaluateDistance(place);
+  };
+  EXPECT_NEAR(at(0, 0), 0.5, 1e-6);
+  EXPECT_NEAR(at(5, 2), std::sqrt(29.0) - 4.0, 0.02);
+  // Samples that change unsaid are not seen: the image is not read again for another saw.
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+    values[v] += 1.0F;
+  slab->SetToSlab(Origin, up, 2.0);
+  EXPECT_NEAR(at(5, 2), std::sqrt(29.0) - 4.0, 0.02);
+  EXPECT_NEAR(at(0, 0), 1.0, 1e-6);
+  image->Modified();
+  EXPECT_NEAR(at(5, 2), std::sqrt(29.0) - 3.0, 0.02);
+}
+
+TEST(CsgFilter, SaysWhichInputIsWrongAndWhatToDo)
+{
+  TwoBalls balls;
+  vtkNew<vtkHaspSolid> empty;
+  balls.csg->AddInputData(empty);
+  EXPECT_NE(ErrorsOfUpdate(balls.csg).find("input 2: there is no solid"), std::string::npos);
+  EXPECT_EQ(balls.csg->GetOutput()->GetSolid(), nullptr);
+
+  vtkNew<vtkHaspCsg> csg;
+  const hasp::GridGeometry grid{ glm::ivec3(4), glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  csg->AddInputData(hasp::MakeImage(grid, std::vector<std::int16_t>(64, 5)));
+  const std::string said = ErrorsOfUpdate(csg);
+  EXPECT_NE(said.find("input 0"), std::string::npos) << said;
+  EXPECT_NE(said.find("short"), std::string::npos) << said;
+  EXPECT_NE(said.find("vtkHaspSignedDistance"), std::string::npos) << said;
+  csg->RemoveAllInputs();
+  std::vector<float> grey(64);
+  for (std::size_t v = 0; v < grey.size(); ++v)
+    grey[v] = 100.0F * float(v % 2);
+  csg->AddInputData(hasp::MakeImage(grid, grey));
+  EXPECT_NE(ErrorsOfUpdate(csg).find("input 0"), std::string::npos) << "grey values are refused";
+  csg->RemoveAllInputs();
+  vtkNew<vtkPolyData> mesh;
+  csg->AddInputData(mesh);
+  EXPECT_NE(ErrorsOfUpdate(csg), "");
+
+  balls.csg->RemoveInputConnection(0, 2);
+  balls.csg->SetOperationToSmoothUnion();
+  balls.csg->SetRadius(0.0);
+  EXPECT_NE(ErrorsOfUpdate(balls.csg), "");
+  balls.csg->SetOperationToShell();
+  balls.csg->SetRange(1.0, 0.0);
+  EXPECT_NE(ErrorsOfUpdate(balls.csg), "");
+  balls.csg->SetOperationToOffset();
+  balls.csg->SetDistance(std::nan(""));
+  EXPECT_NE(ErrorsOfUpdate(balls.csg), "");
+}
+
+} // namespace

@@ -1,0 +1,119 @@
+#include "vtkHaspCoverage.h"
+
+#include "Distance/Coverage.h"
+#include "Distance/MeshCoverage.h"
+#include "FilterRun.h"
+#include "ImageOutput.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkHaspCoverage);
+
+vtkHaspCoverage::vtkHaspCoverage()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkHaspCoverage::SetGridConnection(vtkAlgorithmOutput* grid)
+{
+  this->SetInputConnection(1, grid);
+}
+
+void vtkHaspCoverage::SetGridData(vtkImageData* grid)
+{
+  this->SetInputData(1, grid);
+}
+
+int vtkHaspCoverage::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  if (port == 0)
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+namespace
+{
+
+/// Whose grid the output has.
+vtkInformation* GridInformation(vtkInformationVector** inputs)
+{
+  if (vtkInformation* grid = inputs[1]->GetInformationObject(0))
+    return grid;
+  vtkInformation* volume = inputs[0]->GetInformationObject(0);
+  if (!vtkImageData::GetData(volume))
+    throw std::invalid_argument("a surface has no grid of its own: SetGridData or "
+                                "SetGridConnection");
+  return volume;
+}
+
+} // namespace
+
+int vtkHaspCoverage::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return hasp::RunFilter(this,
+    [&](const hasp::ProgressFunction&)
+    {
+      hasp::SayImage(
+        outputs->GetInformationObject(0), hasp::PipelineGeometry(GridInformation(inputs)));
+    });
+}
+
+int vtkHaspCoverage::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  for (int port = 0; port < 2; ++port)
+    if (vtkInformation* input = inputs[port]->GetInformationObject(0))
+      hasp::AskForAll(input);
+  return 1;
+}
+
+int vtkHaspCoverage::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  output->Initialize();
+  return hasp::RunFilter(this,
+    [&](const hasp::ProgressFunction& progress)
+    {
+      const hasp::GridGeometry grid = hasp::PipelineGeometry(GridInformation(inputs));
+      if (vtkPolyData* surface = vtkPolyData::GetData(inputs[0]))
+        return hasp::GiveImage(output, grid,
+          hasp::MeshCoverage(hasp::TrianglesOf(surface), grid, this->SamplesPerAxis, progress),
+          "Coverage");
+      vtkImageData* volume = vtkImageData::GetData(inputs[0]);
+      std::vector<std::uint8_t> keep;
+      if (!this->LabelArrayName.empty())
+      {
+        vtkDataArray* labels = volume->GetPointData()->GetArray(this->LabelArrayName.c_str());
+        if (!labels)
+          throw std::invalid_argument(
+            "the volume has no point array " + this->LabelArrayName + " for labels");
+        keep = hasp::KeepLabel(hasp::ViewPointArray(volume, labels), this->Label);
+      }
+      hasp::GiveImage(output, grid,
+        hasp::Coverage(hasp::ViewImage(volume), grid,
+          { .isovalue = this->IsoValue, .samplesPerAxis = this->SamplesPerAxis, .keep = keep },
+          progress),
+        "Coverage");
+    });
+}
+
+void vtkHaspCoverage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IsoValue: " << this->IsoValue << "\n"
+     << indent << "SamplesPerAxis: " << this->SamplesPerAxis << "\n"
+     << indent << "LabelArrayName: " << this->LabelArrayName << "\n"
+     << indent << "Label: " << this->Label << "\n";
+}

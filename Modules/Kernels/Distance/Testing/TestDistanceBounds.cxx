@@ -1,0 +1,105 @@
+// What every distance is held to, whatever the surface: noise, too.
+#include "Distance/DistanceBounds.h"
+
+#include "Distance/CoverageDistance.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+using hasp::GridGeometry;
+
+/// visits all pairs of neighbours along an axis: work(index, index of the next, spacing).
+template <typename Work>
+void OverPairs(const GridGeometry& grid, const Work& work)
+{
+  const std::int64_t stride[3] = { 1, grid.dims.x, std::int64_t(grid.dims.x) * grid.dims.y };
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i)
+        for (int a = 0; a < 3; ++a)
+          if (glm::ivec3(i, j, k)[a] + 1 < grid.dims[a])
+          {
+            const std::int64_t v = i + j * stride[1] + k * stride[2];
+            work(v, v + stride[a], grid.spacing[a]);
+          }
+}
+
+double Steepest(const GridGeometry& grid, const std::vector<float>& distance)
+{
+  double most = 0.0;
+  OverPairs(grid, [&](std::int64_t v, std::int64_t w, double spacing)
+    { most = std::max(most, std::abs(double(distance[v]) - distance[w]) / spacing); });
+  return most;
+}
+
+const GridGeometry Noisy{ { 40, 37, 33 }, glm::dvec3(-20), { 0.5, 0.6, 1.1 }, glm::dmat3(1) };
+
+std::vector<float> Noise(const GridGeometry& grid)
+{
+  std::mt19937 random(5);
+  std::vector<float> noise(grid.Size());
+  for (float& value : noise)
+    value = float(random() % 1000) / 1000.0F;
+  return noise;
+}
+
+TEST(DistanceBounds, OfNoiseNoneIsFartherThanTheNearestCrossing)
+{
+  const std::vector<float> noise = Noise(Noisy);
+  constexpr double IsoValue = 0.6205; // no sample is just there
+  const auto distance =
+    hasp::GreyDistance(hasp::GridView<const float>{ noise.data(), Noisy }, IsoValue);
+  double worst = 0.0;
+  OverPairs(Noisy,
+    [&](std::int64_t v, std::int64_t w, double spacing)
+    {
+      for (const std::int64_t n : { v, w })
+        EXPECT_EQ(std::signbit(distance[n]), noise[n] >= IsoValue)
+          << n << " " << distance[n] << " of " << noise[n];
+      if ((noise[v] >= IsoValue) == (noise[w] >= IsoValue))
+        return;
+      const double at = spacing * (noise[v] - IsoValue) / (double(noise[v]) - noise[w]);
+      worst =
+        std::max({ worst, std::abs(distance[v]) - at, std::abs(distance[w]) - (spacing - at) });
+    });
+  EXPECT_LT(worst, 1e-5);
+  EXPECT_LE(Steepest(Noisy, distance), 1.0101);
+}
+
+TEST(DistanceBounds, OfCoverageThatIsNoiseNoNeighboursAreFartherApartThanTheyAre)
+{
+  const std::vector<float> noise = Noise(Noisy);
+  std::vector<float> coverage(noise.size());
+  for (std::size_t v = 0; v < noise.size(); ++v)
+    coverage[v] = noise[v] >= 0.8F; // specks and holes of single voxels
+  EXPECT_LE(Steepest(Noisy, hasp::CoverageDistance(Noisy, coverage)), 1.0101);
+  EXPECT_LE(Steepest(Noisy, hasp::CoverageDistanceBand(Noisy, coverage)), 1.0101);
+}
+
+TEST(DistanceBounds, OnlyWhatIsWrongMoves)
+{
+  const GridGeometry grid{ { 9, 3, 3 }, glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  std::vector<float> distance(grid.Size());
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    distance[v] = float(v % 9) - 4.0F;
+  const std::vector<float> right = distance;
+  hasp::BoundByNeighbours(grid, 0.0F, distance);
+  EXPECT_EQ(distance, right);
+  const std::size_t middle = 9 + 27; // row y = 1, z = 1
+  distance[middle + 6] = 7.5F;       // 2 is right
+  hasp::BoundByNeighbours(grid, 0.0F, distance);
+  EXPECT_EQ(distance, right);
+  distance[middle + 6] = 7.5F;
+  hasp::BoundByNeighbours(grid, 3.0F, distance);
+  EXPECT_EQ(distance[middle + 6], 3.0F) << "not below the least";
+  distance = right;
+  distance[middle + 3] = -3.0F; // -1 is right; across the surface is 0
+  hasp::BoundByNeighbours(grid, 0.0F, distance);
+  EXPECT_EQ(distance[middle + 3], -1.0F);
+}
+
+} // namespace

@@ -1,0 +1,85 @@
+// The examples of Filters/Distance: MeasureBone, OffsetBone, CutBone, MakePlate.
+#include "ExampleRun.h"
+
+#include "Evaluation/MeshCheck.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace
+{
+
+constexpr double BallMm = 10.0; // of ball.mha
+
+double BallMm3(double radius)
+{
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+class DistanceExamples : public ExampleTest
+{
+protected:
+  hasp::MeshCheck CheckFile(const std::string& name) const
+  {
+    vtkNew<vtkSTLReader> reader;
+    reader->SetFileName(this->Path(name).c_str());
+    reader->MergingOff();
+    reader->Update();
+    return hasp::CheckMesh(hasp::WeldPoints(hasp::MakeTriangleMesh(reader->GetOutput())));
+  }
+};
+
+TEST_F(DistanceExamples, MeasureBoneSaysHowMuchThereIs)
+{
+  this->WriteBall();
+  ASSERT_EQ(this->Run("MeasureBone ball.mha 0"), 0) << this->said;
+  EXPECT_NEAR(std::stod(this->said), BallMm3(BallMm) / 1000.0, 0.01 * BallMm3(BallMm) / 1000.0);
+  EXPECT_EQ(this->Run("MeasureBone none.mha 0"), 1);
+}
+
+TEST_F(DistanceExamples, OffsetBoneKeepsItsDistance)
+{
+  this->WriteBall();
+  ASSERT_EQ(this->Run("OffsetBone ball.mha 0 -2.5 smaller.stl"), 0) << this->said;
+  const hasp::MeshCheck check = this->CheckFile("smaller.stl");
+  EXPECT_TRUE(check.Closed());
+  EXPECT_NEAR(std::abs(check.volumeMm3), BallMm3(BallMm - 2.5), 0.02 * BallMm3(BallMm - 2.5));
+  EXPECT_EQ(this->Run("OffsetBone ball.mha 0 50 none.stl"), 1) << "beyond the volume: no surface";
+  EXPECT_FALSE(std::filesystem::exists(this->Path("none.stl")));
+}
+
+TEST_F(DistanceExamples, CutBoneLeavesTwoPiecesAKerfApart)
+{
+  this->WriteBall();
+  ASSERT_EQ(this->Run("CutBone ball.mha 0 30 -20 500 1.2 cut.stl"), 0) << this->said;
+  const hasp::MeshCheck check = this->CheckFile("cut.stl");
+  EXPECT_TRUE(check.Sound());
+  EXPECT_EQ(check.pieces, 2u);
+  const double gone =
+    1.2 * std::numbers::pi * (BallMm * BallMm - 0.12); // of a ball, pi h (r^2 - h^2/12)
+  EXPECT_NEAR(check.volumeMm3, BallMm3(BallMm) - gone, 0.01 * BallMm3(BallMm));
+  EXPECT_EQ(this->Run("CutBone ball.mha 0 30 -20 500 -1 none.stl"), 1);
+  EXPECT_FALSE(std::filesystem::exists(this->Path("none.stl")));
+}
+
+TEST_F(DistanceExamples, MakePlateKeepsItsMeasures)
+{
+  ASSERT_EQ(this->Run("MakePlate HASP-1 plate.stl"), 0) << this->said;
+  const hasp::MeshCheck check = this->CheckFile("plate.stl");
+  EXPECT_TRUE(check.Sound());
+  EXPECT_EQ(check.pieces, 1u);
+  const double plate = (22.0 * 8.0 + std::numbers::pi * 16.0) * 1.5;
+  const double holes = 2.0 * std::numbers::pi * 1.5;
+  EXPECT_LT(check.volumeMm3, plate - holes - 1.0) << "something is engraved";
+  EXPECT_GT(check.volumeMm3, plate - holes - 8.0);
+  EXPECT_LT(std::stoi(this->said), std::stoi(this->said.substr(this->said.find("of") + 3)));
+  EXPECT_EQ(this->Run("MakePlate 'a?' none.stl"), 1);
+  EXPECT_EQ(this->Run("MakePlate HASP-1 none/plate.stl"), 1);
+}
+
+} // namespace
