@@ -7,6 +7,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "Grid/VectorTargets.h"
+
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -59,18 +62,9 @@ HWY_EXPORT(ElementLanesHere);
 
 std::vector<ElementLanes> VectorElementLanes()
 {
-  std::vector<ElementLanes> all;
-  const auto& table = HWY_DISPATCH_TABLE(ElementLanesHere);
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
-  {
-    const std::int64_t target = left & -left;
-    hwy::ChosenTarget chosen;
-    chosen.Update(target);
-    if (target == HWY_SCALAR || target == HWY_EMU128)
-      continue; // ours is better than a vector of one lane, or a vector that is played
-    const std::size_t at = std::size(table) == 1 ? 0 : chosen.GetIndex(); // 1: compiled for one
-    all.push_back(table[at]());
-  }
+  std::vector<ElementLanes> all =
+    OfVectorTargets(HWY_DISPATCH_TABLE(ElementLanesHere), HWY_TARGETS);
+  std::reverse(all.begin(), all.end());
   return all;
 }
 

@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "Grid/VectorTargets.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -282,19 +284,7 @@ HWY_EXPORT(BlocksHere);
 
 std::vector<BlockKernels> LanesBlockKernels()
 {
-  std::vector<BlockKernels> kernels;
-  const auto& table = HWY_DISPATCH_TABLE(BlocksHere);
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
-  {
-    const std::int64_t target = left & -left;
-    hwy::ChosenTarget chosen;
-    chosen.Update(target);
-    if (target == HWY_SCALAR || target == HWY_EMU128)
-      continue; // ours is better than a vector of one lane, or a vector that is played
-    const std::size_t at = std::size(table) == 1 ? 0 : chosen.GetIndex(); // 1: compiled for one
-    kernels.insert(kernels.begin(), table[at]());
-  }
-  return kernels;
+  return OfVectorTargets(HWY_DISPATCH_TABLE(BlocksHere), HWY_TARGETS);
 }
 
 } // namespace hasp
