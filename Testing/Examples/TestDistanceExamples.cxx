@@ -79,6 +79,7 @@ TEST_F(DistanceExamples, MakePlateKeepsItsMeasures)
   EXPECT_GT(check.volumeMm3, plate - holes - 8.0);
   EXPECT_LT(std::stoi(this->said), std::stoi(this->said.substr(this->said.find("of") + 3)));
   EXPECT_EQ(this->Run("MakePlate 'a?' none.stl"), 1);
+  EXPECT_EQ(this->Run("MakePlate HASP-12 none.stl"), 1) << "it would run into the hole";
   EXPECT_EQ(this->Run("MakePlate HASP-1 none/plate.stl"), 1);
 }
 

@@ -7,7 +7,9 @@
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointData.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,15 +21,19 @@ namespace
 
 SolidPointer MakeOf(vtkImageData* image)
 {
-  const AnyGridView any = ViewImage(image);
-  const auto* grid = std::get_if<GridView<const float>>(&any);
-  if (!grid)
+  if (image->GetPointData()->GetScalars() && image->GetScalarType() != VTK_FLOAT)
     throw std::invalid_argument("signed distances are of type float, in mm, as those of "
                                 "vtkHaspSignedDistance; this image holds " +
                                 std::string(image->GetScalarTypeAsString()));
+  const auto grid = std::get<GridView<const float>>(ViewImage(image));
+  const float first = *grid.data; // where nothing or everything is inside, all are infinite
+  if (std::isinf(first))
+    throw std::invalid_argument(
+      first > 0.0F ? "nothing is inside: is the isovalue above all samples, or the label not there?"
+                   : "everything is inside: is the isovalue below all samples?");
   return MakeGridSolid(
-    std::make_shared<const std::vector<float>>(grid->data, grid->data + grid->geometry.Size()),
-    grid->geometry);
+    std::make_shared<const std::vector<float>>(grid.data, grid.data + grid.geometry.Size()),
+    grid.geometry);
 }
 
 } // namespace
@@ -46,7 +52,7 @@ SolidPointer SolidInputs::SolidOf(vtkImageData* image)
   return MakeOf(image);
 }
 
-std::vector<SolidPointer> SolidInputs::Get(vtkInformationVector* inputs)
+std::vector<SolidPointer> SolidInputs::Get(vtkInformationVector* inputs, const std::string& name)
 {
   std::vector<SolidPointer> solids;
   std::vector<Image> seen;
@@ -63,7 +69,7 @@ std::vector<SolidPointer> SolidInputs::Get(vtkInformationVector* inputs)
     }
     catch (const std::invalid_argument& error)
     {
-      throw std::invalid_argument("input " + std::to_string(i) + ": " + error.what());
+      throw std::invalid_argument(name + " " + std::to_string(i) + ": " + error.what());
     }
   }
   this->Images = std::move(seen);

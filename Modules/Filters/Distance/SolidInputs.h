@@ -4,6 +4,7 @@
 #include "vtkImageData.h"
 #include "vtkWeakPointer.h"
 
+#include <string>
 #include <vector>
 
 class vtkInformation;
@@ -20,10 +21,10 @@ class SolidInputs
 public:
   /// What such a port takes: for FillInputPortInformation.
   static void Accept(vtkInformation* port);
-  /// One for each connection, in their order. Throws std::invalid_argument, with the number of the
-  /// input, if one has no solid, is an image of other samples than float, or is refused by
-  /// MakeGridSolid.
-  std::vector<SolidPointer> Get(vtkInformationVector* inputs);
+  /// One for each connection, in their order. Throws std::invalid_argument, with `name` and the
+  /// number of the input, if one has no solid, is an image of other samples than float, of nothing
+  /// or everything inside, or is refused by MakeGridSolid.
+  std::vector<SolidPointer> Get(vtkInformationVector* inputs, const std::string& name = "input");
 
 private:
   struct Image

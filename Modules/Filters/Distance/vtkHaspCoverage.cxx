@@ -88,9 +88,13 @@ int vtkHaspCoverage::RequestData(
     {
       const hasp::GridGeometry grid = hasp::PipelineGeometry(GridInformation(inputs));
       if (vtkPolyData* surface = vtkPolyData::GetData(inputs[0]))
-        return hasp::GiveImage(output, grid,
-          hasp::MeshCoverage(hasp::TrianglesOf(surface), grid, this->SamplesPerAxis, progress),
-          "Coverage");
+      {
+        const hasp::TriangleMesh mesh = hasp::TrianglesOf(surface);
+        if (mesh.triangles.empty())
+          throw std::invalid_argument("the surface has no triangles");
+        return hasp::GiveImage(
+          output, grid, hasp::MeshCoverage(mesh, grid, this->SamplesPerAxis, progress), "Coverage");
+      }
       vtkImageData* volume = vtkImageData::GetData(inputs[0]);
       std::vector<std::uint8_t> keep;
       if (!this->LabelArrayName.empty())

@@ -35,15 +35,20 @@ constexpr double Border = 1.37; // cells around a solid. Its flat ends lie besid
 
 [[noreturn]] void Refuse(const std::string& why)
 {
-  throw std::invalid_argument("vtkHaspSharpContour: " + why);
+  throw std::invalid_argument(why);
 }
 
 /// What of a solid lies in the bounds; all of it where there are none.
 hasp::SolidPointer CutOff(const hasp::SolidPointer& solid, const double b[6])
 {
   const glm::dvec3 low(b[0], b[2], b[4]), high(b[1], b[3], b[5]);
-  if (glm::any(glm::lessThan(high, low)))
+  if (glm::all(glm::lessThan(high, low)))
     return solid;
+  for (int a = 0; a < 3; ++a)
+    if (!(low[a] < high[a]) || std::isinf(low[a]) || std::isinf(high[a]))
+      Refuse(std::string("Bounds along ") + "xyz"[a] +
+             " are not a finite range; low is to be below high, or above it along all axes for "
+             "none");
   return hasp::MakeIntersection(
     { solid, hasp::MakeBox(0.5 * (low + high), glm::dmat3(1.0), 0.5 * (high - low)) });
 }

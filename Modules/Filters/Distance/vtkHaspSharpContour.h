@@ -55,7 +55,8 @@ public:
 
   ///@{
   /// What is looked at: x0, x1, y0, y1, z0, z1, world mm. What goes on beyond is cut off there,
-  /// flat and with sharp edges. Where low is above high, the default: all of the solid.
+  /// flat and with sharp edges. Where low is above high along all axes,
+  /// the default: all of the solid.
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}

@@ -5,7 +5,8 @@
  * Input: a vtkImageData with one component of short, unsigned short, unsigned char or float; any
  * extent, spacing and direction. Output: a vtkImageData of float on the same grid,
  * "SignedDistance", mm, for vtkHaspCsg, vtkHaspSharpContour, or any VTK filter. Where nothing is
- * inside all of it is +infinity, where all is, -infinity. A mesh: vtkHaspCoverage first.
+ * inside all of it is +infinity, where all is, -infinity; vtkHaspCsg and vtkHaspSharpContour refuse
+ * such an image. A mesh: vtkHaspCoverage first.
  *
  * InputKind says what the samples are. Coverage is exact below a voxel; a scan taken for coverage,
  * or coverage taken for a scan, is wrong by up to a voxel: Automatic measures which of both an
@@ -36,7 +37,7 @@ public:
 
   enum InputKinds
   {
-    Automatic, ///< float in [0,1]: coverage or grey, as is measured; anything else is an error
+    Automatic, ///< float in [0,1]: coverage, or grey at 0.5, as is measured; else an error
     Coverage,  ///< float in [0,1]: share of a voxel that is inside, as vtkHaspCoverage gives
     Grey,      ///< inside is sample >= IsoValue
     Labels     ///< inside is sample == Label

@@ -112,6 +112,11 @@ bool vtkHaspSolidSource::SetToText(const std::string& text, const double origin[
     { return hasp::MakeText(text, Vector(origin), Vector(right), Vector(up), height, stroke); });
 }
 
+double vtkHaspSolidSource::GetTextWidth(const std::string& text, double height)
+{
+  return hasp::TextWidth(text.size(), height);
+}
+
 int vtkHaspSolidSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {

@@ -52,8 +52,12 @@ public:
   /// Letters A to Z, 0 to 9, space and . - / + : of round strokes, to engrave or to emboss;
   /// `origin` is the lower left corner of the first, `right` and `up` directions of writing, height
   /// that of a letter, stroke the diameter of a stroke, at most height / 6.
+  /// The axes of the strokes lie in one plane.
   bool SetToText(const std::string& text, const double origin[3], const double right[3],
     const double up[3], double height, double stroke);
+
+  /// From the first letter's axis to the last one's, mm: how wide a text will be, less a stroke.
+  static double GetTextWidth(const std::string& text, double height);
 
 protected:
   vtkHaspSolidSource();

@@ -91,7 +91,8 @@ int vtkHaspSolidSweep::RequestData(
   return hasp::RunFilter(this,
     [&](const hasp::ProgressFunction&)
     {
-      const std::vector<hasp::SolidPointer> surface = this->Inside->surface.Get(inputs[1]);
+      const std::vector<hasp::SolidPointer> surface =
+        this->Inside->surface.Get(inputs[1], "surface");
       std::vector<hasp::SolidPointer> parts;
       for (Line& line : LinesOf(vtkPolyData::GetData(inputs[0])))
       {

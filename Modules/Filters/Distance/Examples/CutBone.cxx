@@ -24,8 +24,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkHaspSolidSource> saw;
   const double normal[3] = { 1, 0, 0 },
                place[3] = { std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5]) };
-  if (!saw->SetToSlab(place, normal, std::atof(argv[6])))
-    return 1;
+  saw->SetToSlab(place, normal, std::atof(argv[6])); // refused: no shape, so nothing is written
   vtkNew<vtkHaspCsg> cut;
   cut->SetOperationToDifference();
   cut->AddInputConnection(bone->GetOutputPort());

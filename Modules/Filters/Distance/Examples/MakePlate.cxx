@@ -19,7 +19,8 @@ int main(int argc, char* argv[])
   left->SetToCylinder(a0, a1, 1.0);
   right->SetToCylinder(b0, b1, 1.0);
   const double origin[3] = { -8, -1.5, 0.75 }, along[3] = { 1, 0, 0 }, upward[3] = { 0, 1, 0 };
-  if (argc != 3 || !label->SetToText(argv[1], origin, along, upward, 3.0, 0.5))
+  if (argc != 3 || vtkHaspSolidSource::GetTextWidth(argv[1], 3.0) > 17.5 || // between the holes
+      !label->SetToText(argv[1], origin, along, upward, 3.0, 0.5))
     return 1;
   vtkNew<vtkHaspCsg> plate; // the first less all others
   plate->SetOperationToDifference();

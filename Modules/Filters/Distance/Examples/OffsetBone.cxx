@@ -1,5 +1,6 @@
 // OffsetBone <volume file> <isovalue> <mm> <out.stl>
-// The surface at this distance off the bone of a scan (negative: within it).
+// The surface at this distance off the bone of a scan (negative: within it). Open where bone goes
+// on at the scan's end; vtkHaspCsg's Offset and vtkHaspSharpContour close it (CutBone).
 #include "vtkHaspCoverage.h"
 #include "vtkHaspSignedDistance.h"
 #include "vtkHaspSurfaceWriter.h"

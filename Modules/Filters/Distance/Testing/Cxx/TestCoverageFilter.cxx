@@ -10,6 +10,8 @@
 #include "vtkImageTranslateExtent.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkShortArray.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -149,6 +151,13 @@ TEST(CoverageFilter, AClosedMeshIsCoveredOnAGrid)
   filter->SetGridData(EmptyGrid());
   EXPECT_EQ(ErrorsOfUpdate(filter), "");
   EXPECT_NEAR(VolumeOf(filter->GetOutput()) / BallMm3, 1.0, 0.005);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  filter->SetInputData(cloud);
+  EXPECT_NE(ErrorsOfUpdate(filter).find("no triangles"), std::string::npos);
+  filter->SetInputConnection(ball->GetOutputPort());
   ball->SetEndPhi(120.0); // open
   EXPECT_NE(ErrorsOfUpdate(filter).find("closed"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);

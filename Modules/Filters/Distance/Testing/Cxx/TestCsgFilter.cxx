@@ -144,6 +144,13 @@ TEST(CsgFilter, SaysWhichInputIsWrongAndWhatToDo)
     grey[v] = 100.0F * float(v % 2);
   csg->AddInputData(hasp::MakeImage(grid, grey));
   EXPECT_NE(ErrorsOfUpdate(csg).find("input 0"), std::string::npos) << "grey values are refused";
+  for (const float all : { INFINITY, -INFINITY })
+  {
+    csg->RemoveAllInputs();
+    csg->AddInputData(hasp::MakeImage(grid, std::vector<float>(64, all)));
+    EXPECT_NE(ErrorsOfUpdate(csg).find(all > 0 ? "nothing is inside" : "everything is inside"),
+      std::string::npos);
+  }
   csg->RemoveAllInputs();
   vtkNew<vtkPolyData> mesh;
   csg->AddInputData(mesh);

@@ -96,6 +96,17 @@ TEST(SharpContourFilter, BoundsCutWhatHasNoEnd)
   EXPECT_NEAR(check.volumeMm3, 24.0, 44.0 * 0.01 * 0.01 / 2.0);
 }
 
+TEST(SharpContourFilter, BoundsThatAreNoneAreNamed)
+{
+  SlottedBox part;
+  part.contour->SetBounds(-1, 1, 2, -2, -1, 1);
+  EXPECT_NE(ErrorsOfUpdate(part.contour).find("Bounds along y"), std::string::npos);
+  part.contour->SetBounds(-1, 1, -1, 1, std::nan(""), 1);
+  EXPECT_NE(ErrorsOfUpdate(part.contour).find("Bounds along z"), std::string::npos);
+  part.contour->SetBounds(-1, INFINITY, -1, 1, -1, 1);
+  EXPECT_NE(ErrorsOfUpdate(part.contour).find("Bounds along x"), std::string::npos);
+}
+
 TEST(SharpContourFilter, NothingIsAnEmptyMesh)
 {
   vtkNew<vtkHaspCsg> nothing;
