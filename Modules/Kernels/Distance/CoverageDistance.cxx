@@ -127,8 +127,10 @@ void FillFar(const GridGeometry& geometry, const SurfaceElements& surface, const
   std::vector<std::uint8_t> seeds(distance.size());
   std::transform(surface.at.begin(), surface.at.end(), seeds.begin(),
     [](std::int32_t id) { return id == SurfaceElements::None ? 0 : 1; });
+  GridGeometry inUnits = geometry; // so that what is equally near is so at any size
+  inUnits.spacing /= surface.unit;
   const FeatureTransform nearest =
-    NearestSeeds(geometry, seeds, [&](double share) { return !progress || progress(0.8 * share); });
+    NearestSeeds(inUnits, seeds, [&](double share) { return !progress || progress(0.8 * share); });
   const std::int64_t nx = geometry.dims.x, ny = geometry.dims.y;
   ParallelFor(0, ny * geometry.dims.z, 16,
     [&](std::int64_t first, std::int64_t last)

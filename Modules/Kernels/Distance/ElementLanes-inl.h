@@ -422,7 +422,7 @@ void IsoPlanes(const SurfaceElements& surface, const float* values, std::size_t 
   std::size_t last, ElementLanes::Element* to)
 {
   const Field field(surface, values);
-  const Floats half = Splat(0.5F), most = Splat(0.95F), any = Splat(3e38F);
+  const Floats half = Splat(0.5F), any = Splat(3e38F);
   for (std::size_t n = first; n < last; n += Lanes)
   {
     const Ints element = ElementsFrom(n, last);
@@ -430,10 +430,13 @@ void IsoPlanes(const SurfaceElements& surface, const float* values, std::size_t 
     const Vector normal = SmoothNormal(field, at, element, any);
     const Vector step = Scale(normal, field.perSide); // voxels a unit
     const auto beyond = [&](Floats s) { return hn::Sub(ValueAt(field, at, s * step), half); };
-    // Secants along the normal, from the centre and half a unit to the side where the surface is.
+    // Secants along the normal, less than a voxel on each axis, from the centre and half as far to
+    // the side where the surface is.
+    const Floats steepest = hn::Max(hn::Max(hn::Abs(step.x), hn::Abs(step.y)), hn::Abs(step.z));
+    const Floats most = hn::Div(Splat(0.95F), hn::Max(steepest, Splat(1e-6F)));
     const auto within = [&](Floats s) { return hn::Min(hn::Max(s, hn::Neg(most)), most); };
     Floats s0 = Splat(0.0F), f0 = beyond(s0);
-    Floats s1 = hn::CopySign(half, f0), f1 = beyond(s1);
+    Floats s1 = hn::CopySign(hn::Mul(half, most), f0), f1 = beyond(s1);
     for (int round = 0; round < 4; ++round)
     {
       const Floats rise = hn::Sub(f1, f0);
