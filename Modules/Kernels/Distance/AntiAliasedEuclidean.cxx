@@ -29,7 +29,8 @@ public:
       Alpha(coverage),
       Offset(coverage.size(), glm::i16vec3(0)),
       Edge(coverage.size()),
-      Away(coverage.size(), Infinity)
+      Away(coverage.size(), Infinity),
+      Changed(std::size_t(geometry.dims.y) * geometry.dims.z, -1)
   {
     const auto half =
       0.5F * static_cast<float>(std::min({ this->Spacing.x, this->Spacing.y, this->Spacing.z }));
@@ -43,25 +44,26 @@ public:
             this->Edge[v] = a > 0.0F ? -half : half;
   }
 
-  /// One raster pass over all voxels; false if it changed nothing.
-  bool Pass(bool forwards)
+  /// Raster pass number `pass`, forwards if even; false if it changed nothing. Rows are left out if
+  /// nothing around them has changed since the last pass this way.
+  bool Pass(int pass)
   {
     bool changed = false;
+    const bool forwards = pass % 2 == 0;
     const auto at = [forwards](int n, int count) { return forwards ? n : count - 1 - n; };
     for (int k = 0; k < this->Dims.z; ++k)
       for (int j = 0; j < this->Dims.y; ++j)
+      {
+        const int y = at(j, this->Dims.y), z = at(k, this->Dims.z);
+        if (pass > 1 && this->LastChange(y, z) < pass - 2)
+          continue;
+        bool row = false;
         for (int i = 0; i < this->Dims.x; ++i)
-        {
-          const glm::ivec3 p(at(i, this->Dims.x), at(j, this->Dims.y), at(k, this->Dims.z));
-          const std::size_t v = this->Index(p);
-          if (this->Alpha[v] > 0.0F && this->Alpha[v] < 1.0F)
-            continue;
-          for (int n = 0; n < 13; ++n) // of the 26 neighbours those that were there before
-          {
-            const glm::ivec3 step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-            changed |= this->Ask(p, v, forwards ? step : -step);
-          }
-        }
+          row |= this->AskNeighbours({ at(i, this->Dims.x), y, z }, forwards);
+        if (row)
+          this->Changed[std::size_t(z) * this->Dims.y + y] = pass;
+        changed |= row;
+      }
     return changed;
   }
 
@@ -102,6 +104,31 @@ private:
     return static_cast<float>(PlaneDistanceFromCoverage(-g / length, this->Spacing, alpha));
   }
 
+  /// The last pass that changed one of the nine rows around.
+  int LastChange(int y, int z) const
+  {
+    int last = -1;
+    for (int k = std::max(0, z - 1); k <= std::min(this->Dims.z - 1, z + 1); ++k)
+      for (int j = std::max(0, y - 1); j <= std::min(this->Dims.y - 1, y + 1); ++j)
+        last = std::max(last, this->Changed[std::size_t(k) * this->Dims.y + j]);
+    return last;
+  }
+
+  /// Of the 26 neighbours, those that a pass comes to before.
+  bool AskNeighbours(const glm::ivec3& p, bool forwards)
+  {
+    const std::size_t v = this->Index(p);
+    if (this->Alpha[v] > 0.0F && this->Alpha[v] < 1.0F)
+      return false;
+    bool changed = false;
+    for (int n = 0; n < 13; ++n)
+    {
+      const glm::ivec3 step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      changed |= this->Ask(p, v, forwards ? step : -step);
+    }
+    return changed;
+  }
+
   /// Takes the offset of a neighbour, or the neighbour itself if it is of another kind, if nearer.
   bool Ask(const glm::ivec3& p, std::size_t v, const glm::ivec3& step)
   {
@@ -132,6 +159,7 @@ private:
   std::vector<glm::i16vec3> Offset; ///< to a voxel of another kind, where Away is finite
   std::vector<float> Edge;          ///< signed distance of a voxel's centre to the plane in it
   std::vector<float> Away;          ///< of voxels that are not partial, to the surface
+  std::vector<int> Changed;         ///< the last pass that changed a row
 };
 } // namespace
 
@@ -149,7 +177,7 @@ std::vector<float> AntiAliasedEuclideanDistance(
   // How many passes there will be is not known; most take less than ten.
   for (int pass = 0, idle = 0; idle < 2; ++pass)
   {
-    idle = propagation.Pass(pass % 2 == 0) ? 0 : idle + 1;
+    idle = propagation.Pass(pass) ? 0 : idle + 1;
     ReportProgress(progress, std::min(0.9, 0.1 * (pass + 1)));
   }
   std::vector<float> distance(coverage.size());
