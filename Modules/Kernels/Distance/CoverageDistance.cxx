@@ -23,7 +23,7 @@ constexpr float BandVoxels = 4.0F; // no farther than Reach - 1: elements are ha
 
 constexpr std::int64_t Batch = 1024;  // elements a piece of work
 constexpr float NoisyUnits = 0.0085F; // off their neighbours: a scan's, of 1 % noise and more
-constexpr int NoisyPasses = 3;
+constexpr int NoisyPasses = 4;
 constexpr float AlikeCosine = 0.98F; // of a normal before and after a fit
 
 /// Distances within the band, a brick of voxels at a time.
