@@ -25,6 +25,7 @@ OUTSIDE = [  # first match wins
     ("openvdb", r"openvdb/.*"),
     ("eigen", r"(Eigen|unsupported)/.*"),
     ("cgal", r"CGAL/.*"),
+    ("itk", r"itk\w+\.h"),
     ("nlohmann", r"nlohmann/.*"),
     ("cli11", r"CLI/.*"),
     ("libarchive", r"archive(_entry)?\.h"),

@@ -64,6 +64,7 @@ endfunction ()
 # (HASP_BUILD_ALL_MODULES OFF) has their kernels and no others. Call it when all targets are there.
 function (hasp_add_needed_kernels)
   set(folder_of_CellTracer Isosurface) # second libraries of a folder
+  set(folder_of_LevelSet Distance)
   set(folder_of_SelfIntersections Evaluation)
   set(folders "${PROJECT_SOURCE_DIR}")
   while (folders)

@@ -21,6 +21,11 @@ namespace
 constexpr int Side = ElementLanes::Side, Reach = ElementLanes::Reach;
 constexpr float BandVoxels = 4.0F; // no farther than Reach - 1: elements are half a voxel off
 
+constexpr std::int64_t Batch = 1024;  // elements a piece of work
+constexpr float NoisyUnits = 0.0085F; // off their neighbours: a scan's, of 1 % noise and more
+constexpr int NoisyPasses = 4;
+constexpr float AlikeCosine = 0.98F; // of a normal before and after a fit
+
 /// Distances within the band, a brick of voxels at a time.
 class Band
 {
@@ -115,20 +120,84 @@ private:
   glm::ivec3 Bricks;
 };
 
+/// Fits elements [first, last) to their neighbours, into the same places of `to`.
+void Refine(const SurfaceElements& surface, const float* coverage, std::int64_t first,
+  std::int64_t last, SurfaceElements::Element* to)
+{
+  const ElementLanes& lanes = BestElementLanes();
+  ParallelFor(first, last, Batch,
+    [&](std::int64_t from, std::int64_t end) { lanes.refine(surface, coverage, from, end, to); });
+}
+
+/// Cosine between two normals; of an element at an edge and what is fitted to it, less than 1.
+float Facing(const SurfaceElements::Element& a, const SurfaceElements::Element& b)
+{
+  return a.normal[0] * b.normal[0] + a.normal[1] * b.normal[1] + a.normal[2] * b.normal[2];
+}
+
+/// How far elements lie off what their neighbours span, units: half of what lies between the
+/// quartiles, of every eighth batch. That all lie too deep by their curvature does not count.
+float NoiseOf(const SurfaceElements& surface, const float* coverage)
+{
+  const auto count = std::int64_t(surface.elements.size());
+  std::vector<float> off;
+  std::size_t asked = 0;
+  std::vector<SurfaceElements::Element> fitted(surface.elements.size());
+  for (std::int64_t first = 0; first < count; first += 8 * Batch)
+  {
+    const std::int64_t last = std::min(count, first + Batch);
+    asked += std::size_t(last - first);
+    Refine(surface, coverage, first, last, fitted.data());
+    for (std::int64_t n = first; n < last; ++n)
+    {
+      const SurfaceElements::Element &was = surface.elements[n], &is = fitted[n];
+      float along = 0.0F;
+      for (int a = 0; a < 3; ++a)
+        along += is.normal[a] * (is.point[a] - was.point[a]);
+      if (Facing(was, is) > AlikeCosine)
+        off.push_back(along);
+    }
+  }
+  if (2 * off.size() < asked)
+    return 0.0F;
+  const auto quarter = std::ptrdiff_t(off.size() / 4);
+  const auto low = off.begin() + quarter, high = off.begin() + 3 * quarter;
+  std::nth_element(off.begin(), high, off.end());
+  std::nth_element(off.begin(), low, high);
+  return 0.5F * (*high - *low);
+}
+
+/// Elements of noisy scans each move to what they span together, a few times over: what is left of
+/// noise is less by half. Fits are exact on quadrics, so that surfaces do not shrink; edges would.
+void SmoothNoise(SurfaceElements& surface, const float* values)
+{
+  if (NoiseOf(surface, values) < NoisyUnits)
+    return;
+  std::vector<SurfaceElements::Element> fitted(surface.elements.size());
+  for (int pass = 0; pass < NoisyPasses; ++pass)
+  {
+    Refine(surface, values, 0, std::int64_t(fitted.size()), fitted.data());
+    for (std::size_t n = 0; n < fitted.size(); ++n)
+      if (!(Facing(surface.elements[n], fitted[n]) > AlikeCosine))
+        fitted[n] = surface.elements[n];
+    surface.elements.swap(fitted);
+  }
+}
+
 /// Distances to the elements of the nearest voxels, beyond the band.
 void FillFar(const GridGeometry& geometry, const SurfaceElements& surface, const float* coverage,
   float band, std::vector<float>& distance, const ProgressFunction& progress)
 {
   const ElementLanes& lanes = BestElementLanes();
   std::vector<SurfaceElements::Element> refined(surface.elements.size());
-  ParallelFor(0, std::int64_t(refined.size()), 1024,
-    [&](std::int64_t first, std::int64_t last)
-    { lanes.refine(surface, coverage, first, last, refined.data()); });
+  Refine(surface, coverage, 0, std::int64_t(refined.size()), refined.data());
   std::vector<std::uint8_t> seeds(distance.size());
   std::transform(surface.at.begin(), surface.at.end(), seeds.begin(),
     [](std::int32_t id) { return id == SurfaceElements::None ? 0 : 1; });
+  GridGeometry inUnits = geometry; // so that what is equally near is so at any size
+  inUnits.spacing /= surface.unit;
   const FeatureTransform nearest =
-    NearestSeeds(geometry, seeds, [&](double share) { return !progress || progress(0.8 * share); });
+    NearestSeeds(inUnits, seeds, [&](double share) { return !progress || progress(0.8 * share); });
   const std::int64_t nx = geometry.dims.x, ny = geometry.dims.y;
   ParallelFor(0, ny * geometry.dims.z, 16,
     [&](std::int64_t first, std::int64_t last)
@@ -153,15 +222,17 @@ std::vector<float> Distances(const GridGeometry& geometry, std::span<const float
   const float band =
     BandVoxels *
     static_cast<float>(std::min({ geometry.spacing.x, geometry.spacing.y, geometry.spacing.z }));
-  const SurfaceElements surface = isCoverage
-                                    ? ExtractSurfaceElements(geometry, coverage, distance, band)
-                                    : ExtractIsosurfaceElements(geometry, coverage, distance, band);
+  SurfaceElements surface = isCoverage
+                              ? ExtractSurfaceElements(geometry, coverage, distance, band)
+                              : ExtractIsosurfaceElements(geometry, coverage, distance, band);
   if (surface.elements.empty())
   {
     constexpr float far = std::numeric_limits<float>::infinity();
     std::fill(distance.begin(), distance.end(), coverage.front() >= 0.5F ? -far : far);
     return distance;
   }
+  if (!isCoverage)
+    SmoothNoise(surface, coverage.data());
   Band(surface, coverage.data(), distance).Fill(part(0.2, everywhere ? 0.5 : 1.0));
   if (!isCoverage)
     BoundByCrossings(geometry, coverage, distance);

@@ -39,8 +39,11 @@ std::vector<float> CoverageDistanceBand(const GridGeometry& geometry,
 
 /// The same of a grey image as it is, to its trilinear isosurface; inside is value >= isovalue. For
 /// scans that nobody made coverage of: true to what the scanner saw, which rounds a surface of
-/// radius R by sigma^2 / R at a blur of sigma. NaN is refused: std::invalid_argument. 24 bytes a
-/// voxel.
+/// radius R by sigma^2 / R at a blur of sigma. Noise is measured, by how far elements lie off their
+/// neighbours; that of 1 % of the step and more is smoothed along the surface (edges of a voxel or
+/// two with it). Within three voxels, at a blur of 0.8 voxel and 3 % noise: 0.027 voxel rms at R =
+/// 80, 0.031 at 40, of which the blur's share is 0.014 and 0.022; a single voxel may be 0.25 off.
+/// NaN is refused: std::invalid_argument. 24 bytes a voxel.
 std::vector<float> GreyDistance(
   const AnyGridView& image, double isovalue, const ProgressFunction& progress = {});
 

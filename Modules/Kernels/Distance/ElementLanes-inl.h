@@ -422,28 +422,28 @@ void IsoPlanes(const SurfaceElements& surface, const float* values, std::size_t 
   std::size_t last, ElementLanes::Element* to)
 {
   const Field field(surface, values);
-  const Floats half = Splat(0.5F), most = Splat(0.95F), any = Splat(3e38F);
   for (std::size_t n = first; n < last; n += Lanes)
   {
+    const Floats half = Splat(0.5F);
     const Ints element = ElementsFrom(n, last);
     const Voxels at = VoxelsOf(field, element);
-    const Vector normal = SmoothNormal(field, at, element, any);
+    const Vector normal = SmoothNormal(field, at, element, Splat(3e38F));
     const Vector step = Scale(normal, field.perSide); // voxels a unit
     const auto beyond = [&](Floats s) { return hn::Sub(ValueAt(field, at, s * step), half); };
-    // Secants along the normal, from the centre and half a unit to the side where the surface is.
+    // Secants along the normal, less than a voxel on each axis.
+    const Floats xy = hn::Max(hn::Abs(step.x), hn::Abs(step.y)), least = Splat(1e-6F);
+    const Floats most = hn::Div(Splat(0.95F), hn::Max(hn::Max(xy, hn::Abs(step.z)), least));
     const auto within = [&](Floats s) { return hn::Min(hn::Max(s, hn::Neg(most)), most); };
     Floats s0 = Splat(0.0F), f0 = beyond(s0);
-    Floats s1 = hn::CopySign(half, f0), f1 = beyond(s1);
+    Floats s1 = hn::CopySign(hn::Mul(half, most), f0), f1 = beyond(s1);
     for (int round = 0; round < 4; ++round)
     {
       const Floats rise = hn::Sub(f1, f0);
       const Mask steep = hn::Gt(hn::Abs(rise), Splat(1e-12F));
       const Floats by = hn::Div(hn::Mul(f1, hn::Sub(s1, s0)), hn::IfThenElse(steep, rise, half));
       const Floats next = within(hn::IfThenElse(steep, hn::Sub(s1, by), s1));
-      s0 = s1;
-      f0 = f1;
-      s1 = next;
-      f1 = beyond(s1);
+      s0 = std::exchange(s1, next);
+      f0 = std::exchange(f1, beyond(next));
     }
     StoreElements(s1 * normal, Splat(0.0F), normal, Splat(1.0F), CountFrom(n, last), to + n);
   }

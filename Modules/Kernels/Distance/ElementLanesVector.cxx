@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace hasp::HWY_NAMESPACE

@@ -1,6 +1,9 @@
 // Error and time of the distance transforms, one thread: voxels, and CPU time over that of the
-// anti-aliased <3,4,5> transform (least of the runs, alternated in one process). Not a test.
-// Usage: BenchKernelDistance [samples per axis, default 128] [runs, default 7]
+// anti-aliased <3,4,5> transform (least of the runs, alternated in one process). Then voxels a
+// second of exact Euclidean distances, on one thread and two, beside ITK's where it is there. Not a
+// test. Usage: BenchKernelDistance [samples per axis, default 128] [runs, default 7]
+#include "Benchmark/Rivals.h"
+#include "Distance/AntiAliasedEuclidean.h"
 #include "Distance/ChamferDistance.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/ElementLanes.h"
@@ -10,6 +13,7 @@
 #include "Grid/Testing/WithThreads.h"
 #endif
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -21,20 +25,37 @@ namespace
 {
 
 using Field = std::vector<float>;
+using Mask = std::vector<std::uint8_t>;
 
-double Seconds()
+template <typename F>
+auto OnThreads([[maybe_unused]] int threads, F&& make)
+{
+#if HASP_WITH_TBB
+  return hasp::testing::WithThreads(threads, make);
+#else
+  return make();
+#endif
+}
+
+double CpuSeconds()
 {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
+double WallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 struct Row
 {
   std::string name;
   std::function<Field()> transform;
+  int threads = 1;
   Field distance = {};
-  double seconds = std::numeric_limits<double>::infinity();
+  double cpu = std::numeric_limits<double>::infinity(), wall = cpu;
 };
 
 void Run(std::vector<Row>& rows, int runs)
@@ -42,33 +63,41 @@ void Run(std::vector<Row>& rows, int runs)
   for (int run = 0; run < runs; ++run)
     for (Row& row : rows)
     {
-      const double start = Seconds();
-      Field distance = row.transform();
-      row.seconds = std::min(row.seconds, Seconds() - start);
+      const double cpu = CpuSeconds(), wall = WallSeconds();
+      Field distance = OnThreads(row.threads, row.transform);
+      row.cpu = std::min(row.cpu, CpuSeconds() - cpu);
+      row.wall = std::min(row.wall, WallSeconds() - wall);
       row.distance = std::move(distance);
     }
+}
+
+Mask MaskOf(const Field& coverage)
+{
+  Mask mask(coverage.size());
+  std::transform(
+    coverage.begin(), coverage.end(), mask.begin(), [](float c) { return c >= 0.5F ? 1 : 0; });
+  return mask;
 }
 
 void Report(
   const hasp::AnalyticVolume& shape, const hasp::GridGeometry& grid, const char* what, int runs)
 {
   const Field coverage = hasp::AnalyticCoverage(shape, grid);
-  std::vector<std::uint8_t> mask(coverage.size());
-  std::transform(
-    coverage.begin(), coverage.end(), mask.begin(), [](float c) { return c >= 0.5F ? 1 : 0; });
+  const Mask mask = MaskOf(coverage);
   const Field binary(mask.begin(), mask.end());
   std::vector<Row> rows = {
     { "<3,4,5> binary", [&] { return hasp::ChamferDistance(grid, binary); } },
     { "<3,4,5> aa", [&] { return hasp::ChamferDistance(grid, coverage); } },
     { "euclid binary", [&] { return hasp::SignedEuclideanDistance(grid, mask); } },
+    { "euclid aa", [&] { return hasp::AntiAliasedEuclideanDistance(grid, coverage); } },
     { "guides' band", [&] { return hasp::CoverageDistanceBand(grid, coverage); } },
     { "guides' full", [&] { return hasp::CoverageDistance(grid, coverage); } },
   };
   Run(rows, runs);
   for (const Row& row : rows)
   {
-    std::printf("%-20s %-15s %8.1f %6.2f", what, row.name.c_str(), 1e3 * row.seconds,
-      row.seconds / rows[1].seconds);
+    std::printf(
+      "%-20s %-15s %8.1f %6.2f", what, row.name.c_str(), 1e3 * row.cpu, row.cpu / rows[1].cpu);
     for (const double within : { 3.0, 40.0 })
     {
       const auto e = hasp::ErrorOf(row.distance, shape, grid, within);
@@ -79,6 +108,27 @@ void Report(
     }
     std::printf("\n");
   }
+}
+
+/// Exact distances alone: what counts is how many voxels a second, at equal threads.
+void ReportExact(
+  const hasp::AnalyticVolume& shape, const hasp::GridGeometry& grid, const char* what, int runs)
+{
+  const Mask mask = MaskOf(hasp::AnalyticCoverage(shape, grid));
+  std::vector<Row> rows;
+  for (const int threads : { 1, 2 })
+  {
+    rows.push_back({ "Hasp", [&] { return hasp::SignedEuclideanDistance(grid, mask); }, threads });
+#if HASP_WITH_ITK
+    rows.push_back({ "ITK",
+      [&grid, &mask, threads] { return hasp::bench::ItkSignedMaurer(grid, mask, threads); },
+      threads });
+#endif
+  }
+  Run(rows, runs);
+  for (const Row& row : rows)
+    std::printf("%-20s %-6s %7d %8.1f %8.1f %12.1f\n", what, row.name.c_str(), row.threads,
+      1e3 * row.cpu, 1e3 * row.wall, 1e-6 * double(grid.Size()) / row.wall);
 }
 
 void Measure(int n, int runs)
@@ -92,11 +142,16 @@ void Measure(int n, int runs)
   std::printf("%d^3 voxels, %s; errors within 3 and within 40 voxels\n%-20s %-15s %8s %6s", n,
     hasp::BestElementLanes().name, "shape", "transform", "CPU ms", "/ aa");
   std::printf("  %8s %8s %8s  %8s %8s %8s\n", "rms", "p99", "max", "rms", "p99", "max");
+  const auto torus = hasp::AnalyticTorus(off, glm::normalize(glm::dvec3(1, 2, 2)), 35 * s, 12 * s);
   Report(hasp::AnalyticSphere(off, 40.3 * s), cube, "sphere R 40.3", runs);
   Report(hasp::AnalyticSphere(off, 12.3), cube, "sphere R 12.3", runs);
-  const auto torus = hasp::AnalyticTorus(off, glm::normalize(glm::dvec3(1, 2, 2)), 35 * s, 12 * s);
   Report(torus, cube, "torus 35/12, tilted", runs);
   Report(hasp::AnalyticSphere(off, 40.3 * s), slices, "sphere, 0.957/1.5 mm", runs);
+  std::printf("\nexact, signed\n%-20s %-6s %7s %8s %8s %12s\n", "shape", "", "threads", "CPU ms",
+    "wall ms", "Mvoxel/s");
+  ReportExact(hasp::AnalyticSphere(off, 40.3 * s), cube, "sphere R 40.3", runs);
+  ReportExact(torus, cube, "torus 35/12, tilted", runs);
+  ReportExact(hasp::AnalyticTrabecular(45 * s, 4 * s, 12 * s), cube, "spongy bone", runs);
 }
 
 } // namespace
@@ -109,14 +164,5 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "samples per axis must be in [16, 1024], runs in [1, 1000]\n");
     return 1;
   }
-#if HASP_WITH_TBB
-  hasp::testing::WithThreads(1,
-    [&]
-    {
-      Measure(n, runs);
-      return 0;
-    });
-#else
   Measure(n, runs);
-#endif
 }

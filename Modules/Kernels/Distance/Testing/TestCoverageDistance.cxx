@@ -393,6 +393,27 @@ TEST(CoverageDistance, AGreyScanIsMeasuredAsItIs)
   EXPECT_THROW(hasp::GreyDistance(image, std::nan("")), std::invalid_argument);
 }
 
+TEST(CoverageDistance, NoiseOfAScanIsSmoothedAndTheSurfaceStaysWhereItIs)
+{
+  const auto grid = Cube(52);
+  const auto shape = hasp::AnalyticSphere({ 0.3, -0.2, 0.4 }, 20.3);
+  const auto coverage = hasp::AnalyticCoverage(shape, grid);
+  const auto still = Scanned(coverage, 52, 0.8, 0), noisy = Scanned(coverage, 52, 0.8, 0.03);
+  const auto truth = hasp::GreyDistance(hasp::GridView<const float>{ still.data(), grid }, 0.5);
+  const auto found = hasp::GreyDistance(hasp::GridView<const float>{ noisy.data(), grid }, 0.5);
+  double squares = 0, sum = 0, count = 0;
+  for (std::size_t v = 0; v < truth.size(); ++v)
+    if (std::abs(truth[v]) < 3)
+    {
+      squares += std::pow(found[v] - truth[v], 2);
+      sum += found[v] - truth[v];
+      ++count;
+    }
+  // Measured 0.024; fits to 27 elements alone leave 0.034.
+  EXPECT_LT(std::sqrt(squares / count), 0.028);
+  EXPECT_LT(std::abs(sum / count), 0.004);
+}
+
 TEST(CoverageDistance, ThinSheetsAndSpecksStayFinite)
 {
   const auto grid = Cube(16);
