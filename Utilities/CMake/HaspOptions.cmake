@@ -24,6 +24,7 @@ hasp_optional(CGAL "Check meshes: closed, manifold, no self-intersection (GPL)" 
 hasp_optional(EMBREE "Trace rays against clustered cells (Embree 3)" embree 3 CONFIG)
 hasp_optional(HIGHWAY "Rays of a picture walk side by side (Highway)" hwy CONFIG)
 hasp_optional(EIGEN "Calibrate head trackers (Eigen)" Eigen3 CONFIG)
+hasp_optional(ITK "A rival in hasp report distance: ITK's SignedMaurer" ITKDistanceMap)
 hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
 hasp_optional(X11 "Windows on a display: hasp view" X11)
 hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)
@@ -52,7 +53,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   RenderingCore RenderingOpenGL2
   OPTIONAL_COMPONENTS glew opengl glad
-  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
+  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral FiltersPoints ImagingCore ImagingGeneral
   RenderingVolume RenderingVolumeOpenGL2 InteractionStyle InteractionWidgets RenderingFreeType RenderingUI
   TestingRendering)
 

@@ -1,0 +1,29 @@
+#include "ReportDistance.h"
+
+#include "DistanceTrials.h"
+#include "ReportRegistry.h"
+#include "VtkRivals.h"
+
+namespace hasp
+{
+
+void ReportDistance(ReportContext& context)
+{
+  const std::vector<RivalTransform> rivals = { MaurerRival(), VtkEuclideanRival(), VtkPointsRival(),
+    FogRival(), MeshRival(4), MeshRival(40) };
+  context.progress(0.0, "distance: what anti-aliasing is worth");
+  TryChamfer(context);
+  context.progress(0.1, "distance: the guides' transform");
+  TryGuides(context);
+  context.progress(0.3, "distance: blurred and noisy images");
+  TryScans(context);
+  context.progress(0.4, "distance: others' transforms");
+  TryRivals(context, rivals);
+  context.progress(0.5, "distance: error against time");
+  DrawCurves(context, rivals);
+  context.progress(0.6, "distance: a shell around a bone");
+  TryShell(context);
+  AddUnusedDistances(context);
+}
+
+} // namespace hasp
