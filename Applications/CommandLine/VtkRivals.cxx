@@ -43,7 +43,6 @@ public:
       side->SetInputData(ImageOf(input.grid, input.mask, turned));
       side->SetAlgorithmToSaito();
       side->ConsiderAnisotropyOn();
-      side->SetMaximumDistance(1e30);
     }
   }
   void Run() override
@@ -96,7 +95,10 @@ public:
   std::vector<float> Distances() const override
   {
     const auto* values = static_cast<const float*>(this->Signed->GetOutput()->GetScalarPointer());
-    return { values, values + this->Grid.Size() };
+    std::vector<float> distances(values, values + this->Grid.Size());
+    for (float& distance : distances) // its normals point to where coverage grows
+      distance = -distance;
+    return distances;
   }
 
 private:

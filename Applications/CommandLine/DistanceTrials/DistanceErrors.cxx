@@ -15,7 +15,7 @@ void DistanceErrors::Add(double errorMm, const glm::dvec3& world, const std::str
   this->Squares += error * error;
   this->Sum += error;
   const bool number = std::isfinite(size);
-  ++this->Counts[number ? std::min(Bins, static_cast<int>(size / BinVoxels)) : Bins];
+  ++this->Counts[number ? static_cast<int>(std::min<double>(Bins, size / BinVoxels)) : Bins];
   if (!(size <= this->Largest) && std::isfinite(this->Largest))
   {
     this->Largest = number ? size : std::numeric_limits<double>::infinity();

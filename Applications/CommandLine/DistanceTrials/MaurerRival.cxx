@@ -49,7 +49,13 @@ public:
   {
     const Distance* distance = this->Maurer->GetOutput();
     const float* begin = distance->GetBufferPointer();
-    return { begin, begin + distance->GetLargestPossibleRegion().GetNumberOfPixels() };
+    std::vector<float> distances(
+      begin, begin + distance->GetLargestPossibleRegion().GetNumberOfPixels());
+    // ITK measures to the middles of the outermost voxels inside.
+    const float half = 0.5F * static_cast<float>(distance->GetSpacing()[0]);
+    for (float& value : distances)
+      value -= half;
+    return distances;
   }
 
 private:
@@ -62,8 +68,10 @@ RivalTransform MaurerRival()
 {
   RivalTransform rival;
   rival.key = "itk";
-  rival.name = std::string("ITK ") + itk::Version::GetITKVersion() +
-               " SignedMaurerDistanceMapImageFilter of the mask, spacing used, not squared";
+  rival.name =
+    std::string("ITK ") + itk::Version::GetITKVersion() +
+    " SignedMaurerDistanceMapImageFilter of the mask, spacing used, not squared, less half a "
+    "voxel";
   rival.exact = true;
   rival.make = [](const TransformInput& input) { return std::make_unique<MaurerRun>(input); };
   return rival;

@@ -126,6 +126,28 @@ std::vector<float> ExactCoverage(
   return coverage;
 }
 
+std::vector<float> SampledCoverage(
+  const AnalyticVolume& shape, const GridGeometry& grid, int perAxis)
+{
+  std::vector<float> coverage(grid.Size());
+  const double reach = 0.5 * glm::length(grid.spacing);
+  const int places = perAxis * perAxis * perAxis;
+  ForEachVoxel(grid,
+    [&](std::size_t voxel, const glm::dvec3& index)
+    {
+      const double at = shape.value(grid.IndexToWorld(index));
+      int inside = at > 0.0 ? places : 0;
+      for (int s = 0; s < places && std::abs(at) < reach; ++s)
+      {
+        inside = s == 0 ? 0 : inside;
+        const glm::dvec3 sub(s % perAxis, s / perAxis % perAxis, s / (perAxis * perAxis));
+        inside += shape.value(grid.IndexToWorld(index + (sub + 0.5) / double(perAxis) - 0.5)) > 0.0;
+      }
+      coverage[voxel] = static_cast<float>(inside) / static_cast<float>(places);
+    });
+  return coverage;
+}
+
 std::vector<float> ScannedImage(const AnalyticVolume& shape, const GridGeometry& grid,
   double blurVoxels, double noise, std::uint64_t seed)
 {

@@ -34,6 +34,10 @@ std::vector<double> TrueDistances(const AnalyticVolume& shape, const GridGeometr
 std::vector<float> ExactCoverage(
   const AnalyticVolume& shape, const GridGeometry& grid, int halvings = 3);
 
+/// The same by counting: `perAxis`^3 places a voxel.
+std::vector<float> SampledCoverage(
+  const AnalyticVolume& shape, const GridGeometry& grid, int perAxis);
+
 /// What a scanner makes of it: 1 inside, 0 outside, blurred by a Gaussian of `blurVoxels` (sigma),
 /// with white noise of the standard deviation `noise`. Right to 2e-3 without noise.
 std::vector<float> ScannedImage(const AnalyticVolume& shape, const GridGeometry& grid,

@@ -20,7 +20,7 @@ void AddUnusedDistances(ReportContext& context)
       none.places.size() * sizeof(SurfaceElements::Place),
     0.0, "the image holds no surface" });
   const SolidPointer ball = MakeCapsule(glm::dvec3(0.0), glm::dvec3(0.0), 2.0);
-  const NearSurface gone = EvaluateNearSurface(*MakeOffset(ball, -2.5), grid, 1.2);
+  const NearSurface gone = EvaluateNearSurface(*MakeOffset(ball, -4.0), grid, 1.2);
   context.report.unused.push_back({ "samples of a solid", gone.values.size() * sizeof(float), 0.0,
     "the offset is beyond the part" });
   const NearSurface far =
