@@ -23,6 +23,12 @@ void ReportDistance(ReportContext& context)
   DrawCurves(context, rivals);
   context.progress(0.6, "distance: a shell around a bone");
   TryShell(context);
+  context.progress(0.7, "distance: how sharp contours are");
+  TrySharpness(context, FlyingEdges());
+  context.progress(0.0, "distance: contours of random trees");
+  TryContour(context);
+  context.progress(0.0, "distance: Booleans of meshes");
+  TryBooleans(context, VtkBooleans());
   AddUnusedDistances(context);
 }
 

@@ -23,6 +23,7 @@ OUTSIDE = [  # first match wins
     ("embree", r"embree[34]/.*"),
     ("hwy", r"hwy/.*"),
     ("openvdb", r"openvdb/.*"),
+    ("itk", r"itk\w*\.h"),
     ("eigen", r"(Eigen|unsupported)/.*"),
     ("cgal", r"CGAL/.*"),
     ("nlohmann", r"nlohmann/.*"),

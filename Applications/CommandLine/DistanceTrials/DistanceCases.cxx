@@ -56,7 +56,7 @@ void TryDistanceCases(ReportContext& context)
   context.progress(0.7, "");
   TryDistanceThreads(context);
   context.progress(0.9, "");
-  // CONTOUR TryContourCases(context);
+  TryContourCases(context);
 }
 
 } // namespace hasp
