@@ -11,6 +11,7 @@
 #include "Evaluation/SelfIntersections.h"
 #endif
 
+#include "vtkAppendPolyData.h"
 #include "vtkBooleanOperationPolyDataFilter.h"
 #include "vtkCapsuleSource.h"
 #include "vtkCleanPolyData.h"
@@ -21,6 +22,8 @@
 #include "vtkObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkReverseSense.h"
+#include "vtkSelectEnclosedPoints.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkTriangleFilter.h"
@@ -98,8 +101,43 @@ Mesh LeafOf(const SolidNode& node)
   capsule->SetCylinderLength(2.0 * node.size.x);
   capsule->SetRadius(node.mm);
   capsule->SetThetaResolution(Round);
-  capsule->SetPhiResolution(Round / 4);
+  capsule->SetPhiResolution(Round);
   return Placed(capsule, node, true);
+}
+
+/// Is a point of `part` in `whole`?
+bool IsInside(const Mesh& part, const Mesh& whole)
+{
+  vtkNew<vtkSelectEnclosedPoints> inside;
+  inside->Initialize(whole);
+  double at[3];
+  part->GetPoint(0, at);
+  const bool is = inside->IsInsideSurface(at) != 0;
+  inside->Complete();
+  return is;
+}
+
+/// Surfaces that do not meet, which VTK's filter makes nothing of.
+Mesh Apart(int operation, const Mesh& a, const Mesh& b)
+{
+  const bool aInB = IsInside(a, b), bInA = IsInside(b, a);
+  const vtkNew<vtkPolyData> nothing;
+  if (operation == vtkBooleanOperationPolyDataFilter::VTK_INTERSECTION)
+    return aInB ? a : bInA ? b : Mesh(nothing);
+  const bool difference = operation == vtkBooleanOperationPolyDataFilter::VTK_DIFFERENCE;
+  if (aInB)
+    return difference ? Mesh(nothing) : b;
+  if (bInA != difference) // within a union, or beside a difference
+    return a;
+  vtkNew<vtkReverseSense> turned; // a hollow
+  turned->SetInputData(b);
+  turned->SetReverseCells(difference);
+  turned->Update();
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(a);
+  both->AddInputData(turned->GetOutput());
+  both->Update();
+  return both->GetOutput();
 }
 
 Mesh Joined(int operation, const Mesh& a, const Mesh& b)
@@ -116,6 +154,8 @@ Mesh Joined(int operation, const Mesh& a, const Mesh& b)
   const auto start = std::chrono::steady_clock::now();
   boolean->Update();
   booleanSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (boolean->GetOutput()->GetNumberOfPolys() == 0)
+    return Apart(operation, a, b);
   return Cleaned(boolean, 1e-6); // what it leaves twice along its lines
 }
 

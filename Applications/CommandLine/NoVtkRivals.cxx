@@ -5,7 +5,8 @@ namespace hasp
 namespace
 {
 
-constexpr const char* Why = "this VTK lacks FiltersGeneral, FiltersPoints or ImagingGeneral";
+constexpr const char* Why =
+  "this VTK lacks FiltersGeneral, FiltersModeling, FiltersPoints or ImagingGeneral";
 
 } // namespace
 

@@ -21,10 +21,11 @@ hasp_optional(OPENSSL "Hash volumes, SHA-256" OpenSSL COMPONENTS Crypto)
 hasp_optional(DCMTK "Read DICOM, in a child process" DCMTK)
 hasp_optional(SECCOMP "Filter the system calls of the DICOM child process (libseccomp)" Seccomp)
 hasp_optional(CGAL "Check meshes: closed, manifold, no self-intersection (GPL)" CGAL CONFIG)
+hasp_optional(OPENVDB "Narrow bands and meshes as level sets (OpenVDB)" OpenVDB 10)
+hasp_optional(ITK "Print ITK's distance transform beside ours (benchmarks alone)" ITKCommon 5.2)
 hasp_optional(EMBREE "Trace rays against clustered cells (Embree 3)" embree 3 CONFIG)
-hasp_optional(HIGHWAY "Rays of a picture walk side by side (Highway)" hwy CONFIG)
+hasp_optional(HIGHWAY "Rays of a picture, voxels at a surface: side by side (Highway)" hwy CONFIG)
 hasp_optional(EIGEN "Calibrate head trackers (Eigen)" Eigen3 CONFIG)
-hasp_optional(ITK "A rival in hasp report distance: ITK's SignedMaurer" ITKDistanceMap)
 hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
 hasp_optional(X11 "Windows on a display: hasp view" X11)
 hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)
@@ -53,7 +54,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   RenderingCore RenderingOpenGL2
   OPTIONAL_COMPONENTS glew opengl glad
-  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral FiltersPoints ImagingCore ImagingGeneral
+  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral FiltersModeling FiltersPoints ImagingCore ImagingGeneral
   RenderingVolume RenderingVolumeOpenGL2 InteractionStyle InteractionWidgets RenderingFreeType RenderingUI
   TestingRendering)
 

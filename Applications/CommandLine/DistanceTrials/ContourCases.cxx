@@ -31,8 +31,8 @@ void AddVolume(ReportContext& context, const std::string& id, const std::string&
 {
   const MeshCheck check = CheckStl(SharpContour(*solid, grid));
   const bool none = check.triangles == 0;
-  const double off = volumeMm3 == 0.0 ? (none ? 0.0 : 1.0)
-                                      : std::abs(check.volumeMm3 / volumeMm3 - 1.0);
+  const double off =
+    volumeMm3 == 0.0 ? (none ? 0.0 : 1.0) : std::abs(check.volumeMm3 / volumeMm3 - 1.0);
   AddCase(context, "contour." + id, text, none || check.Sound() ? off : 1.0, limit,
     "of the volume off; 1: not sound");
 }
@@ -49,8 +49,8 @@ void AddScales(ReportContext& context)
   const auto ball = [](double radius)
   { return MakeCapsule(glm::dvec3(0.003), glm::dvec3(0.003), radius); };
   const double unit = 4.0 / 3.0 * std::numbers::pi;
-  AddVolume(context, "scale.small", "a ball of 1 mm at 0.05 mm", ball(1.0), Around(1.2, 0.05), unit,
-    3e-3);
+  AddVolume(
+    context, "scale.small", "a ball of 1 mm at 0.05 mm", ball(1.0), Around(1.2, 0.05), unit, 3e-3);
   AddVolume(context, "scale.large", "a ball of 100 mm at 5 mm", ball(100.0), Around(120.0, 5.0),
     1e6 * unit, 3e-3);
   const glm::dvec3 far(150.0, -180.0, 120.0);
@@ -73,8 +73,8 @@ void AddThin(ReportContext& context)
   for (const double thick : { 0.9, 0.3, 0.01 })
   {
     char id[40], text[100];
-    const MeshCheck plate = CheckStl(
-      SharpContour(*MakeSlab({ 0, 0, 0.01 }, { 1, 1, 3 }, 0.4 * thick), Around(5.0, 0.4)));
+    const MeshCheck plate =
+      CheckStl(SharpContour(*MakeSlab({ 0, 0, 0.01 }, { 1, 1, 3 }, 0.4 * thick), Around(5.0, 0.4)));
     std::snprintf(id, sizeof id, "contour.thin.plate%.0f", 100.0 * thick);
     std::snprintf(text, sizeof text, "a plate %g voxels thick: sound, or gone", thick);
     AddCase(
@@ -110,10 +110,9 @@ void AddThreads(ReportContext& context)
     for (const int threads : { 2, 4 })
     {
       const TriangleMesh many = OnThreads(threads, contour);
-      different +=
-        !(one.points.size() == many.points.size() && one.triangles == many.triangles &&
-          std::memcmp(one.points.data(), many.points.data(),
-            one.points.size() * sizeof(glm::dvec3)) == 0);
+      different += !(one.points.size() == many.points.size() && one.triangles == many.triangles &&
+                     std::memcmp(one.points.data(), many.points.data(),
+                       one.points.size() * sizeof(glm::dvec3)) == 0);
     }
   }
   AddCase(context, "contour.threads", "three trees, 1, 2 and 4 threads: the same to the last bit",

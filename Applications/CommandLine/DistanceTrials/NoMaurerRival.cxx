@@ -8,7 +8,7 @@ RivalTransform MaurerRival()
   RivalTransform rival;
   rival.key = "itk";
   rival.name = "ITK SignedMaurerDistanceMapImageFilter";
-  rival.absent = "this build has no ITK (HASP_ENABLE_ITK; Utilities/Scripts/setup --rivals)";
+  rival.absent = "this build has no ITK (HASP_ENABLE_ITK; Utilities/Scripts/setup --develop)";
   rival.exact = true;
   return rival;
 }

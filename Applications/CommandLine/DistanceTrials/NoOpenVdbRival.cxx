@@ -10,8 +10,7 @@ RivalTransform Absent(const std::string& key, const std::string& name)
   RivalTransform rival;
   rival.key = key;
   rival.name = name;
-  rival.absent =
-    "this build has no OpenVDB (HASP_ENABLE_OPENVDB; Utilities/Scripts/setup --rivals)";
+  rival.absent = "this build has no OpenVDB (HASP_ENABLE_OPENVDB; Utilities/Scripts/setup)";
   rival.band = true;
   return rival;
 }
