@@ -17,6 +17,7 @@
 #include "vtkCleanPolyData.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
+#include "vtkLinearSubdivisionFilter.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -60,8 +61,9 @@ Mesh Cleaned(vtkPolyDataAlgorithm* source, double tolerance)
   return clean->GetOutput();
 }
 
-/// To where the node has it: `upright` is which axis of VTK's source is the node's.
-Mesh Placed(vtkPolyDataAlgorithm* source, const SolidNode& node, bool alongY)
+/// To where the node has it, each triangle cut into 4^finer: the filter is better on small ones.
+/// `alongY`: the source's axis is y, not x.
+Mesh Placed(vtkPolyDataAlgorithm* source, const SolidNode& node, bool alongY, int finer)
 {
   const glm::dmat3 frame = FrameOf(node.axis);
   const glm::dmat3 axes = alongY ? glm::dmat3(frame[2], frame[0], frame[1]) : frame;
@@ -73,8 +75,14 @@ Mesh Placed(vtkPolyDataAlgorithm* source, const SolidNode& node, bool alongY)
     matrix->SetElement(row, 3, node.at[row]);
   vtkNew<vtkTransform> transform;
   transform->SetMatrix(matrix);
+  vtkNew<vtkLinearSubdivisionFilter> small;
+  small->SetInputData(Cleaned(source, 1e-6));
+  small->SetNumberOfSubdivisions(finer);
   vtkNew<vtkTransformPolyDataFilter> move;
-  move->SetInputConnection(source->GetOutputPort());
+  if (finer > 0)
+    move->SetInputConnection(small->GetOutputPort());
+  else
+    move->SetInputConnection(source->GetOutputPort());
   move->SetTransform(transform);
   return Cleaned(move, 1e-6);
 }
@@ -87,7 +95,7 @@ Mesh LeafOf(const SolidNode& node)
     cube->SetXLength(2.0 * node.size.x);
     cube->SetYLength(2.0 * node.size.y);
     cube->SetZLength(2.0 * node.size.z);
-    return Placed(cube, node, false);
+    return Placed(cube, node, false, 2);
   }
   if (node.kind == Kind::Cylinder)
   {
@@ -95,14 +103,14 @@ Mesh LeafOf(const SolidNode& node)
     cylinder->SetHeight(2.0 * node.size.x);
     cylinder->SetRadius(node.mm);
     cylinder->SetResolution(Round);
-    return Placed(cylinder, node, true);
+    return Placed(cylinder, node, true, 1);
   }
   vtkNew<vtkCapsuleSource> capsule;
   capsule->SetCylinderLength(2.0 * node.size.x);
   capsule->SetRadius(node.mm);
   capsule->SetThetaResolution(Round);
   capsule->SetPhiResolution(Round);
-  return Placed(capsule, node, true);
+  return Placed(capsule, node, true, 0);
 }
 
 /// Is a point of `part` in `whole`?
