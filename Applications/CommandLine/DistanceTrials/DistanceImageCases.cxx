@@ -55,7 +55,8 @@ void AddNoCoverage(ReportContext& context)
     guide == image ? 0.0 : 1.0, 0.0, "1 if it is taken for a grey image");
 }
 
-/// Thinner than a voxel: a plate is there or not, and so is a slot; what is far from it is true.
+/// About as thin as a voxel: refused as no coverage, gone, or there and true; never wrong in
+/// silence.
 void AddThin(ReportContext& context)
 {
   const GridGeometry grid = TrialGrid(48);
@@ -81,7 +82,8 @@ void AddThin(ReportContext& context)
       const bool gone = accepted && std::all_of(distances.begin(), distances.end(),
                                       [](float d) { return std::isinf(d); });
       char text[160];
-      std::snprintf(text, sizeof text, "a %s %.1f voxels wide, 4 to 8 voxels from it: %s",
+      std::snprintf(text, sizeof text,
+        "a %s %.1f voxels wide alone: refused, gone, or true 4 to 8 voxels from it; is %s",
         slot ? "slot" : "plate", thick,
         !accepted ? "refused"
         : gone    ? "gone"
