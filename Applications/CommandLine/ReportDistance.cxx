@@ -26,9 +26,9 @@ void ReportDistance(ReportContext& context)
   context.progress(0.7, "distance: how sharp contours are");
   TrySharpness(context, FlyingEdges());
   context.progress(0.0, "distance: contours of random trees");
-  TryContour(context);
+  TryContour(context, context.settings.quick ? 200 : 1000);
   context.progress(0.0, "distance: Booleans of meshes");
-  TryBooleans(context, VtkBooleans());
+  TryBooleans(context, VtkBooleans(), context.settings.quick ? 20 : 200);
   AddUnusedDistances(context);
 }
 

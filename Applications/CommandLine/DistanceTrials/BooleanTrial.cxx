@@ -78,14 +78,13 @@ BooleanOutcome Ours(const ImplicitSolid& solid)
 
 } // namespace
 
-void TryBooleans(ReportContext& context, const BooleanRival& rival)
+void TryBooleans(ReportContext& context, const BooleanRival& rival, int trees)
 {
   if (!rival.absent.empty())
   {
     context.report.rows.push_back(AbsentRow("contour.boolean_rival", rival.name, rival.absent));
     return;
   }
-  const int trees = context.settings.quick ? 20 : 200;
   RandomTreeSettings settings;
   settings.meshes = true;
   Tally ours, theirs;

@@ -156,9 +156,9 @@ ReportRow RowOf(const Sum& sum, const char* id, double share, const char* asked)
 
 } // namespace
 
-void TryContour(ReportContext& context)
+void TryContour(ReportContext& context, int count)
 {
-  const std::uint32_t trees = context.settings.quick ? 200 : 1000;
+  const auto trees = static_cast<std::uint32_t>(count);
   const auto first = static_cast<std::uint32_t>(context.settings.seed * 100'000);
   constexpr std::uint32_t Batch = 20;
   Sum sum;

@@ -87,7 +87,7 @@ void AddThin(ReportContext& context)
         slot ? "slot" : "plate", thick,
         !accepted ? "refused"
         : gone    ? "gone"
-                  : "there, as far as it is");
+                  : "there");
       char id[40];
       std::snprintf(id, sizeof id, "distance.thin.%s%.0f", slot ? "slot" : "plate", 10.0 * thick);
       AddCase(

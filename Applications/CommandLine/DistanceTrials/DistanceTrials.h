@@ -36,15 +36,16 @@ void DrawCurves(ReportContext& context, const std::vector<RivalTransform>& rival
 /// distance.wall: the thinnest place of a shell around a bone as a scanner sees it.
 void TryShell(ReportContext& context);
 
-/// contour.manifold, contour.crossing, contour.fallback: random trees of solids.
-void TryContour(ReportContext& context);
+/// contour.manifold, contour.crossing, contour.fallback: so many random trees of solids, each at
+/// three voxel sizes.
+void TryContour(ReportContext& context, int trees);
 
 /// contour.flatness, contour.edge, contour.hole: a block with a slot and a hole; beside it a plain
 /// contour's.
 void TrySharpness(ReportContext& context, const PlainContour& plain);
 
-/// contour.boolean_rival: a mesh Boolean's share of good results.
-void TryBooleans(ReportContext& context, const BooleanRival& rival);
+/// contour.boolean_rival: a mesh Boolean's share of good results, of so many trees.
+void TryBooleans(ReportContext& context, const BooleanRival& rival, int trees);
 
 /// What is not made where nothing asks for it.
 void AddUnusedDistances(ReportContext& context);
