@@ -113,7 +113,33 @@ void AddOneVoxel(ReportContext& context)
   }
 }
 
-/// The plane through the middle, its coverage exact; voxels 100 times as high as wide.
+/// The share of each voxel behind a plane: exact along the axis that it changes most on, 16^2 lines
+/// of it a voxel.
+std::vector<float> PlaneCoverage(
+  const GridGeometry& grid, const glm::dvec3& at, const glm::dvec3& normal)
+{
+  const glm::dvec3 steps = normal * grid.spacing; // of the plane's distance, an index each
+  int axis = 0;
+  for (int other : { 1, 2 })
+    axis = std::abs(steps[other]) > std::abs(steps[axis]) ? other : axis;
+  std::vector<float> coverage(grid.Size());
+  for (std::size_t v = 0; v < coverage.size(); ++v)
+  {
+    const std::size_t nx = grid.dims.x, ny = grid.dims.y;
+    const glm::dvec3 index(v % nx, v / nx % ny, v / (nx * ny));
+    const double middle = glm::dot(normal, grid.IndexToWorld(index) - at);
+    double sum = 0.0;
+    for (int s = 0; s < 256; ++s)
+      sum += std::clamp(0.5 - (middle + steps[(axis + 1) % 3] * ((s % 16 + 0.5) / 16.0 - 0.5) +
+                                steps[(axis + 2) % 3] * ((s / 16 + 0.5) / 16.0 - 0.5)) /
+                                std::abs(steps[axis]),
+        0.0, 1.0);
+    coverage[v] = static_cast<float>(sum / 256.0);
+  }
+  return coverage;
+}
+
+/// A plane through the middle; voxels 100 times as high as wide.
 void AddFlatVoxels(ReportContext& context)
 {
   const GridGeometry grid{ { 60, 60, 24 }, { -1.5, -1.5, -60.0 }, { 0.05, 0.05, 5.0 },
@@ -125,7 +151,7 @@ void AddFlatVoxels(ReportContext& context)
     const glm::dvec3 unit = glm::normalize(normal), at(0.011, 0.007, 0.06);
     const AnalyticVolume plane{ "plane",
       [=](const glm::dvec3& p) { return glm::dot(unit, at - p); } };
-    const std::vector<float> distances = CoverageDistance(grid, ExactCoverage(plane, grid, 4));
+    const std::vector<float> distances = CoverageDistance(grid, PlaneCoverage(grid, at, unit));
     DistanceErrors errors(0.05);
     AddErrors(distances, TrueDistances(plane, grid), grid, { -3.0, 3.0, 4 }, "plane", errors);
     AddCase(context, std::string("distance.flat.") + name,

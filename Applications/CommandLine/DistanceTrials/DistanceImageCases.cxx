@@ -83,15 +83,15 @@ void AddThin(ReportContext& context)
                                       [](float d) { return std::isinf(d); });
       char text[160];
       std::snprintf(text, sizeof text,
-        "a %s %.1f voxels wide alone: refused, gone, or true 4 to 8 voxels from it; is %s",
+        "a %s %.1f voxels wide alone: refused, gone, or true to half a voxel 4 to 8 voxels from "
+        "it; is %s",
         slot ? "slot" : "plate", thick,
         !accepted ? "refused"
         : gone    ? "gone"
                   : "there");
       char id[40];
       std::snprintf(id, sizeof id, "distance.thin.%s%.0f", slot ? "slot" : "plate", 10.0 * thick);
-      AddCase(
-        context, id, text, !accepted || gone ? 0.0 : errors.Rms(), 0.5 * thick + 0.05, "voxel RMS");
+      AddCase(context, id, text, !accepted || gone ? 0.0 : errors.Rms(), 0.5, "voxel RMS");
     }
 }
 

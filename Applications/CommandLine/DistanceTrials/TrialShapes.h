@@ -28,9 +28,9 @@ glm::dvec3 AnyDirection(std::mt19937_64& random);
 /// Minus the shape's value at each voxel's centre, mm, NEGATIVE INSIDE.
 std::vector<double> TrueDistances(const AnalyticVolume& shape, const GridGeometry& grid);
 
-/// The share of each voxel that is inside: voxels are halved along the surface to an eighth of a
-/// side (`halvings` 3); of such a piece the share counts that a plane along its faces would leave.
-/// Right to 4e-4 of a voxel rms on average over directions (TestDistanceTrials).
+/// The share of each voxel, a cube, that is inside: voxels are halved along the surface to an
+/// eighth of a side (`halvings` 3); of such a piece the share counts that a plane along its faces
+/// would leave. Right to 4e-4 of a voxel rms on average over directions (TestDistanceTrials).
 std::vector<float> ExactCoverage(
   const AnalyticVolume& shape, const GridGeometry& grid, int halvings = 3);
 
