@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 namespace hasp
 {
@@ -170,20 +171,27 @@ BooleanRival VtkBooleans()
   }
   rival.run = [program](std::uint32_t seed, int depth)
   {
-    const MeasuredChild child =
-      RunMeasured({ std::to_string(seed), std::to_string(depth) }, { program.string(), LimitS });
     BooleanOutcome outcome;
-    int closed = 0, manifold = 0;
-    if (child.late)
-      outcome.ending = "60 s";
-    else if (child.exitCode != 0 ||
-             std::sscanf(child.output.c_str(), "%d %d %ld %lf %lf", &closed, &manifold,
-               &outcome.crossings, &outcome.volumeMm3, &outcome.seconds) != 5)
-      outcome.ending = "exit code " + std::to_string(child.exitCode);
-    if (!outcome.ending.empty())
-      outcome.seconds = child.seconds;
-    outcome.closed = closed != 0;
-    outcome.manifold = manifold != 0;
+    try
+    {
+      const MeasuredChild child =
+        RunMeasured({ std::to_string(seed), std::to_string(depth) }, { program.string(), LimitS });
+      int closed = 0, manifold = 0;
+      if (child.late)
+        outcome.ending = "60 s";
+      else if (child.exitCode != 0 ||
+               std::sscanf(child.output.c_str(), "%d %d %ld %lf %lf", &closed, &manifold,
+                 &outcome.crossings, &outcome.volumeMm3, &outcome.seconds) != 5)
+        outcome.ending = "exit code " + std::to_string(child.exitCode);
+      if (!outcome.ending.empty())
+        outcome.seconds = child.seconds;
+      outcome.closed = closed != 0;
+      outcome.manifold = manifold != 0;
+    }
+    catch (const std::runtime_error& failure) // it ended before it could be looked at
+    {
+      outcome.ending = failure.what();
+    }
     return outcome;
   };
   return rival;
