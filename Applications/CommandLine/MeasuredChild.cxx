@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -71,7 +72,8 @@ void Sample(pid_t child, MeasuredChild& use)
   use.residentBytes = std::max(use.residentBytes, Bytes(text, "VmHWM:"));
 }
 
-pid_t Start(const std::vector<std::string>& arguments, int output, int error)
+pid_t Start(
+  const std::string& program, const std::vector<std::string>& arguments, int output, int error)
 {
   std::vector<std::string> words{ "hasp" };
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -85,32 +87,42 @@ pid_t Start(const std::vector<std::string>& arguments, int output, int error)
   posix_spawn_file_actions_adddup2(&actions, error, STDERR_FILENO);
   pid_t child = 0;
   const int failed =
-    posix_spawn(&child, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
+    posix_spawn(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0)
-    throw std::runtime_error("this program cannot start itself");
+    throw std::runtime_error("a child process cannot be started");
   return child;
 }
 
 } // namespace
 
-MeasuredChild RunMeasured(const std::vector<std::string>& arguments)
+MeasuredChild RunMeasured(const std::vector<std::string>& arguments, const ChildSettings& settings)
 {
   const CaughtOutput output, error;
   MeasuredChild use;
   const auto start = std::chrono::steady_clock::now();
-  const pid_t child = Start(arguments, output.Descriptor(), error.Descriptor());
+  const auto passed = [&start]
+  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const pid_t child = Start(settings.program, arguments, output.Descriptor(), error.Descriptor());
   const int watch = pidfd_open(child, 0);
   pollfd ended{ watch, POLLIN, 0 };
   constexpr int intervalMs = 10;
+  Sample(child, use); // it may end before the first interval does
   while (watch >= 0 && poll(&ended, 1, intervalMs) == 0)
+  {
     Sample(child, use);
+    if (settings.limitS > 0.0 && passed() > settings.limitS && !use.late)
+    {
+      use.late = true;
+      kill(child, SIGKILL);
+    }
+  }
   if (watch >= 0)
     close(watch);
   int status = 0;
   rusage spent{};
   wait4(child, &status, 0, &spent);
-  use.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  use.seconds = passed();
   const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
   use.cpuSeconds = seconds(spent.ru_utime) + seconds(spent.ru_stime);
   use.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

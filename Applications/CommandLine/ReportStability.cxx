@@ -1,6 +1,7 @@
 #include "ReportStability.h"
 
 #include "CellChecks.h"
+#include "DistanceCases.h"
 #include "ExtremeVolumes.h"
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
@@ -118,6 +119,7 @@ void ReportStability(ReportContext& context)
   context.progress(done / double(volumes.size() + 1), "stability: eyes");
   CheckStableEyes(context, ball, pixels);
   CheckRefusals(context, ball);
+  TryDistanceCases(context);
   TryStability(context);
   AddShare(context);
 }

@@ -6,6 +6,7 @@
 #include "ReportRaycaching.h"
 #include "ReportStability.h"
 #endif
+#include "ReportDistance.h"
 #include "ReportHaptics.h"
 #include "ReportImport.h"
 #include "ReportStereo.h"
@@ -28,6 +29,10 @@ const std::vector<ReportEntry>& ReportRegistry()
         "what is predicted of extreme volumes, rays, eyes and haptic loops, against what comes",
         ReportStability },
 #endif
+      { "distance",
+        "error against time of distance transforms and contours that keep edges, against ITK's, "
+        "OpenVDB's and VTK's",
+        ReportDistance },
       { "haptics",
         "contact points, levels and Snap-to-fit in a tick, and what they are off by, "
         "against plain code",

@@ -54,7 +54,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   RenderingCore RenderingOpenGL2
   OPTIONAL_COMPONENTS glew opengl glad
-  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral ImagingCore
+  IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral FiltersModeling FiltersPoints ImagingCore ImagingGeneral
   RenderingVolume RenderingVolumeOpenGL2 InteractionStyle InteractionWidgets RenderingFreeType RenderingUI
   TestingRendering)
 

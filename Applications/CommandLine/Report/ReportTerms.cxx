@@ -120,6 +120,49 @@ std::vector<ReportTerm> HapticTerms()
   };
 }
 
+std::vector<ReportTerm> DistanceTerms()
+{
+  return {
+    { "distance.rms.chamfer_aa",
+      "error of the surface at an offset of 0, 2 or 5 voxels by anti-aliased <3,4,5> / by binary "
+      "<3,4,5>: what the papers claim of anti-aliasing, as we understand it" },
+    { "distance.offset", "the same of the guides' transform / of anti-aliased <3,4,5>" },
+    { "distance.rms.guide",
+      "root of the mean square of what the guides' transform (CoverageDistance) is off by on exact "
+      "coverage, within 3 voxels of the surface" },
+    { "distance.max.guide", "the same at worst" },
+    { "distance.rms.far", "the same of the whole field, within 40 voxels" },
+    { "distance.cost",
+      "time of the guides' transform / of anti-aliased <3,4,5> by Hasp itself: guide: "
+      "its band of 4 voxels, far: the whole field; @: samples along an axis" },
+    { "distance.rms.ct",
+      "error on images as a scanner makes them: by coverage of them; grey: of the grey values as "
+      "they are; chamfer: anti-aliased <3,4,5> by coverage" },
+    { "distance.speed.edt", "exact Euclidean distance to a mask, times as fast as ITK's; vtk: as "
+                            "VTK's; @2threads: both on "
+                            "two threads" },
+    { "distance.field",
+      "time of the guides' transform / of a transform of others; the errors of both are told" },
+    { "distance.wall", "how far the thinnest place of a shell of 3 voxels around a scanned bone is "
+                       "off what was asked, "
+                       "/ the same by binary <3,4,5>; chamfer_aa, euclid: by anti-aliased <3,4,5>, "
+                       "by exact distances "
+                       "to the mask" },
+    { "distance.error_time",
+      "error within 3 voxels against time, a sphere in 32^3, 64^3, 128^3 and "
+      "256^3 voxels; lower left is better" },
+    { "contour.manifold",
+      "share of contours that are closed and 2-manifold, of random trees of solids" },
+    { "contour.crossing",
+      "share of those in which no triangles meet but in shared edges and points" },
+    { "contour.fallback", "share of those that gave no surface though a sample lies inside" },
+    { "contour.flatness", "how far the walls of a slot are off their planes, at most" },
+    { "contour.edge", "radius of edges that are sharp in truth, at most" },
+    { "contour.hole", "diameter of a drilled hole, off" },
+    { "contour.boolean_rival", "share of good results of a Boolean of meshes on the same trees" },
+  };
+}
+
 std::vector<ReportTerm> StereoTerms()
 {
   return {
@@ -160,6 +203,7 @@ std::vector<ReportTerm> TermsOf(const std::string& report)
   std::vector<ReportTerm> terms = report == "isosurface"   ? IsosurfaceTerms()
                                   : report == "cells"      ? CellTerms()
                                   : report == "raycaching" ? RaycachingTerms()
+                                  : report == "distance"   ? DistanceTerms()
                                   : report == "haptics"    ? HapticTerms()
                                   : report == "stereo"     ? StereoTerms()
                                                            : OthersOf(report);

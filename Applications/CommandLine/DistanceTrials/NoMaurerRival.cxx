@@ -1,0 +1,16 @@
+#include "RivalTransform.h"
+
+namespace hasp
+{
+
+RivalTransform MaurerRival()
+{
+  RivalTransform rival;
+  rival.key = "itk";
+  rival.name = "ITK SignedMaurerDistanceMapImageFilter";
+  rival.absent = "this build has no ITK (HASP_ENABLE_ITK; Utilities/Scripts/setup --develop)";
+  rival.exact = true;
+  return rival;
+}
+
+} // namespace hasp
