@@ -76,7 +76,9 @@ TEST(DistanceRows, LibrariesThatAreNotThereAreAbsentAndOthersAreNot)
   const Report real = Filled([](ReportContext& context) { TryRivals(context, { MaurerRival() }); });
   const ReportRow& speed = Row(real, "distance.speed.edt");
   if (speed.absent.empty())
-    EXPECT_GT(*speed.value, 0.65); // half the bar
+  {
+    EXPECT_GT(*speed.value, 0.65);
+  } // half the bar
 }
 
 TEST(DistanceRows, ContoursOfRandomTreesAreSound)
