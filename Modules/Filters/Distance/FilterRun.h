@@ -4,6 +4,7 @@
 #include "vtkAlgorithm.h"
 
 #include <exception>
+#include <new>
 
 namespace hasp
 {
@@ -27,6 +28,12 @@ int RunFilter(vtkAlgorithm* filter, const Work& work)
   catch (const Cancelled&)
   {
     return 1; // what was asked for: nothing
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(
+      filter, "there is not enough memory: take a coarser grid, or less of the image");
+    return 0;
   }
   catch (const std::exception& error)
   {

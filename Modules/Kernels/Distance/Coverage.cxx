@@ -149,6 +149,10 @@ void Check(const AnyGridView& source, const GridGeometry& target, const Coverage
 {
   GeometryOf(source).Validate();
   target.Validate();
+  if (const glm::ivec3 d = GeometryOf(source).dims; std::min({ d.x, d.y, d.z }) < 2)
+    throw std::invalid_argument("coverage: the source has " + std::to_string(d.x) + " x " +
+                                std::to_string(d.y) + " x " + std::to_string(d.z) +
+                                " samples; between them is no room: each axis needs two at least");
   if (!std::isfinite(s.isovalue))
     throw std::invalid_argument("coverage: isovalue must be finite");
   if (s.samplesPerAxis < 1 || s.samplesPerAxis > 16)

@@ -21,7 +21,7 @@ struct CoverageSettings
 /// Share in [0,1] of each voxel of `target` that lies inside the trilinear isosurface of `source`
 /// (thesis 2.1.3, Fig. 2.4: binary to coverage, by supersampling).
 ///
-/// source   any geometry; outside it nothing is inside
+/// source   any geometry, two samples at least along each axis; outside it nothing is inside
 /// target   any other geometry: rotated, finer, coarser. A voxel is the box of one spacing a side
 ///          around its sample.
 /// Voxels wholly in cells without the isosurface, and those farther from it than the cell's

@@ -245,6 +245,30 @@ std::vector<float> Distances(const GridGeometry& geometry, std::span<const float
   ReportProgress(progress, 1.0);
   return distance;
 }
+
+/// What takes samples to at least 0.5 off the isovalue somewhere: of less, little would be left in
+/// floats around 0.5. A power of two, 1 at least.
+double ScaleOf(const AnyGridView& image, double isovalue)
+{
+  constexpr std::int64_t Piece = 1 << 16;
+  const std::int64_t size = std::int64_t(GeometryOf(image).Size());
+  std::vector<double> most((size + Piece - 1) / Piece, 0.0);
+  std::visit(
+    [&](const auto& view)
+    {
+      ParallelFor(0, size, Piece,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          double& here = most[first / Piece];
+          for (std::int64_t v = first; v < last && here < 0.5; ++v)
+            here = std::max(here, std::abs(double(view.data[v]) - isovalue));
+        });
+    },
+    image);
+  const double furthest = *std::max_element(most.begin(), most.end());
+  return furthest > 0.0 && furthest < 0.5 ? std::exp2(std::min(-1 - std::ilogb(furthest), 1000))
+                                          : 1.0;
+}
 } // namespace
 
 std::vector<float> CoverageDistance(
@@ -266,6 +290,7 @@ std::vector<float> GreyDistance(
   geometry.Validate();
   if (!std::isfinite(isovalue))
     throw std::invalid_argument("grey distance: isovalue must be finite");
+  const double scale = ScaleOf(image, isovalue);
   std::vector<float> values(geometry.Size());
   std::visit(
     [&](const auto& view)
@@ -274,7 +299,7 @@ std::vector<float> GreyDistance(
         [&](std::int64_t first, std::int64_t last)
         {
           for (std::int64_t v = first; v < last; ++v)
-            values[v] = static_cast<float>(double(view.data[v]) - isovalue) + 0.5F;
+            values[v] = static_cast<float>(scale * (double(view.data[v]) - isovalue)) + 0.5F;
         });
     },
     image);

@@ -17,6 +17,7 @@ constexpr double RootShare = 1e-7;   ///< of a cell: a root is good
 constexpr double LeastSine = 0.03;   ///< of faces that meet: below, they are one
 constexpr double CornerSlack = 0.02; ///< of a tetrahedron: a corner may be so far outside
 constexpr double TipDepth = 0.007;   ///< of an edge
+constexpr double LeastTip = 1e-3;    ///< of an edge: how wide it is
 constexpr double MostMargin = 0.3;   ///< of an edge: above, and there is no room for a tip
 } // namespace
 
@@ -68,13 +69,14 @@ double LeastOfCubic(double v0, double s0, double v1, double s1)
 }
 
 /// A place in [from, to] of the edge that is deeper than `depth` on the other side, by halving
-/// where the slope of 1 allows one.
+/// where the slope of 1 allows one, but for tips narrower than a thousandth of the edge: along a
+/// face that is just so deep, it would never end.
 std::optional<double> FindDeep(const BoundedSolid& solid, const glm::dvec3& a,
   const glm::dvec3& along, double side, double depth, const glm::dvec2& from,
   const glm::dvec2& to) noexcept
 {
   const double length = (to.x - from.x) * glm::length(along);
-  if (0.5 * (from.y + to.y - length) > -depth)
+  if (0.5 * (from.y + to.y - length) > -depth || to.x - from.x < LeastTip)
     return std::nullopt;
   const double middle = 0.5 * (from.x + to.x);
   const glm::dvec2 here(middle, side * solid.At(a + middle * along));

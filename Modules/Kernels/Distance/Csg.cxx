@@ -215,10 +215,16 @@ public:
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    const Extremes both = this->Both(x);
-    const bool tool = both.part == 1 && both.second < both.first - SolidTieMm;
-    Sample s = tool ? this->OfTool(this->Tool->SampleAt(x)) : this->Body->SampleAt(x);
-    s.value = this->Value(both, x, FilmLevels);
+    // Each is asked once: of cuts in cuts along one face it would be twice as often at each level.
+    const Sample body = this->Body->SampleAt(x);
+    if (this->IsFar(x, body.value))
+      return body;
+    const Sample tool = this->OfTool(this->Tool->SampleAt(x));
+    const Extremes both = Greater(body.value, tool.value);
+    Sample s = both.part == 1 && both.second < both.first - SolidTieMm ? tool : body;
+    s.value = both.MayBeFilm()
+                ? this->OfFilm(both, x, (both.part == 0 ? body : tool).gradient, FilmLevels)
+                : both.first;
     return s;
   }
   Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
@@ -238,9 +244,15 @@ private:
   Extremes Both(const glm::dvec3& x) const noexcept
   {
     const double body = this->Body->At(x);
-    if (-this->ToolBox.Excess(x) < body - 3.0 * FilmMm)
-      return { body, -Infinite, 0 };
-    const double tool = -this->Tool->At(x);
+    return this->IsFar(x, body) ? Extremes{ body, -Infinite, 0 }
+                                : Greater(body, -this->Tool->At(x));
+  }
+  bool IsFar(const glm::dvec3& x, double body) const noexcept
+  {
+    return -this->ToolBox.Excess(x) < body - 3.0 * FilmMm;
+  }
+  static Extremes Greater(double body, double tool) noexcept
+  {
     return tool > body ? Extremes{ tool, body, 1 } : Extremes{ body, tool, 0 };
   }
   double Value(const Extremes& both, const glm::dvec3& x, int level) const noexcept
@@ -248,7 +260,12 @@ private:
     if (level == 0 || !both.MayBeFilm())
       return both.first;
     const Sample side = both.part == 0 ? this->Body->SampleAt(x) : this->Tool->SampleAt(x);
-    return WithoutFilm(both.first, 1.0, x, side.gradient,
+    return this->OfFilm(both, x, side.gradient, level);
+  }
+  double OfFilm(
+    const Extremes& both, const glm::dvec3& x, const glm::dvec3& gradient, int level) const noexcept
+  {
+    return WithoutFilm(both.first, 1.0, x, gradient,
       [&](const glm::dvec3& y) { return this->Value(this->Both(y), y, level - 1); });
   }
   Sample OfTool(const Sample& s) const noexcept

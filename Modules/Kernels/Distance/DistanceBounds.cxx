@@ -47,7 +47,8 @@ public:
       });
   }
 
-  /// Until no two neighbours differ by more than they can.
+  /// Until no two neighbours differ by more than they can. It ends: distances only come nearer, and
+  /// those that none changed around, as where a step is less than what floats tell, stay.
   void ByNeighbours(float least)
   {
     std::vector<std::int64_t> wrong = this->FindSteep();
@@ -64,9 +65,11 @@ public:
         });
       std::vector<std::int64_t> next;
       for (std::size_t n = 0; n < wrong.size(); ++n)
-        this->Distance[wrong[n]] = bounded[n];
-      for (const std::int64_t v : wrong)
       {
+        const std::int64_t v = wrong[n];
+        if (bounded[n] == this->Distance[v])
+          continue;
+        this->Distance[v] = bounded[n];
         next.push_back(v);
         this->OverNeighbours(
           this->PlaceOf(v), [&](std::int64_t step, float) { next.push_back(v + step); });

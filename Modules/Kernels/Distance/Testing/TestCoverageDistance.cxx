@@ -386,6 +386,11 @@ TEST(CoverageDistance, AGreyScanIsMeasuredAsItIs)
     {
       ASSERT_NEAR(scaled[v], grey[v], 0.005) << v;
     }
+  auto tiny = scan; // kg / mm^3, say
+  for (float& value : tiny)
+    value *= 0x1p-30F;
+  EXPECT_EQ(
+    hasp::GreyDistance(hasp::GridView<const float>{ tiny.data(), grid }, 0.5 * 0x1p-30), grey);
   auto holes = scan;
   holes[5] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(hasp::GreyDistance(hasp::GridView<const float>{ holes.data(), grid }, 0.5),

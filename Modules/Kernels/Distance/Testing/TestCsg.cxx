@@ -405,6 +405,18 @@ TEST(Csg, DoesNotAskWhatIsFar)
   EXPECT_EQ(right->Asked, 2);
 }
 
+// On the faces of the first cut those of all others tie, and each may be a film.
+TEST(Csg, ACutThatIsMadeAgainAndAgainIsNotAskedMoreAndMore)
+{
+  const auto body = std::make_shared<Counting>(Box({}, { 10, 10, 10 }));
+  hasp::SolidPointer cut = body;
+  for (int n = 0; n < 12; ++n)
+    cut = hasp::MakeDifference(cut, hasp::MakeSlab({}, { 0, 0, 1 }, 1));
+  EXPECT_NEAR(cut->At({ 1, 1, 0.5 }), 0.0, 1e-12);
+  EXPECT_NEAR(cut->SampleAt({ 1, 1, 0.5 }).value, 0.0, 1e-12);
+  EXPECT_LT(body->Asked, 500);
+}
+
 TEST(Csg, APlaceThatIsNotFiniteHasAFace)
 {
   for (unsigned seed = 0; seed < 30; ++seed)

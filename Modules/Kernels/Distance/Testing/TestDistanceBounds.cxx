@@ -102,4 +102,18 @@ TEST(DistanceBounds, OnlyWhatIsWrongMoves)
   EXPECT_EQ(distance[middle + 3], -1.0F);
 }
 
+// So far out floats come in steps of 1/128: a neighbour that is one step farther is 0.0078 away, by
+// more than a spacing, and one spacing nearer is rounded to where it was.
+TEST(DistanceBounds, AnEndIsFoundWhereFloatsAreCoarserThanVoxels)
+{
+  const GridGeometry grid{ { 4, 1, 1 }, glm::dvec3(0), { 0.006, 1, 1 }, glm::dmat3(1) };
+  const float far = 100000.0F, next = std::nextafter(far, 2e5F);
+  std::vector<float> distance{ far, next, far, far };
+  hasp::BoundByNeighbours(grid, 0.0F, distance);
+  EXPECT_EQ(distance, (std::vector<float>{ far, next, far, far }));
+  distance = { std::numeric_limits<float>::infinity(), -5.0F, -5.0F, -5.0F };
+  hasp::BoundByNeighbours(grid, 5.0F, distance);
+  EXPECT_EQ(distance[1], -5.0F);
+}
+
 } // namespace

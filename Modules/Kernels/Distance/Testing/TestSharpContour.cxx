@@ -229,6 +229,16 @@ private:
   double Steeper;
 };
 
+// All along an edge between two grid points, which are outside, it is as deep as what counts as a
+// tip: halving finds no place that is deeper, and none where there cannot be one.
+TEST(SharpContour, ARibAsThinAsTheLeastTipIsLookedForWithAnEnd)
+{
+  const auto rib = hasp::MakeBox({ 4.5, 4, 4 }, glm::dmat3(1), { 0.3, 0.007001, 0.007001 });
+  const hasp::GridGeometry grid{ glm::ivec3(9), glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  const auto mesh = hasp::SharpContour(*rib, grid);
+  EXPECT_TRUE(mesh.triangles.empty() || hasp::CheckMesh(mesh).Sound());
+}
+
 TEST(SharpContour, AsksOnlyNearTheSurface)
 {
   const Asked ball(hasp::MakeCapsule({}, {}, 3));

@@ -1,5 +1,6 @@
 #include "vtkHaspCoverage.h"
 
+#include "../../FilterRun.h"
 #include "Distance/Coverage.h"
 #include "FilterErrors.h"
 #include "Grid/AnalyticVolumes.h"
@@ -161,6 +162,28 @@ TEST(CoverageFilter, AClosedMeshIsCoveredOnAGrid)
   ball->SetEndPhi(120.0); // open
   EXPECT_NE(ErrorsOfUpdate(filter).find("closed"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+// Nothing lies within a single slice: said, in place of an empty part.
+TEST(CoverageFilter, ASliceIsNoVolume)
+{
+  const hasp::GridGeometry slice{ { 9, 9, 1 }, glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  vtkNew<vtkHaspCoverage> filter;
+  filter->SetInputData(hasp::MakeImage(slice, std::vector<std::int16_t>(81, 1000)));
+  EXPECT_NE(ErrorsOfUpdate(filter).find("9 x 9 x 1"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(CoverageFilter, TooLittleMemoryIsSaid)
+{
+  vtkNew<vtkHaspCoverage> filter;
+  const std::string said = ErrorsOf(filter,
+    [&]
+    {
+      EXPECT_EQ(
+        hasp::RunFilter(filter, [](const hasp::ProgressFunction&) { throw std::bad_alloc(); }), 0);
+    });
+  EXPECT_NE(said.find("coarser grid"), std::string::npos) << said;
 }
 
 TEST(CoverageFilter, WrongNumbersAndAnAbortGiveNothing)
