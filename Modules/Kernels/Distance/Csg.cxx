@@ -65,6 +65,7 @@ public:
   }
   std::uint32_t Faces() const noexcept override { return this->First.back(); }
   double Steepness() const noexcept override { return this->Steep; }
+  const std::vector<SolidPointer>& Children() const { return this->All; }
 
 protected:
   Sample Of(std::size_t part, Sample s) const noexcept
@@ -287,16 +288,34 @@ void RequireParts(const char* node, const std::vector<SolidPointer>& parts)
 }
 } // namespace
 
+namespace
+{
+/// One node of all parts, in place of nodes in each other: where many of these tie, each would ask
+/// its parts anew for films, and they theirs.
+template <typename Node>
+SolidPointer Join(const char* name, const std::vector<SolidPointer>& parts)
+{
+  RequireParts(name, parts);
+  if (parts.size() == 1)
+    return parts.front();
+  std::vector<SolidPointer> all;
+  for (const SolidPointer& part : parts)
+    if (const auto* inner = dynamic_cast<const Node*>(part.get()))
+      all.insert(all.end(), inner->Children().begin(), inner->Children().end());
+    else
+      all.push_back(part);
+  return std::make_shared<Node>(std::move(all));
+}
+} // namespace
+
 SolidPointer MakeUnion(std::vector<SolidPointer> parts)
 {
-  RequireParts("union", parts);
-  return parts.size() == 1 ? parts.front() : std::make_shared<Union>(std::move(parts));
+  return Join<Union>("union", parts);
 }
 
 SolidPointer MakeIntersection(std::vector<SolidPointer> parts)
 {
-  RequireParts("intersection", parts);
-  return parts.size() == 1 ? parts.front() : std::make_shared<Intersection>(std::move(parts));
+  return Join<Intersection>("intersection", parts);
 }
 
 SolidPointer MakeDifference(SolidPointer body, SolidPointer tool)

@@ -417,6 +417,22 @@ TEST(Csg, ACutThatIsMadeAgainAndAgainIsNotAskedMoreAndMore)
   EXPECT_LT(body->Asked, 500);
 }
 
+TEST(Csg, PartsJoinedTwoAtATimeAreAskedAsIfJoinedAtOnce)
+{
+  const auto first = std::make_shared<Counting>(Box({ 0, 0, 10 }, { 10, 10, 10 }));
+  hasp::SolidPointer sum = first, common = first;
+  for (int n = 1; n < 14; ++n) // all on one plane
+  {
+    const auto next = Box({ 0.1 * n, 0, 10.0 + n }, { 10, 10, 10.0 + n });
+    sum = hasp::MakeUnion({ sum, next });
+    common = hasp::MakeIntersection({ common, next });
+  }
+  EXPECT_EQ(sum->Faces(), 14 * 26U);
+  for (const auto& solid : { sum, common })
+    EXPECT_NEAR(solid->SampleAt({ 1, 1, 0 }).value, 0.0, 1e-12);
+  EXPECT_LT(first->Asked, 50);
+}
+
 TEST(Csg, APlaceThatIsNotFiniteHasAFace)
 {
   for (unsigned seed = 0; seed < 30; ++seed)
