@@ -100,6 +100,77 @@ TEST(RibbonDepth, NothingIsBesideThinBonesEdge)
     EXPECT_GT(plate->At({ 0, y, -2.1 }), 0.0) << y;
 }
 
+TEST(RibbonDepth, BoneMayBeThinOnOneSideOfThePath)
+{
+  for (const double thin : { -1.0, 1.0 })
+  {
+    const auto thick = hasp::MakeBox({ 0, -15 * thin, -10 }, glm::dmat3(1), glm::dvec3(30, 15, 10));
+    const std::vector<glm::dvec3> path{ { -8, -thin, 0 }, { 8, -thin, 0 } };
+    const auto plate = hasp::MakeRibbon(hasp::MakeUnion({ Plank(2), thick }), path, 6, 0, 1);
+    for (double y = 0.1; y < 5; y += 0.1)
+      EXPECT_GT(plate->At({ 0, thin * y, -2.1 }), 0.0) << thin << " " << y;
+    EXPECT_LT(plate->At({ 0, 1.5 * thin, 0.5 }), -0.4) << thin;
+  }
+}
+
+TEST(RibbonDepth, BoneMayBeThinInTheMiddleOfASegment)
+{
+  std::vector<hasp::SolidPointer> parts{ Plank(2) };
+  for (const double x : { -17.0, 17.0 })
+    parts.push_back(hasp::MakeBox({ x, 0, -10 }, glm::dmat3(1), { 13, 30, 10 }));
+  const std::vector<glm::dvec3> path{ { -12, 0, 0 }, { 12, 0, 0 } };
+  const auto plate = hasp::MakeRibbon(hasp::MakeUnion(parts), path, 6, 0, 1);
+  for (double x = -3.9; x < 3.9; x += 0.1)
+    EXPECT_GT(plate->At({ x, 0, -2.1 }), 0.0) << x;
+}
+
+/// Values that change by 1.7 mm a mm, as trilinear ones may.
+class SteepSolid : public hasp::ImplicitSolid
+{
+public:
+  explicit SteepSolid(hasp::SolidPointer part) : Part(std::move(part)) {}
+  double At(const glm::dvec3& x) const noexcept override { return 1.7 * this->Part->At(x); }
+  Sample SampleAt(const glm::dvec3& x) const noexcept override
+  {
+    const Sample s = this->Part->SampleAt(x);
+    return { 1.7 * s.value, 1.7 * s.gradient, s.face };
+  }
+  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
+  {
+    const Sample s = this->Part->FaceAt(face, x);
+    return { 1.7 * s.value, 1.7 * s.gradient, s.face };
+  }
+  std::uint32_t Faces() const noexcept override { return this->Part->Faces(); }
+  Box Bounds() const noexcept override { return this->Part->Bounds(); }
+  double Steepness() const noexcept override { return 1.7; }
+
+private:
+  hasp::SolidPointer Part;
+};
+
+TEST(RibbonDepth, ValuesSteeperThanDistancesSkipNoBone)
+{
+  // A ridge 2 mm wide; beside it a sheet of 0.1 mm, 1.2 mm lower, which has its band, too.
+  const auto ridge = hasp::MakeBox({ 0, 0, -1 }, glm::dmat3(1), { 30, 1, 1 });
+  const auto sheet = hasp::MakeBox({ 0, 0, -1.25 }, glm::dmat3(1), { 30, 30, 0.05 });
+  const auto bone = std::make_shared<SteepSolid>(hasp::MakeUnion({ ridge, sheet }));
+  const auto plate = hasp::MakeRibbon(bone, Straight, 6, 0, 1);
+  for (const double y : { -2.0, 2.0 })
+  {
+    EXPECT_LT(plate->At({ 0, y, -1.1 }), -0.1);
+    EXPECT_GT(plate->At({ 0, y, -1.31 }), 0.0);
+  }
+}
+
+TEST(RibbonDepth, ColumnsStayOnTheBoneThatThePathIsOn)
+{
+  // 5 mm beside the path the ball is 1.3 mm below the path, the other bone 0.9 mm above it.
+  const auto ball = hasp::MakeCapsule({}, {}, 10);
+  const auto other = hasp::MakeBox({ 0, 6, 12.9 }, glm::dmat3(1), { 9, 3, 2 });
+  const auto both = hasp::MakeUnion({ ball, other });
+  EXPECT_EQ(RefusalOf(both, Arc(10, 1, 1), 10, 0, 0.2), "");
+}
+
 TEST(RibbonDepth, ABandOnAThinCapLeavesItsInnerSideFree)
 {
   const auto cap = Cap(67, 70);
