@@ -9,11 +9,16 @@
  * Without a surface: all within Radius of the lines. With one: what lies from Range[0] to Range[1]
  * mm off the surface (below it if negative) and within Width / 2 of a line, seen along the
  * surface's normal; its upper and lower sides are offsets of the surface itself
- * (Distance/SolidSweeps.h).
+ * (Distance/SolidSweeps.h). Thin bone has a band on the line's side alone.
+ *
+ * Limits of a band: under it the surface must not bend away from its tangent by more than half the
+ * width, nor, within a segment of the line, by more than the bone is thick (less 2 |Range[0]| where
+ * that is negative). Another bone within Range[1] + 0.75 Width above the line gets a band, too.
  *
  * Errors (vtkErrorMacro, no solid): no line, a size out of its range, a line that leaves the
- * surface by more than a quarter of the width (says where). Threads: as any VTK filter. Cost:
- * O(points of lines); of an image 4 bytes a sample, kept as long as the solid is.
+ * surface by more than a quarter of the width, bone too thin for the band (both say where, in mm).
+ * Threads: as any VTK filter. Cost: O(points of lines); of an image 4 bytes a sample, kept as long
+ * as the solid is.
  */
 #ifndef vtkHaspSolidSweep_h
 #define vtkHaspSolidSweep_h

@@ -2,10 +2,12 @@
 
 #include "Distance/Csg.h"
 #include "Distance/SolidShapes.h"
+#include "RibbonDepth.h"
 #include "SolidChecks.h"
 
 #include <array>
 #include <cstdlib>
+#include <sstream>
 #include <vector>
 
 namespace hasp
@@ -84,12 +86,26 @@ void AddCapsules(
     parts.push_back(MakeCapsule(line[n], line[(n + 1) % line.size()], radius));
 }
 
+/// A place of a line as messages tell it: " 3 at (1, 2.5, 0) mm".
+std::string PlaceName(std::size_t place, const glm::dvec3& at)
+{
+  std::ostringstream text;
+  text << " " << place << " at (" << at.x << ", " << at.y << ", " << at.z << ") mm";
+  return text.str();
+}
+
+void RequireFiniteLine(const char* shape, std::span<const glm::dvec3> line)
+{
+  for (std::size_t n = 0; n < line.size(); ++n)
+    RequireFinite(shape, ("place" + PlaceName(n, line[n])).c_str(), line[n]);
+}
+
 /// The surface's unit normal at a place of a path that must be on it.
 glm::dvec3 NormalOn(const ImplicitSolid& surface, const glm::dvec3& at, double most,
   const char* what, std::size_t place)
 {
   const ImplicitSolid::Sample s = surface.SampleAt(at);
-  const std::string where = std::string("ribbon: ") + what + " " + std::to_string(place);
+  const std::string where = std::string("ribbon: ") + what + PlaceName(place, at);
   if (!(std::abs(s.value) <= most))
     throw std::invalid_argument(where + " is " + SolidNumber(s.value) +
                                 " mm off the surface; at most a quarter of the width, " +
@@ -102,6 +118,8 @@ SolidPointer MakeTube(std::span<const glm::dvec3> line, bool closed, double radi
 {
   if (line.empty())
     throw std::invalid_argument("tube: the line has no points; give one at least");
+  RequireFiniteLine("tube", line);
+  RequirePositive("tube", "radius", radiusMm);
   std::vector<SolidPointer> parts;
   AddCapsules(parts, line, closed, radiusMm);
   return MakeUnion(std::move(parts));
@@ -114,18 +132,24 @@ SolidPointer MakeRibbon(SolidPointer surface, std::span<const glm::dvec3> path, 
     throw std::invalid_argument(
       "ribbon: the path has " + std::to_string(path.size()) + " places; give two at least");
   RequirePositive("ribbon", "width", widthMm);
+  RequireFiniteLine("ribbon", path);
   const SolidPointer wall = MakeShell(surface, fromMm, toMm);
   const double off = 0.25 * widthMm;
-  // Tall enough for the wall where the surface bends away under half the width.
-  const double reach = std::max(std::abs(fromMm), std::abs(toMm)) + 0.5 * widthMm + off;
+  const RibbonBand band{ widthMm, std::min(fromMm, 0.0),
+    std::max(std::abs(fromMm), std::abs(toMm)) + RibbonBendPerWidth * widthMm };
   std::vector<SolidPointer> parts;
   for (std::size_t n = 0; n + 1 < path.size(); ++n)
   {
-    const glm::dvec3 a = path[n], b = path[n + 1];
+    const glm::dvec3 a = path[n], b = path[n + 1], middle = 0.5 * (a + b);
+    const std::string where = "ribbon: middle after place" + PlaceName(n, middle);
     glm::dvec3 normal = NormalOn(*surface, a, off, "place", n);
     normal += NormalOn(*surface, b, off, "place", n + 1);
-    normal += NormalOn(*surface, 0.5 * (a + b), off, "middle after place", n);
-    parts.push_back(MakeStadium(a, b, normal, 0.5 * widthMm, 2.0 * reach));
+    normal += NormalOn(*surface, middle, off, "middle after place", n);
+    const RibbonSegment segment(a, b, normal, where.c_str());
+    const double depth =
+      RibbonDepth(*surface, segment, band, n == 0, n + 2 == path.size(), where.c_str());
+    const glm::dvec3 up = 0.5 * (band.reach - depth) * segment.normal;
+    parts.push_back(MakeStadium(a + up, b + up, normal, 0.5 * widthMm, band.reach + depth));
   }
   return MakeIntersection({ wall, MakeUnion(std::move(parts)) });
 }

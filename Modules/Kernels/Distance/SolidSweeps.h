@@ -8,8 +8,8 @@ namespace hasp
 {
 
 /// Shapes swept along lines, as solids. All throw std::invalid_argument, with the place in the
-/// line, the value and the legal range, and never with a text itself. Any thread; O(n log n) to
-/// make n segments, about O(log n) to ask.
+/// line (its number from 0, and mm), the value and the legal range, and never with a text itself.
+/// Any thread; O(n log n) to make n segments, about O(log n) to ask.
 
 /// All within radiusMm of a polyline, or of a closed polygon. One face a segment; one point is a
 /// ball. At least one point. Exact outside; inside a bound where segments overlap.
@@ -22,7 +22,15 @@ SolidPointer MakeTube(std::span<const glm::dvec3> line, bool closed, double radi
 ///
 /// path   at least two places, mm, on the surface: they and the middles between them at most
 ///        widthMm / 4 off. Where it bends away more, give more places.
-/// Limit: the surface under the band must not bend away from its tangent by more than widthMm / 2.
+/// Thin bone: the band is on the side of the path alone. Below each straight segment it ends within
+/// the solid, halfway between the lowest place of the surface under it and the highest of the
+/// solid's other side, as columns along the normal find them, an eighth of the width apart across.
+/// Throws where there is no such depth: the solid must be thicker than the surface under a segment
+/// bends, and than 2 |fromMm| more if that is negative. The message says where.
+/// Limits: the surface under the band must not bend away from its tangent by more than widthMm / 2.
+/// Another solid within toMm + 0.75 widthMm above the path gets a band, too. What beside the
+/// columns is thinner than in them may, and what is thinner than widthMm / 1000.
+/// Cost: some 1,000 values of `surface` a segment.
 /// Faces: those of MakeShell(surface, fromMm, toMm), then five a segment (MakeStadium).
 SolidPointer MakeRibbon(SolidPointer surface, std::span<const glm::dvec3> path, double widthMm,
   double fromMm, double toMm);
