@@ -15,6 +15,8 @@ struct GuideSlot
     0.0 };                ///< of the saw plane; unit, not along the withdrawal direction
   double widthMm = 1.0;   ///< the saw's kerf and its play, (0, 20]
   double lengthMm = 20.0; ///< in the saw plane, across the withdrawal direction, (0, 500]
+
+  bool operator==(const GuideSlot&) const noexcept = default;
 };
 
 /// A pin or drill hole: a cylinder right through the guide.
@@ -23,6 +25,8 @@ struct GuideHole
   glm::dvec3 point{ 0.0 };          ///< on the axis, world mm
   glm::dvec3 axis{ 0.0, 0.0, 1.0 }; ///< unit
   double diameterMm = 2.0;          ///< (0, 20]
+
+  bool operator==(const GuideHole&) const noexcept = default;
 };
 
 enum class GuideOutline
@@ -47,6 +51,8 @@ struct GuideRecipe
   double ignoreBelowMm3 = 100.0; ///< pieces of "bone" smaller than this do not count, [0, 1e6]
   std::vector<GuideSlot> slots;
   std::vector<GuideHole> holes;
+
+  bool operator==(const GuideRecipe&) const noexcept = default;
 };
 
 /// Throws std::invalid_argument unless every number is finite and in its range, directions are unit
