@@ -21,6 +21,8 @@ namespace
 constexpr int Side = ElementLanes::Side, Reach = ElementLanes::Reach;
 constexpr float BandVoxels = 4.0F; // no farther than Reach - 1: elements are half a voxel off
 
+constexpr float NearVoxels = 1.6F; // so near no other element is taken for the nearest
+
 constexpr std::int64_t Batch = 1024;  // elements a piece of work
 constexpr float NoisyUnits = 0.0085F; // off their neighbours: a scan's, of 1 % noise and more
 constexpr int NoisyPasses = 4;
@@ -237,6 +239,8 @@ std::vector<float> Distances(const GridGeometry& geometry, std::span<const float
   if (!isCoverage)
     BoundByCrossings(geometry, coverage, distance);
   BoundByNeighbours(geometry, 0.0F, distance);
+  if (BoundByNearVoxels(geometry, NearVoxels / BandVoxels * band, band, distance))
+    BoundByNeighbours(geometry, 0.0F, distance);
   if (everywhere)
   {
     FillFar(geometry, surface, coverage.data(), band, distance, part(0.5, 1.0));

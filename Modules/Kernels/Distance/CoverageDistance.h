@@ -22,7 +22,7 @@ namespace hasp
 /// Error on smooth surfaces of 12 voxels' radius and more: 0.001 to 0.002 voxel rms and 0.02 at
 /// most within three voxels, below 0.02 rms out to 40; where voxels of length h lie along a surface
 /// of radius R, h^2 / (8 R). Sharp edges are not kept: within three voxels of the edges of boxes,
-/// turned nine ways and of exact coverage, 0.19 voxels rms and 0.9 at most (TestCoverageDistance
+/// turned nine ways and of exact coverage, 0.19 voxels rms and 0.8 at most (TestCoverageDistance
 /// prints and holds it), because elements of the faces turn towards each other; five voxels from
 /// the edges 0.005. Away from the surface the sign is that of the voxel's own coverage. Neighbours
 /// along an axis never differ by more than 1.01 times their spacing, also in noise and in walls of

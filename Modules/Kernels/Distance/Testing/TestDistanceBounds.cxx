@@ -102,6 +102,34 @@ TEST(DistanceBounds, OnlyWhatIsWrongMoves)
   EXPECT_EQ(distance[middle + 3], -1.0F);
 }
 
+// Oblique, so that no axis tells that it is too steep.
+TEST(DistanceBounds, WhatFallsTooSteeplyInAnyDirectionComesNearer)
+{
+  const GridGeometry grid{ { 24, 25, 26 }, glm::dvec3(0), { 0.5, 0.6, 0.5 }, glm::dmat3(1) };
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(1.0, 1.1, 0.9));
+  std::vector<float> right(grid.Size()), distance;
+  for (std::size_t v = 0; v < right.size(); ++v)
+  {
+    const glm::dvec3 index(v % 24, v / 24 % 25, v / 600);
+    right[v] = float(glm::dot(normal, grid.spacing * (index - glm::dvec3(12))));
+  }
+  distance = right;
+  EXPECT_FALSE(hasp::BoundByNearVoxels(grid, 0.8F, 2.0F, distance));
+  EXPECT_EQ(distance, right);
+  for (float& value : distance)
+    if (value > 0.9F && value < 2.0F)
+      value += 0.25F * (value - 0.9F);
+  ASSERT_LE(Steepest(grid, distance), 1.01);
+  EXPECT_TRUE(hasp::BoundByNearVoxels(grid, 0.8F, 2.0F, distance));
+  for (std::size_t v = 0; v < right.size(); ++v)
+  {
+    const glm::ivec3 index(v % 24, v / 24 % 25, v / 600);
+    if (glm::any(glm::lessThan(index, glm::ivec3(6))) || right[v] >= 2.0F)
+      continue; // what is near lies beyond the border
+    EXPECT_NEAR(distance[v], right[v], 0.05) << v;
+  }
+}
+
 // So far out floats come in steps of 1/128: a neighbour that is one step farther is 0.0078 away, by
 // more than a spacing, and one spacing nearer is rounded to where it was.
 TEST(DistanceBounds, AnEndIsFoundWhereFloatsAreCoarserThanVoxels)
