@@ -112,6 +112,19 @@ std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, co
   return share > first && share < last ? std::optional(share) : std::nullopt;
 }
 
+std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, const Sample& sampleA,
+  const glm::dvec3& b, const Sample& sampleB, const EdgeCrossing& crossing, double margin) noexcept
+{
+  const double before = crossing.share, behind = 1.0 - before;
+  Sample sample = crossing.sample;
+  sample.value = 0.0;
+  if (const auto tip = FindTip(solid, a, sampleA, crossing.at, sample, margin / before))
+    return before * *tip;
+  if (const auto tip = FindTip(solid, b, sampleB, crossing.at, sample, margin / behind))
+    return 1.0 - behind * *tip;
+  return std::nullopt;
+}
+
 std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
   const std::array<glm::dvec3, 3>& triangle, bool inside, double margin) noexcept
 {

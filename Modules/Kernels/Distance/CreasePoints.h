@@ -29,6 +29,11 @@ std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a,
   const ImplicitSolid::Sample& sampleA, const glm::dvec3& b, const ImplicitSolid::Sample& sampleB,
   double margin) noexcept;
 
+/// The same on an edge that is crossed, before the crossing or behind: it is crossed three times.
+std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a,
+  const ImplicitSolid::Sample& sampleA, const glm::dvec3& b, const ImplicitSolid::Sample& sampleB,
+  const EdgeCrossing& crossing, double margin) noexcept;
+
 /// The same in a triangle, for corners that come through it between its sides: shares of its
 /// corners of `margin` at least, or nothing.
 std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
