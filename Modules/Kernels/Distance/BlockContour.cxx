@@ -13,7 +13,7 @@ namespace hasp
 
 namespace
 {
-constexpr int MostLevels = 2;      ///< edges of vertices below are halved where a tip comes through
+constexpr int MostLevels = 3;      ///< edges of vertices below are halved where a tip comes through
 constexpr double Steepest = 1.001; ///< slopes: directions are orthonormal within 1e-4
 
 /// Share of an edge that points keep from its ends. The thinnest parts of a tetrahedron, with two
@@ -103,9 +103,9 @@ int BlockContour::Level(std::span<const std::uint32_t> simplex) const
   return level;
 }
 
-/// The least share of a simplex' corners in a vertex that divides it; parts of one of level 1 are
-/// divided again.
-double BlockContour::TipMargin(std::span<const std::uint32_t> simplex) const
+/// Of tips that divide a simplex. Parts are divided again, and so keep more from their corners: and
+/// only by what would be far off, as parts of parts are thin, and the last have no tips at all.
+TipLimits BlockContour::Tips(std::span<const std::uint32_t> simplex) const
 {
   double shortest = std::numeric_limits<double>::max();
   for (const std::uint32_t a : simplex)
@@ -114,7 +114,9 @@ double BlockContour::TipMargin(std::span<const std::uint32_t> simplex) const
         shortest =
           std::min(shortest, glm::distance(this->Vertices[a].world, this->Vertices[b].world));
   const double root = std::sqrt(shortest / this->Limits.step);
-  return std::max((this->Level(simplex) == 0 ? 16.0 : 24.0) / root, 0.03);
+  const int level = this->Level(simplex);
+  return { std::max(16.0 * std::pow(1.5, level) / root, 0.03),
+    level == 0 ? 0.0 : FarShare * this->Solid.Cell() };
 }
 
 BlockContour::Edge& BlockContour::FindEdge(std::uint32_t a, std::uint32_t b)
@@ -132,10 +134,10 @@ BlockContour::Edge& BlockContour::FindEdge(std::uint32_t a, std::uint32_t b)
     edge.crossing = FindCrossing(this->Solid, p.world, p.sample.value, q.world, q.sample.value);
   if (const std::array<std::uint32_t, 2> ends{ a, b }; this->Level(ends) < MostLevels)
   {
-    const double margin = this->TipMargin(ends);
+    const TipLimits limits = this->Tips(ends);
     const auto tip =
-      crossed ? FindTip(this->Solid, p.world, p.sample, q.world, q.sample, edge.crossing, margin)
-              : FindTip(this->Solid, p.world, p.sample, q.world, q.sample, margin);
+      crossed ? FindTip(this->Solid, p.world, p.sample, q.world, q.sample, edge.crossing, limits)
+              : FindTip(this->Solid, p.world, p.sample, q.world, q.sample, limits);
     if (tip)
     {
       edge.split = this->AddVertex(p.index + *tip * (q.index - p.index), this->Level(ends) + 1);
@@ -168,7 +170,7 @@ const BlockContour::Face& BlockContour::FindFace(std::uint32_t a, std::uint32_t 
   {
     const auto vertex = [&](int n) -> const Vertex& { return this->Vertices[v[n]]; };
     const auto tip = FindTip(this->Solid, { vertex(0).world, vertex(1).world, vertex(2).world },
-      this->Inside(a), this->TipMargin(v));
+      this->Inside(a), this->Tips(v));
     if (tip)
     {
       face.split = this->AddVertex(vertex(0).index + tip->y * (vertex(1).index - vertex(0).index) +

@@ -41,6 +41,7 @@ public:
 
 private:
   static constexpr std::uint32_t None = ~0U;
+  static constexpr double FarShare = 0.04; ///< of a cell: what is further off is divided
   using Tetrahedron = std::array<std::uint32_t, 4>;
 
   struct Vertex
@@ -109,7 +110,7 @@ private:
   const Face& FindFace(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void Cell(const glm::ivec3& cell);
   int Level(std::span<const std::uint32_t> simplex) const;
-  double TipMargin(std::span<const std::uint32_t> simplex) const;
+  TipLimits Tips(std::span<const std::uint32_t> simplex) const;
   void Refine(const Tetrahedron& corners);
   void Divide(
     const Tetrahedron& corners, std::span<const std::uint32_t> around, std::uint32_t split);

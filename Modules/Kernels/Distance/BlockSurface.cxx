@@ -18,8 +18,8 @@ constexpr double CellShare = 0.00125; ///< the same in a tetrahedron
 constexpr double FaceSteps = 32.0;    ///< of floats, that parts of a bent triangle are high
 constexpr double CellSteps = 1.0;     ///< the same for those of a tetrahedron, if possible
 constexpr double FewestSteps = 0.05;  ///< below, and a tetrahedron may be turned over
-constexpr double FarShare = 0.04;  ///< of a cell: flat parts further off are made of smaller ones
-constexpr double MostMargin = 0.3; ///< above, and there is no room for a vertex between
+constexpr double MostMargin = 0.3;    ///< above, and there is no room for a vertex between
+constexpr int FarLevels = 2; ///< simplices of vertices below are divided where they are far off
 
 /// Keeps shares of corners, which sum up to 1, at least `least` each, on the way to `safe`, whose
 /// shares are.
@@ -40,9 +40,9 @@ template <std::size_t N>
 std::uint32_t BlockContour::DivideFar(
   const std::array<std::uint32_t, N>& simplex, const Furthest& furthest)
 {
-  if (std::abs(furthest.value) < FarShare * this->Solid.Cell() || this->Level(simplex) > 0)
+  if (std::abs(furthest.value) < FarShare * this->Solid.Cell() || this->Level(simplex) >= FarLevels)
     return None;
-  const double margin = this->TipMargin(simplex);
+  const double margin = this->Tips(simplex).margin;
   if (margin > MostMargin)
     return None;
   std::array<glm::dvec3, N> world;
@@ -63,7 +63,7 @@ std::uint32_t BlockContour::DivideFar(
     if (!(least >= margin))
       continue;
     ++this->Splits;
-    return this->AddVertex(index, 1);
+    return this->AddVertex(index, this->Level(simplex) + 1);
   }
   return None;
 }

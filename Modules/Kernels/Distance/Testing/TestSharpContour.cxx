@@ -59,7 +59,7 @@ TEST(SharpContour, ABoxKeepsItsVolumeAndHasEightCorners)
         {
           const double off =
             hasp::DistanceToMesh(glm::dvec3(0.1, -0.13, 0.07) + axes * glm::dvec3(x, y, z), mesh);
-          EXPECT_LT(off, 0.2) << n; // 0.4 of a cell
+          EXPECT_LT(off, 0.17) << n; // 0.34 of a cell
           exact += off < 1e-5;
         }
   }
@@ -119,9 +119,10 @@ Centroids CentroidsOf(const hasp::ImplicitSolid& solid, const glm::dvec3& half, 
 
 TEST(SharpContour, EngravedTextHasNoNotches)
 {
-  // Strokes of 2.5 to 5 cells: their round walls bend within a cell, beside an edge.
+  // Strokes of 2.5 to 5 cells: their round walls bend within a cell, beside an edge. At 0.15 mm the
+  // plate's top lies along grid points, and at depths of 0.05 and 0.1 mm walls hang over.
   const auto plate = hasp::MakeStadium({ -11, 0, 0 }, { 11, 0, 0 }, { 0, 0, 1 }, 4.0, 1.5);
-  for (const double depth : { 0.0, 0.05 })
+  for (const double depth : { 0.0, 0.05, 0.1 })
   {
     const auto text =
       hasp::MakeText("HASP", { -8, -1.5, 0.75 - depth }, { 1, 0, 0 }, { 0, 1, 0 }, 3.0, 0.5);
@@ -130,7 +131,7 @@ TEST(SharpContour, EngravedTextHasNoNotches)
     {
       const auto off = CentroidsOf(*solid, { 15.4, 4.4, 1.2 }, spacing);
       SCOPED_TRACE(testing::Message() << depth << " " << spacing);
-      EXPECT_LE(off.worst, 0.15);
+      EXPECT_LE(off.worst, 0.16);
       EXPECT_LE(off.far, off.triangles / 5000);
     }
   }
@@ -139,7 +140,7 @@ TEST(SharpContour, EngravedTextHasNoNotches)
 TEST(SharpContour, EngravedCapsulesHaveNoNotches)
 {
   const auto box = hasp::MakeBox({}, glm::dmat3(1), { 3.03, 3.07, 1.01 });
-  for (const unsigned seed : { 1U, 2U, 3U })
+  for (const unsigned seed : { 1U, 2U, 3U, 27U }) // 27: the worst of 40
   {
     std::mt19937 random(seed);
     const auto any = [&] { return 2.0 * double(random()) / double(std::mt19937::max()) - 1.0; };
@@ -155,8 +156,8 @@ TEST(SharpContour, EngravedCapsulesHaveNoNotches)
     {
       const auto off = CentroidsOf(*solid, { 3.6, 3.6, 1.4 }, spacing);
       SCOPED_TRACE(testing::Message() << seed << " " << spacing);
-      EXPECT_LE(off.worst, 0.18); // where three strokes meet
-      EXPECT_LE(off.far, off.triangles / 1500);
+      EXPECT_LE(off.worst, 0.22);
+      EXPECT_LE(off.far, off.triangles / 2400);
     }
   }
 }
