@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hasp
@@ -12,7 +13,7 @@ namespace hasp
 
 namespace
 {
-constexpr int MostLevels = 2;      ///< edges of vertices below are halved where a tip comes through
+constexpr int MostLevels = 3;      ///< edges of vertices below are halved where a tip comes through
 constexpr double Steepest = 1.001; ///< slopes: directions are orthonormal within 1e-4
 
 /// Share of an edge that points keep from its ends. The thinnest parts of a tetrahedron, with two
@@ -21,13 +22,6 @@ double EdgeMargin(double steps)
 {
   return std::clamp(1.6 / std::sqrt(steps), 0.01, 0.25);
 }
-
-/// The same of vertices that halve edges and triangles; of those of level 1 parts are halved again.
-double TipMargin(double steps, int level)
-{
-  return std::max((level == 0 ? 16.0 : 24.0) / std::sqrt(steps), 0.03);
-}
-
 } // namespace
 
 BlockContour::BlockContour(
@@ -101,6 +95,30 @@ std::uint32_t BlockContour::AddPoint(const glm::dvec3& index)
   return std::uint32_t(this->Points.size() - 1);
 }
 
+int BlockContour::Level(std::span<const std::uint32_t> simplex) const
+{
+  int level = 0;
+  for (const std::uint32_t corner : simplex)
+    level = std::max(level, this->Vertices[corner].level);
+  return level;
+}
+
+/// Of tips that divide a simplex. Parts are divided again, and so keep more from their corners: and
+/// only by what would be far off, as parts of parts are thin, and the last have no tips at all.
+TipLimits BlockContour::Tips(std::span<const std::uint32_t> simplex) const
+{
+  double shortest = std::numeric_limits<double>::max();
+  for (const std::uint32_t a : simplex)
+    for (const std::uint32_t b : simplex)
+      if (a != b)
+        shortest =
+          std::min(shortest, glm::distance(this->Vertices[a].world, this->Vertices[b].world));
+  const double root = std::sqrt(shortest / this->Limits.step);
+  const int level = this->Level(simplex);
+  return { std::max(16.0 * std::pow(1.5, level) / root, 0.03),
+    level == 0 ? 0.0 : FarShare * this->Solid.Cell() };
+}
+
 BlockContour::Edge& BlockContour::FindEdge(std::uint32_t a, std::uint32_t b)
 {
   const auto [found, isNew] = this->EdgeBetween.try_emplace(
@@ -110,22 +128,28 @@ BlockContour::Edge& BlockContour::FindEdge(std::uint32_t a, std::uint32_t b)
   if (!this->Before(a, b))
     std::swap(a, b);
   const Vertex p = this->Vertices[a], q = this->Vertices[b];
-  const double steps = glm::distance(p.world, q.world) / this->Limits.step;
   Edge edge;
-  if (this->Inside(a) != this->Inside(b))
-  {
+  const bool crossed = this->Inside(a) != this->Inside(b);
+  if (crossed)
     edge.crossing = FindCrossing(this->Solid, p.world, p.sample.value, q.world, q.sample.value);
-    const double margin = EdgeMargin(steps);
+  if (const std::array<std::uint32_t, 2> ends{ a, b }; this->Level(ends) < MostLevels)
+  {
+    const TipLimits limits = this->Tips(ends);
+    const auto tip =
+      crossed ? FindTip(this->Solid, p.world, p.sample, q.world, q.sample, edge.crossing, limits)
+              : FindTip(this->Solid, p.world, p.sample, q.world, q.sample, limits);
+    if (tip)
+    {
+      edge.split = this->AddVertex(p.index + *tip * (q.index - p.index), this->Level(ends) + 1);
+      ++this->Splits;
+    }
+  }
+  if (crossed && edge.split == None)
+  {
+    const double margin = EdgeMargin(glm::distance(p.world, q.world) / this->Limits.step);
     const double share = std::clamp(edge.crossing.share, margin, 1.0 - margin);
     edge.point = this->AddPoint(p.index + share * (q.index - p.index));
   }
-  else if (const int level = std::max(p.level, q.level); level < MostLevels)
-    if (const auto tip =
-          FindTip(this->Solid, p.world, p.sample, q.world, q.sample, TipMargin(steps, level)))
-    {
-      edge.split = this->AddVertex(p.index + *tip * (q.index - p.index), level + 1);
-      ++this->Splits;
-    }
   this->EdgeList.push_back(edge);
   return this->EdgeList.back();
 }
@@ -142,16 +166,11 @@ const BlockContour::Face& BlockContour::FindFace(std::uint32_t a, std::uint32_t 
   std::sort(v.begin(), v.end(), [&](auto p, auto q) { return this->Before(p, q); });
   if (this->Inside(a) != this->Inside(b) || this->Inside(a) != this->Inside(c))
     this->Bend(face, v);
-  else if (const int level = std::max(
-             { this->Vertices[a].level, this->Vertices[b].level, this->Vertices[c].level });
-           level < MostLevels)
+  else if (const int level = this->Level(v); level < MostLevels)
   {
     const auto vertex = [&](int n) -> const Vertex& { return this->Vertices[v[n]]; };
-    const std::array<glm::dvec3, 3> world{ vertex(0).world, vertex(1).world, vertex(2).world };
-    const double shortest = std::min({ glm::distance(world[0], world[1]),
-      glm::distance(world[1], world[2]), glm::distance(world[2], world[0]) });
-    const auto tip =
-      FindTip(this->Solid, world, this->Inside(a), TipMargin(shortest / this->Limits.step, level));
+    const auto tip = FindTip(this->Solid, { vertex(0).world, vertex(1).world, vertex(2).world },
+      this->Inside(a), this->Tips(v));
     if (tip)
     {
       face.split = this->AddVertex(vertex(0).index + tip->y * (vertex(1).index - vertex(0).index) +
@@ -205,8 +224,9 @@ std::array<std::uint32_t, 3> BlockContour::SplitFace(
     const std::array<std::uint32_t, 3> v{ corners[away == 0 ? 1 : 0], corners[away < 2 ? 2 : 1],
       corners[away < 3 ? 3 : 2] };
     const auto face = [&](int n) { return this->Vertices[v[n]].sample.face; };
-    if (this->Inside(v[0]) != this->Inside(v[1]) || this->Inside(v[0]) != this->Inside(v[2]) ||
-        (face(0) == face(1) && face(0) == face(2)))
+    const bool crossed =
+      this->Inside(v[0]) != this->Inside(v[1]) || this->Inside(v[0]) != this->Inside(v[2]);
+    if (!crossed && face(0) == face(1) && face(0) == face(2))
       continue;
     split = this->FindFace(v[0], v[1], v[2]).split;
     if (split != None)
@@ -217,23 +237,26 @@ std::array<std::uint32_t, 3> BlockContour::SplitFace(
 
 void BlockContour::Refine(const Tetrahedron& corners)
 {
-  const auto divide = [&](const auto& ends, std::uint32_t split)
-  {
-    for (const std::uint32_t end : ends)
-    {
-      Tetrahedron part = corners;
-      std::replace(part.begin(), part.end(), end, split);
-      this->Refine(part);
-    }
-  };
   std::uint32_t split = None;
   const auto edge = this->SplitEdge(corners, split);
   if (split != None)
-    return divide(edge, split);
+    return this->Divide(corners, edge, split);
   const auto face = this->SplitFace(corners, split);
   if (split != None)
-    return divide(face, split);
+    return this->Divide(corners, face, split);
   this->Surface(corners);
+}
+
+/// Into tetrahedra with a vertex in place of one of an edge's, a triangle's or its own corners.
+void BlockContour::Divide(
+  const Tetrahedron& corners, std::span<const std::uint32_t> around, std::uint32_t split)
+{
+  for (const std::uint32_t corner : around)
+  {
+    Tetrahedron part = corners;
+    std::replace(part.begin(), part.end(), corner, split);
+    this->Refine(part);
+  }
 }
 
 } // namespace hasp

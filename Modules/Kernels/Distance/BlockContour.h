@@ -3,7 +3,9 @@
 #include "Distance/DividedTetrahedron.h"
 #include "Distance/KuhnTetrahedra.h"
 
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -39,6 +41,7 @@ public:
 
 private:
   static constexpr std::uint32_t None = ~0U;
+  static constexpr double FarShare = 0.04; ///< of a cell: what is further off is divided
   using Tetrahedron = std::array<std::uint32_t, 4>;
 
   struct Vertex
@@ -75,6 +78,26 @@ private:
     int creaseCount = 0;
   };
 
+  /// Of some places on flat parts of a surface the one that is furthest off the solid's.
+  struct Furthest
+  {
+    glm::dvec3 at{ 0.0 };
+    double value = 0.0;
+
+    void Offer(const BoundedSolid& solid, const glm::dvec3& place)
+    {
+      const double here = solid.At(place);
+      if (std::abs(here) > std::abs(this->value))
+        this->at = place, this->value = here;
+    }
+  };
+  struct Fan
+  {
+    glm::dvec3 center; ///< in index coordinates
+    double steps;      ///< of floats, that its parts are high
+    bool kept;         ///< not where it would be
+  };
+
   bool Inside(std::uint32_t vertex) const { return this->Vertices[vertex].sample.value < 0.0; }
   bool Before(std::uint32_t a, std::uint32_t b) const;
   bool EarlierEdge(
@@ -86,7 +109,13 @@ private:
   Edge& FindEdge(std::uint32_t a, std::uint32_t b);
   const Face& FindFace(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void Cell(const glm::ivec3& cell);
+  int Level(std::span<const std::uint32_t> simplex) const;
+  TipLimits Tips(std::span<const std::uint32_t> simplex) const;
   void Refine(const Tetrahedron& corners);
+  void Divide(
+    const Tetrahedron& corners, std::span<const std::uint32_t> around, std::uint32_t split);
+  template <std::size_t N>
+  std::uint32_t DivideFar(const std::array<std::uint32_t, N>& simplex, const Furthest& furthest);
   std::array<std::uint32_t, 2> SplitEdge(const Tetrahedron& corners, std::uint32_t& split);
   std::array<std::uint32_t, 3> SplitFace(const Tetrahedron& corners, std::uint32_t& split);
   void Bend(Face& face, const std::array<std::uint32_t, 3>& corners);
@@ -94,7 +123,8 @@ private:
   void Follow(Loop& loop, const Tetrahedron& corners, const TetrahedronSides& sides, int n);
   void Enclose(Loop& loop, const Tetrahedron& corners);
   bool IsPlain(const Loop& loop, std::size_t first);
-  glm::dvec3 FanCenter(const Loop& loop);
+  Fan FanCenter(const Loop& loop);
+  std::uint32_t DivideFan(const Loop& loop, const Tetrahedron& corners, const Fan& fan);
 
   const BoundedSolid& Solid;
   const GridGeometry& Grid;

@@ -18,6 +18,8 @@ constexpr double CellShare = 0.00125; ///< the same in a tetrahedron
 constexpr double FaceSteps = 32.0;    ///< of floats, that parts of a bent triangle are high
 constexpr double CellSteps = 1.0;     ///< the same for those of a tetrahedron, if possible
 constexpr double FewestSteps = 0.05;  ///< below, and a tetrahedron may be turned over
+constexpr double MostMargin = 0.3;    ///< above, and there is no room for a vertex between
+constexpr int FarLevels = 2; ///< simplices of vertices below are divided where they are far off
 
 /// Keeps shares of corners, which sum up to 1, at least `least` each, on the way to `safe`, whose
 /// shares are.
@@ -31,6 +33,40 @@ Shares KeepInside(const Shares& wanted, const Shares& safe, double least)
   return safe + way * (wanted - safe);
 }
 } // namespace
+
+/// A vertex in a triangle or tetrahedron whose surface is too far off: at that place, or at its
+/// mirror image in the solid's face. None if it is near, or there is no room.
+template <std::size_t N>
+std::uint32_t BlockContour::DivideFar(
+  const std::array<std::uint32_t, N>& simplex, const Furthest& furthest)
+{
+  if (std::abs(furthest.value) < FarShare * this->Solid.Cell() || this->Level(simplex) >= FarLevels)
+    return None;
+  const double margin = this->Tips(simplex).margin;
+  if (margin > MostMargin)
+    return None;
+  std::array<glm::dvec3, N> world;
+  for (std::size_t n = 0; n < N; ++n)
+    world[n] = this->Vertices[simplex[n]].world;
+  const glm::dvec3 slope = this->Solid.SampleAt(furthest.at).gradient;
+  for (const double way : { 0.0, 2.0 })
+  {
+    const auto share = Barycentric(world, furthest.at - way * furthest.value * slope);
+    const glm::dvec3 first = this->Vertices[simplex[0]].index;
+    glm::dvec3 index = first;
+    double least = share[0];
+    for (int n = 1; n < int(N); ++n)
+    {
+      index += share[n] * (this->Vertices[simplex[n]].index - first);
+      least = std::min(least, share[n]);
+    }
+    if (!(least >= margin))
+      continue;
+    ++this->Splits;
+    return this->AddVertex(index, this->Level(simplex) + 1);
+  }
+  return None;
+}
 
 void BlockContour::Bend(Face& face, const std::array<std::uint32_t, 3>& v)
 {
@@ -89,6 +125,17 @@ void BlockContour::Bend(Face& face, const std::array<std::uint32_t, 3>& v)
     fit = fits(way);
   parts.bends = bends.count = fit ? bends.count : 0;
   ChooseDiagonal(parts);
+  if (fit || crossing[0].sample.face != crossing[1].sample.face)
+  {
+    const glm::dvec3 line[] = { parts.crossing[0], parts.bend[0], parts.bend[1] };
+    Furthest furthest;
+    for (int n = 0; n <= bends.count; ++n)
+      furthest.Offer(
+        this->Solid, 0.5 * (line[n] + (n < bends.count ? line[n + 1] : parts.crossing[1])));
+    face.split = this->DivideFar(v, furthest);
+    if (face.split != None)
+      return;
+  }
   for (int n = 0; n < bends.count; ++n)
   {
     face.point[n] = this->AddPoint(place(share[n]));
@@ -124,9 +171,30 @@ void BlockContour::Surface(const Tetrahedron& corners)
             points[(first + n + 1) % points.size()]);
         return;
       }
-  const std::uint32_t center = this->AddPoint(this->FanCenter(loop));
+  const Fan fan = this->FanCenter(loop);
+  if (const std::uint32_t split = this->DivideFan(loop, corners, fan); split != None)
+    return this->Divide(corners, corners, split);
+  this->LeastSteps = std::min(this->LeastSteps, fan.steps);
+  this->KeptInside += fan.kept;
+  const std::uint32_t center = this->AddPoint(fan.center);
   for (std::size_t n = 0; n < points.size(); ++n)
     this->Triangles.emplace_back(center, points[n], points[(n + 1) % points.size()]);
+}
+
+/// A vertex that divides the tetrahedron if the fan would be too far off.
+std::uint32_t BlockContour::DivideFan(const Loop& loop, const Tetrahedron& corners, const Fan& fan)
+{
+  const std::size_t count = loop.points.size();
+  const glm::dvec3 center = this->Rounded(fan.center);
+  Furthest furthest;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const glm::dvec3 &a = this->Points[loop.points[n]],
+                     &b = this->Points[loop.points[(n + 1) % count]];
+    furthest.Offer(this->Solid, (a + b + center) / 3.0);
+    furthest.Offer(this->Solid, 0.5 * (a + center));
+  }
+  return this->DivideFar(corners, furthest);
 }
 
 /// From one crossing of a tetrahedron's surface up to the next.
@@ -168,7 +236,7 @@ void BlockContour::Enclose(Loop& loop, const Tetrahedron& corners)
     if (inside != this->Inside(corners[b]) || inside != this->Inside(corners[c]))
     {
       const CrossedTriangle& t = this->FindFace(corners[a], corners[b], corners[c]).triangle;
-      Divide(t, !isOut(t.lone, t.ends[0], t.ends[1]), loop.shell);
+      hasp::Divide(t, !isOut(t.lone, t.ends[0], t.ends[1]), loop.shell);
     }
     else if (isOut(loop.world[a], loop.world[b], loop.world[c]))
       loop.shell.push_back({ { loop.world[a], loop.world[b], loop.world[c] }, inside });
@@ -200,9 +268,9 @@ bool BlockContour::IsPlain(const Loop& loop, std::size_t first)
   return true;
 }
 
-/// The center of a fan, in index coordinates: the corner or crease, or the nearest place to it
+/// The center of a fan: the corner or crease, or the nearest place to it
 /// tried from where no tetrahedron of the fan's is turned over. From the middle none is.
-glm::dvec3 BlockContour::FanCenter(const Loop& loop)
+BlockContour::Fan BlockContour::FanCenter(const Loop& loop)
 {
   const glm::dvec3 corner = FindCorner(this->Solid, loop.world, loop.places,
     loop.creaseCount > 0 ? loop.creases / double(loop.creaseCount) : loop.start,
@@ -220,7 +288,7 @@ glm::dvec3 BlockContour::FanCenter(const Loop& loop)
   { return LeastHeight(this->Rounded(index), loop.shell) / this->Limits.step; };
   glm::dvec3 best = place(wanted);
   double most = steps(best);
-  this->KeptInside += wanted != exact || most < CellSteps;
+  const bool kept = wanted != exact || most < CellSteps;
   for (double way = 0.015625; way <= 1.0; way *= 2.0)
     for (const glm::dvec4& to : { loop.safe, glm::dvec4(0.25) })
       if (most < CellSteps)
@@ -232,8 +300,7 @@ glm::dvec3 BlockContour::FanCenter(const Loop& loop)
   if (most < FewestSteps)
     throw std::runtime_error("sharp contour: 32-bit floats are too coarse for this surface; move "
                              "the grid towards 0, or make its spacing larger");
-  this->LeastSteps = std::min(this->LeastSteps, most);
-  return best;
+  return { best, most, kept };
 }
 
 } // namespace hasp

@@ -88,13 +88,13 @@ std::optional<double> FindDeep(const BoundedSolid& solid, const glm::dvec3& a,
 } // namespace
 
 std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, const Sample& sampleA,
-  const glm::dvec3& b, const Sample& sampleB, double margin) noexcept
+  const glm::dvec3& b, const Sample& sampleB, const TipLimits& limits) noexcept
 {
   const glm::dvec3 along = b - a;
-  const double length = glm::length(along), depth = TipDepth * length;
+  const double length = glm::length(along), depth = std::max(TipDepth * length, limits.depth);
   const double side = sampleA.value < 0.0 ? -1.0 : 1.0;
   const double va = side * sampleA.value, vb = side * sampleB.value;
-  if (0.5 * (va + vb - length) > -depth || margin > MostMargin)
+  if (0.5 * (va + vb - length) > -depth || limits.margin > MostMargin)
     return std::nullopt;
   if (sampleA.face == sampleB.face && LeastOfCubic(va, side * glm::dot(sampleA.gradient, along), vb,
                                         side * glm::dot(sampleB.gradient, along)) > -depth)
@@ -108,18 +108,34 @@ std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, co
   const double last =
     *deep + (1.0 - *deep) * FindCrossing(solid, at, value, b, sampleB.value).share;
   const double middle = 0.5 * (first + last);
-  const double share = std::clamp(middle, margin, 1.0 - margin);
+  const double share = std::clamp(middle, limits.margin, 1.0 - limits.margin);
   return share > first && share < last ? std::optional(share) : std::nullopt;
 }
 
-std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
-  const std::array<glm::dvec3, 3>& triangle, bool inside, double margin) noexcept
+std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a, const Sample& sampleA,
+  const glm::dvec3& b, const Sample& sampleB, const EdgeCrossing& crossing,
+  const TipLimits& limits) noexcept
 {
-  if (margin > MostMargin)
+  const double before = crossing.share, behind = 1.0 - before;
+  Sample sample = crossing.sample;
+  sample.value = 0.0;
+  if (const auto tip =
+        FindTip(solid, a, sampleA, crossing.at, sample, { limits.margin / before, limits.depth }))
+    return before * *tip;
+  if (const auto tip =
+        FindTip(solid, b, sampleB, crossing.at, sample, { limits.margin / behind, limits.depth }))
+    return 1.0 - behind * *tip;
+  return std::nullopt;
+}
+
+std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
+  const std::array<glm::dvec3, 3>& triangle, bool inside, const TipLimits& limits) noexcept
+{
+  if (limits.margin > MostMargin)
     return std::nullopt;
   const glm::dvec3 normal =
     glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-  const double depth = TipDepth * glm::distance(triangle[0], triangle[1]);
+  const double depth = std::max(TipDepth * glm::distance(triangle[0], triangle[1]), limits.depth);
   glm::dvec3 x = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   // From face to face of the corner, each time to where that face alone is deep enough.
   for (int n = 0; n < 12; ++n)
@@ -128,8 +144,8 @@ std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
     const double value = inside ? -sample.value : sample.value;
     const glm::dvec3 share = Barycentric(triangle, x);
     if (value < -depth)
-      return std::min({ share.x, share.y, share.z }) >= margin ? std::optional(share)
-                                                               : std::nullopt;
+      return std::min({ share.x, share.y, share.z }) >= limits.margin ? std::optional(share)
+                                                                      : std::nullopt;
     glm::dvec3 slope = inside ? -sample.gradient : sample.gradient;
     slope -= glm::dot(slope, normal) * normal;
     const double squared = glm::dot(slope, slope);

@@ -22,17 +22,29 @@ struct EdgeCrossing
 EdgeCrossing FindCrossing(const BoundedSolid& solid, const glm::dvec3& a, double valueA,
   const glm::dvec3& b, double valueB) noexcept;
 
+/// What counts as a tip.
+struct TipLimits
+{
+  double margin; ///< share that a place in it keeps from each corner; above 0.3 there is no room
+  double depth;  ///< mm: it is deeper than that, and than 0.7 % of its edge
+};
+
 /// Between a and b, of one side, the solid may come through the edge and go again, with the tip of
-/// a wedge, say. The middle of such a tip, as a share of the edge, `margin` of it from its ends;
-/// nothing if no place is deeper in it than 0.7 % of the edge, or the margin is above 0.3.
+/// a wedge, say. The middle of such a tip, as a share of the edge; nothing if none is deep enough,
+/// or there is no room.
 std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a,
   const ImplicitSolid::Sample& sampleA, const glm::dvec3& b, const ImplicitSolid::Sample& sampleB,
-  double margin) noexcept;
+  const TipLimits& limits) noexcept;
+
+/// The same on an edge that is crossed, before the crossing or behind: it is crossed three times.
+std::optional<double> FindTip(const BoundedSolid& solid, const glm::dvec3& a,
+  const ImplicitSolid::Sample& sampleA, const glm::dvec3& b, const ImplicitSolid::Sample& sampleB,
+  const EdgeCrossing& crossing, const TipLimits& limits) noexcept;
 
 /// The same in a triangle, for corners that come through it between its sides: shares of its
-/// corners of `margin` at least, or nothing.
+/// corners.
 std::optional<glm::dvec3> FindTip(const BoundedSolid& solid,
-  const std::array<glm::dvec3, 3>& triangle, bool inside, double margin) noexcept;
+  const std::array<glm::dvec3, 3>& triangle, bool inside, const TipLimits& limits) noexcept;
 
 /// A place in a simplex where the surface bends between the crossings of its edges.
 struct BendPoint

@@ -43,8 +43,11 @@ struct SharpContourFacts
 /// its faces, or a point of their crease, and a fan from it to the closed line on its boundary.
 /// Points are held in their triangle or tetrahedron, so that no fan leaves its own. Where the tip
 /// of a wedge comes through an edge whose ends do not see it, or that of a corner through a
-/// triangle, a point in the tip divides all tetrahedra there first (ours). What is in an edge or a
-/// triangle follows from it alone, so that neighbours agree.
+/// triangle, a point in the tip divides all tetrahedra there first (ours); so it does where an edge
+/// is crossed three times. A triangle's line or a tetrahedron's fan that is more than 0.04 of a
+/// cell off is made again of parts, twice at most, with a vertex at that place. Parts are divided
+/// only by tips that are as deep: what a shallower one would give is thinner than what it mends.
+/// What is in an edge or a triangle follows from it alone, so that neighbours agree.
 ///
 /// Why it does not meet itself: the surface divides its tetrahedra into smaller ones, and none of
 /// them is turned over when its points are rounded (DividedTetrahedron.h). Each is looked at; the
@@ -54,10 +57,13 @@ struct SharpContourFacts
 /// Points keep 1 % of an edge from its ends, more where floats are coarse: 1.6 times the root of
 /// their step / the edge, 25 % at most. So a face along grid points moves inwards by that.
 /// Limits: what is thinner than a cell may be missing, but for the tips of wedges; of a tetrahedron
-/// that holds two corners one is bevelled. Edges are true to 0.08 of a cell (the radius of a fillet
-/// as far off). Of the corners of boxes 17 of 20 are exact; the others, whose faces come through a
-/// triangle as a strip narrower than a cell, lose up to 0.4 of a cell. A curved face is true to
-/// `tolerance`.
+/// that holds two corners one is bevelled. Edges of planes are true to 0.08 of a cell (the radius
+/// of a fillet as far off). Where round walls of 1 to 3 cells' radius meet an edge, parts can be
+/// too thin to be divided again: of engraved text one triangle in 50,000 is 0.08 to 0.16 of a cell
+/// off, in no mesh of 79 more than one in 5,000; of strokes that meet at any angle one in 80,000,
+/// 0.08 to 0.22, in no mesh of 120 more than one in 2,400. Of 8,000 corners of boxes 86 of 100 are
+/// exact and 97 within 0.1 of a cell; the others, whose faces come through a triangle as a strip
+/// narrower than a cell, lose up to 0.34. A curved face is true to `tolerance`.
 ///
 /// Returns world millimetres, points welded, triangles counter-clockwise seen from outside. Empty
 /// if nothing is inside.
