@@ -32,6 +32,26 @@ Shares KeepInside(const Shares& wanted, const Shares& safe, double least)
       way = std::min(way, (safe[n] - least) / (safe[n] - wanted[n]));
   return safe + way * (wanted - safe);
 }
+
+/// What was held in its simplex may stand out of the solid, or deep in it: then where the surface
+/// is, on the way there from `safe`.
+template <class Shares, std::size_t N>
+Shares BackToSurface(const BoundedSolid& solid, const std::array<glm::dvec3, N>& world,
+  const Shares& held, const Shares& safe, double far)
+{
+  const auto place = [&](const Shares& share)
+  {
+    glm::dvec3 at(0.0);
+    for (int n = 0; n < int(N); ++n)
+      at += share[n] * world[n];
+    return at;
+  };
+  const glm::dvec3 from = place(safe), to = place(held);
+  const double value = solid.At(to), start = solid.At(from);
+  if (std::abs(value) < far || (value < 0.0) == (start < 0.0))
+    return held;
+  return safe + FindCrossing(solid, from, start, to, value).share * (held - safe);
+}
 } // namespace
 
 /// A vertex in a triangle or tetrahedron whose surface is too far off: at that place, or at its
@@ -97,7 +117,9 @@ void BlockContour::Bend(Face& face, const std::array<std::uint32_t, 3>& v)
   // Both bends, the one or the other; nearer to the straight line; or none.
   std::array<glm::dvec3, 2> wanted, share;
   for (int n = 0; n < bends.count; ++n)
-    wanted[n] = KeepInside(Barycentric(world, bends.point[n].at), safe, FaceShare);
+    wanted[n] = BackToSurface(this->Solid, world,
+      KeepInside(Barycentric(world, bends.point[n].at), safe, FaceShare), safe,
+      FarShare * this->Solid.Cell());
   const auto fits = [&](double way)
   {
     parts.bends = bends.count;
@@ -283,7 +305,8 @@ BlockContour::Fan BlockContour::FanCenter(const Loop& loop)
     return index;
   };
   const glm::dvec4 exact = Barycentric(loop.world, corner);
-  const glm::dvec4 wanted = KeepInside(exact, loop.safe, CellShare);
+  const glm::dvec4 wanted = BackToSurface(this->Solid, loop.world,
+    KeepInside(exact, loop.safe, CellShare), loop.safe, FarShare * this->Solid.Cell());
   const auto steps = [&](const glm::dvec3& index)
   { return LeastHeight(this->Rounded(index), loop.shell) / this->Limits.step; };
   glm::dvec3 best = place(wanted);

@@ -162,6 +162,44 @@ TEST(SharpContour, EngravedCapsulesHaveNoNotches)
   }
 }
 
+/// How far the farthest point of a mesh stands out of its solid, in cells.
+double StandsOut(const hasp::ImplicitSolid& solid, double spacing)
+{
+  const double half = 6.0;
+  const hasp::GridGeometry grid{ glm::ivec3(int(2.0 * half / spacing) + 1), glm::dvec3(-half),
+    glm::dvec3(spacing), glm::dmat3(1) };
+  double most = 0.0;
+  for (const glm::dvec3& point : hasp::SharpContour(solid, grid).points)
+    most = std::max(most, solid.At(point) / spacing);
+  return most;
+}
+
+TEST(SharpContour, NothingStandsOutOfASolid)
+{
+  constexpr double Spacing = 0.5;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-0.5, 0.5);
+  double thick = 0.0, thin = 0.0;
+  for (int n = 0; n < 100; ++n)
+  {
+    const auto axes = hasp::AnyAxes(random);
+    const glm::dvec3 at(any(random), any(random), any(random));
+    // A kerf of 2.4 cells and a drill of 4 through a block; a wall of less than a cell.
+    const auto kerf = hasp::MakeSlab(at, axes[0], 2.4 * Spacing);
+    const glm::dvec3 on = at + 2.5 * axes[0];
+    const auto drill = hasp::MakeCylinder(on - 9.0 * axes[2], on + 9.0 * axes[2], 2.0 * Spacing);
+    const auto block = hasp::MakeBox(at, axes, { 4.0, 3.0, 2.0 });
+    const auto parts = hasp::MakeDifference(hasp::MakeDifference(block, kerf), drill);
+    thick = std::max(thick, StandsOut(*parts, Spacing));
+    const double half = 0.5 * Spacing * (0.2 + 0.2 * (n % 3));
+    thin = std::max(thin, StandsOut(*hasp::MakeBox(at, axes, { 4.0, 3.0, half }), Spacing));
+  }
+  RecordProperty("thick", std::to_string(thick));
+  RecordProperty("thin", std::to_string(thin));
+  EXPECT_LE(thick, 0.16);
+  EXPECT_LE(thin, 0.05);
+}
+
 /// What the random trees of a test lie like.
 struct Place
 {
