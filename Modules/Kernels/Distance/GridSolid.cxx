@@ -69,21 +69,49 @@ public:
   double At(const glm::dvec3& x) const noexcept override
   {
     const auto [cell, local] = this->Locate(this->ToIndex * (x - this->Grid.geometry.origin));
-    return std::max(TrilinearValue(CellCorners(this->Grid, cell), local), this->Border->At(x));
+    return Joined(TrilinearValue(CellCorners(this->Grid, cell), local), this->Border->At(x));
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    Sample inside = this->FaceAt(0, x);
-    const double border = this->Border->At(x);
-    if (inside.value < border - SolidTieMm)
-      return this->OfBorder(this->Border->SampleAt(x));
-    inside.value = std::max(inside.value, border);
-    return inside;
+    const Sample border = this->Border->SampleAt(x), nearest = this->Nearest(x);
+    if (nearest.value < std::min(border.value, 0.0) - SolidTieMm)
+      return this->OfBorder(border);
+    Sample joined = Continued(nearest, border);
+    joined.value = Joined(nearest.value, border.value);
+    return joined;
   }
   Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
   {
     if (face > 0)
       return this->OfBorder(this->Border->FaceAt(face - 1, x));
+    return Continued(this->Nearest(x), this->Border->SampleAt(x));
+  }
+  std::uint32_t Faces() const noexcept override { return 1 + this->Border->Faces(); }
+  Box Bounds() const noexcept override { return this->Border->Bounds(); }
+  double Steepness() const noexcept override { return this->Steep; }
+
+private:
+  /// Of the value at the nearest place of the grid, and the distance to the grid's box. Beyond it
+  /// the way to the solid, which lies in the box, is no shorter than by Pythagoras' theorem: the
+  /// box is convex.
+  static double Joined(double nearest, double border) noexcept
+  {
+    return border > 0.0 && nearest > 0.0 ? std::hypot(nearest, border) : std::max(nearest, border);
+  }
+  /// Face 0: the same without the border's faces. Beyond the border, where that is nearer than the
+  /// isosurface, by the sum, so that it goes on without a jump.
+  static Sample Continued(const Sample& nearest, const Sample& border) noexcept
+  {
+    if (!(border.value > 0.0))
+      return nearest;
+    if (nearest.value < -SolidTieMm)
+      return { nearest.value + border.value, nearest.gradient + border.gradient, 0 };
+    const double inGrid = std::max(nearest.value, 0.0), all = std::hypot(inGrid, border.value);
+    return { all, (inGrid * nearest.gradient + border.value * border.gradient) / all, 0 };
+  }
+  /// At the nearest place of the grid; the gradient along the border where that lies on it.
+  Sample Nearest(const glm::dvec3& x) const noexcept
+  {
     const glm::dvec3 index = this->ToIndex * (x - this->Grid.geometry.origin);
     const auto [cell, local] = this->Locate(index);
     const auto corners = CellCorners(this->Grid, cell);
@@ -93,11 +121,6 @@ public:
         perStep[a] = 0.0;
     return { TrilinearValue(corners, local), perStep * this->ToIndex, 0 };
   }
-  std::uint32_t Faces() const noexcept override { return 1 + this->Border->Faces(); }
-  Box Bounds() const noexcept override { return this->Border->Bounds(); }
-  double Steepness() const noexcept override { return this->Steep; }
-
-private:
   /// The nearest place of the grid; of what is not a number its first cell.
   CellPosition Locate(const glm::dvec3& index) const noexcept
   {

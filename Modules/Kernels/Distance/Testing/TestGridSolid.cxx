@@ -148,6 +148,51 @@ TEST(GridSolid, WhatReachesTheBorderIsCutOffThere)
     ASSERT_GT(nothing->At(x), 0.0);
 }
 
+TEST(GridSolid, BeyondTheBorderItIsABoundOfTheDistance)
+{
+  // A ball that ends 0.8 mm before the border: the nearest place of the grid is c, and a solid in a
+  // convex box is no nearer than by Pythagoras' theorem.
+  const hasp::GridGeometry grid = Turned({ 25, 25, 25 }, glm::dvec3(0.5));
+  const auto ball = hasp::MakeCapsule({}, {}, 5.2);
+  const auto solid = hasp::MakeGridSolid(Sampled(*ball, grid), grid);
+  const auto box = hasp::MakeBox({}, grid.direction, 0.5 * glm::dvec3(grid.Cells()) * grid.spacing);
+  constexpr double Trilinear = 0.02; // h^2 / (8 R) a direction
+  int outside = 0;
+  for (const glm::dvec3& x : hasp::RandomPlaces(4000, 14))
+    if (const auto beyond = box->SampleAt(x); beyond.value > 0.0)
+    {
+      ++outside;
+      const double there = ball->At(x - beyond.value * beyond.gradient);
+      ASSERT_NEAR(solid->At(x), std::hypot(there, beyond.value), Trilinear);
+      ASSERT_LT(solid->At(x), ball->At(x) + Trilinear);
+      // No distance is above there + beyond, and that no more than sqrt(2) times their hypotenuse.
+      ASSERT_GT(solid->At(x), (ball->At(x) - Trilinear) * std::sqrt(0.5) - Trilinear);
+    }
+  EXPECT_GT(outside, 2000);
+  hasp::ExpectSamplesAgree(*solid, hasp::RandomPlaces(3000, 14));
+  hasp::ExpectNoSteeperThanPromised(*solid, hasp::RandomPlaces(3000, 14));
+}
+
+TEST(GridSolid, KeepsItsPromisesWhereItIsCutOff)
+{
+  // Cut by the border on one side, near to it on the other.
+  const auto ball = hasp::MakeCapsule({ 4, 0, 0 }, { 4, 0, 0 }, 5.2);
+  const auto solid = hasp::MakeGridSolid(Sampled(*ball, Grid), Grid);
+  const auto places = hasp::RandomPlaces(4000, 14);
+  hasp::ExpectSamplesAgree(*solid, places);
+  hasp::ExpectNoSteeperThanPromised(*solid, places);
+  std::vector<glm::dvec3> smooth; // off the faces of cells, and where the ball meets the border
+  for (const glm::dvec3& x : places)
+  {
+    const glm::dvec3 index = Grid.WorldToIndex(x), from = glm::abs(index - glm::round(index));
+    const glm::dvec3 nearest =
+      Grid.IndexToWorld(glm::clamp(index, glm::dvec3(0), glm::dvec3(Grid.Cells())));
+    if (std::min({ from.x, from.y, from.z }) > 1e-3 && std::abs(ball->At(nearest)) > 0.1)
+      smooth.push_back(x);
+  }
+  hasp::ExpectGradientsOfFaces(*solid, smooth, { 0 });
+}
+
 TEST(GridSolid, JoinsShapesInATree)
 {
   const auto bone = hasp::MakeGridSolid(Sampled(*Ball, Grid), Grid);
