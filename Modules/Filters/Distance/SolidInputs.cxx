@@ -89,7 +89,12 @@ SolidInputs::Image SolidInputs::Read(vtkImageData* image, int input) const
     }
   const GridView<const float> grid = DistancesOf(image);
   SolidPointer solid = MakeOf(grid);
-  return { image, image->GetMTime(), std::move(solid), FactsOf(grid, input) };
+  const SampledFacts facts = FactsOf(grid, input);
+  if (!(facts.least < 0.0F))
+    throw std::invalid_argument(
+      "nothing is inside: no sample is below 0, as in coverage; give signed distances" +
+      std::string(HowToMake));
+  return { image, image->GetMTime(), std::move(solid), facts };
 }
 
 std::vector<SolidPointer> SolidInputs::Get(vtkInformationVector* inputs, const std::string& name)

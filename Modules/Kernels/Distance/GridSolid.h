@@ -22,8 +22,10 @@ namespace hasp
 ///
 /// Steepness is measured: 1 where distances are exact and smooth, up to the square root of 3 at
 /// tips, a little more where they are noisy. Throws std::invalid_argument on an invalid geometry,
-/// sizes that differ, an axis of one sample, a value that is not finite, or one that changes by
-/// more than 3 mm a mm, as grey values do. Any thread; O(samples) to make, O(1) to ask.
+/// sizes that differ, an axis of one sample, a value that is not finite, one that changes by more
+/// than 3 mm a mm, as grey values do, or if most cells on the surface change by less than 0.5 or
+/// more than 2, as grey values of any scale and distances in other units do. Any thread; O(samples)
+/// to make, O(1) to ask.
 SolidPointer MakeGridSolid(
   std::shared_ptr<const std::vector<float>> distance, const GridGeometry& geometry);
 

@@ -233,6 +233,19 @@ TEST(CsgFilter, SaysWhichInputIsWrongAndWhatToDo)
     EXPECT_NE(ErrorsOfUpdate(csg).find(all > 0 ? "nothing is inside" : "everything is inside"),
       std::string::npos);
   }
+  // Coverage, and a scan that somebody scaled: bright is inside.
+  for (const bool isCoverage : { true, false })
+  {
+    auto image = BallImage();
+    auto* values = static_cast<float*>(image->GetScalarPointer());
+    for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+      values[v] = isCoverage ? std::clamp(0.5F - 2.0F * values[v], 0.0F, 1.0F)
+                             : std::clamp(-0.25F * values[v], -0.5F, 0.5F);
+    csg->RemoveAllInputs();
+    csg->AddInputData(image);
+    EXPECT_NE(ErrorsOfUpdate(csg).find("vtkHaspSignedDistance"), std::string::npos) << isCoverage;
+    EXPECT_EQ(csg->GetOutput()->GetSolid(), nullptr);
+  }
   csg->RemoveAllInputs();
   vtkNew<vtkPolyData> mesh;
   csg->AddInputData(mesh);
