@@ -108,6 +108,9 @@ TEST_F(DistanceExamples, AFileThatIsNotThereIsSaidAndNothingElseIsBlamed)
     EXPECT_EQ(this->Run(command), 1);
     EXPECT_EQ(this->said.find("geometry"), std::string::npos) << this->said;
   }
+  ASSERT_EQ(this->Run("MakePlate A plate.stl"), 0);
+  EXPECT_EQ(this->Run("MeasureBone plate.stl 0"), 1);
+  EXPECT_NE(this->said.find("is a surface"), std::string::npos) << this->said;
 }
 
 } // namespace

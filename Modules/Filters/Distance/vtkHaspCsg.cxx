@@ -107,7 +107,7 @@ int vtkHaspCsg::RequestData(
 {
   vtkHaspSolid* output = vtkHaspSolid::GetData(outputs);
   output->Initialize();
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction&)
     {
       std::vector<hasp::SolidPointer> parts = this->Inside->inputs.Get(inputs[0]);

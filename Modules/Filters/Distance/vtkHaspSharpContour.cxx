@@ -145,7 +145,7 @@ int vtkHaspSharpContour::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
   this->NumberOfBlocks = this->NumberOfBlocksHeld = 0;
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction& progress)
     {
       const hasp::SolidPointer solid = CutOff(this->Inside->inputs.Get(inputs[0])[0], this->Bounds);

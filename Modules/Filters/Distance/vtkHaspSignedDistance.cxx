@@ -57,10 +57,13 @@ struct Input
   std::span<const float> Shares() const
   {
     const auto* shares = std::get_if<Samples>(&this->grid);
-    if (!shares)
-      throw std::invalid_argument("samples are not of type float, so they are no coverage: "
-                                  "SetInputKindToGrey and SetIsoValue, or SetInputKindToLabels");
-    return { shares->data, this->geometry.Size() };
+    const std::size_t voxels = this->geometry.Size();
+    const auto isShare = [](float v) { return v >= 0.0F && v <= 1.0F; };
+    if (!shares || !std::all_of(shares->data, shares->data + voxels, isShare))
+      throw std::invalid_argument(
+        std::string("samples are not ") + (shares ? "in [0, 1]" : "of type float") +
+        ", so they are no coverage: SetInputKindToGrey and SetIsoValue, or SetInputKindToLabels");
+    return { shares->data, voxels };
   }
 };
 
@@ -161,7 +164,7 @@ void Transform(const Input& input, const Settings& settings, vtkImageData* outpu
 int vtkHaspSignedDistance::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction&)
     {
       hasp::SayImage(outputs->GetInformationObject(0),
@@ -182,7 +185,7 @@ int vtkHaspSignedDistance::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction& progress)
     {
       const hasp::AnyGridView grid = hasp::ViewImage(vtkImageData::GetData(inputs[0]));

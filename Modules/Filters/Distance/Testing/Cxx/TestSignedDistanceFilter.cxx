@@ -71,6 +71,13 @@ TEST(SignedDistanceFilter, GreyValuesAreMeasuredAsTheyAre)
   EXPECT_LT(ErrorOf(filter), 0.02);
   filter->SetInputKindToAutomatic();
   EXPECT_NE(ErrorsOfUpdate(filter).find("SetInputKindToGrey"), std::string::npos);
+  EXPECT_NE(filter->GetErrorCode(), 0UL);
+  filter->SetInputData( // a scan in floats
+    hasp::MakeImage(Grid, hasp::SampleAnalytic<float>(blurred, Grid, 2000, -1000)));
+  EXPECT_NE(ErrorsOfUpdate(filter).find("SetInputKindToGrey"), std::string::npos);
+  filter->SetInputKindToGrey();
+  EXPECT_LT(ErrorOf(filter), 0.02);
+  EXPECT_EQ(filter->GetErrorCode(), 0UL);
 }
 
 TEST(SignedDistanceFilter, LabelsAreAMask)
