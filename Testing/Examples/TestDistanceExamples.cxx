@@ -48,8 +48,14 @@ TEST_F(DistanceExamples, OffsetBoneKeepsItsDistance)
   ASSERT_EQ(this->Run("OffsetBone ball.mha 0 -2.5 smaller.stl"), 0) << this->said;
   const hasp::MeshCheck check = this->CheckFile("smaller.stl");
   EXPECT_TRUE(check.Closed());
-  EXPECT_NEAR(std::abs(check.volumeMm3), BallMm3(BallMm - 2.5), 0.02 * BallMm3(BallMm - 2.5));
-  EXPECT_EQ(this->Run("OffsetBone ball.mha 0 50 none.stl"), 1) << "beyond the volume: no surface";
+  EXPECT_TRUE(check.Outward());
+  EXPECT_NEAR(check.volumeMm3, BallMm3(BallMm - 2.5), 0.02 * BallMm3(BallMm - 2.5));
+  ASSERT_EQ(this->Run("OffsetBone ball.mha 0 6 larger.stl"), 0) << this->said;
+  const hasp::MeshCheck larger = this->CheckFile("larger.stl"); // than the scan
+  EXPECT_TRUE(larger.Closed());
+  EXPECT_TRUE(larger.Outward());
+  EXPECT_NEAR(larger.volumeMm3, BallMm3(BallMm + 6.0), 0.02 * BallMm3(BallMm + 6.0));
+  EXPECT_EQ(this->Run("OffsetBone ball.mha 0 -50 none.stl"), 1) << "smaller than nothing";
   EXPECT_FALSE(std::filesystem::exists(this->Path("none.stl")));
 }
 
@@ -77,10 +83,34 @@ TEST_F(DistanceExamples, MakePlateKeepsItsMeasures)
   const double holes = 2.0 * std::numbers::pi * 1.5;
   EXPECT_LT(check.volumeMm3, plate - holes - 1.0) << "something is engraved";
   EXPECT_GT(check.volumeMm3, plate - holes - 8.0);
-  EXPECT_LT(std::stoi(this->said), std::stoi(this->said.substr(this->said.find("of") + 3)));
   EXPECT_EQ(this->Run("MakePlate 'a?' none.stl"), 1);
   EXPECT_EQ(this->Run("MakePlate HASP-12 none.stl"), 1) << "it would run into the hole";
+  EXPECT_NE(this->said.find("does not fit"), std::string::npos) << this->said;
   EXPECT_EQ(this->Run("MakePlate HASP-1 none/plate.stl"), 1);
+}
+
+TEST_F(DistanceExamples, WrongArgumentsAreAnsweredByOneLine)
+{
+  for (const std::string wrong : { "MeasureBone", "MeasureBone ball.mha abc", "OffsetBone",
+         "OffsetBone ball.mha 226 abc none.stl", "OffsetBone ball.mha 226x 1 none.stl", "CutBone",
+         "CutBone ball.mha 0 1 2 z 1 none.stl", "MakePlate", "MakePlate A" })
+  {
+    EXPECT_EQ(this->Run(wrong), 1) << wrong;
+    EXPECT_EQ(this->said.find(wrong.substr(0, wrong.find(' ')) + " <"), 0U) << this->said;
+    EXPECT_EQ(this->said.find('\n'), this->said.size() - 1) << this->said;
+  }
+}
+
+TEST_F(DistanceExamples, AFileThatIsNotThereIsSaidAndNothingElseIsBlamed)
+{
+  for (const std::string command : { "MeasureBone none.mha 0", "OffsetBone none.mha 0 1 none.stl" })
+  {
+    EXPECT_EQ(this->Run(command), 1);
+    EXPECT_EQ(this->said.find("geometry"), std::string::npos) << this->said;
+  }
+  ASSERT_EQ(this->Run("MakePlate A plate.stl"), 0);
+  EXPECT_EQ(this->Run("MeasureBone plate.stl 0"), 1);
+  EXPECT_NE(this->said.find("is a surface"), std::string::npos) << this->said;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "Grid/Progress.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkErrorCode.h"
 
 #include <exception>
 #include <new>
@@ -10,11 +11,13 @@ namespace hasp
 {
 
 /// Runs what a filter does, in RequestData: `work` gets the filter's progress, which ends it after
-/// AbortExecute. Returns 1, also where that was asked for, or 0 after an error, which is said. What
-/// `work` has not yet put into the output when it throws is not there.
+/// AbortExecute. Returns 1, also where that was asked for, or 0 after an error, which is said, and
+/// kept in the filter's error code. What `work` has not yet put into the output when it throws is
+/// not there.
 template <typename Work>
-int RunFilter(vtkAlgorithm* filter, const Work& work)
+int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, const Work& work)
 {
+  errorCode = vtkErrorCode::UserError;
   try
   {
     work(ProgressFunction(
@@ -23,10 +26,12 @@ int RunFilter(vtkAlgorithm* filter, const Work& work)
         filter->UpdateProgress(share);
         return !filter->GetAbortExecute();
       }));
+    errorCode = vtkErrorCode::NoError;
     return 1;
   }
   catch (const Cancelled&)
   {
+    errorCode = vtkErrorCode::NoError;
     return 1; // what was asked for: nothing
   }
   catch (const std::bad_alloc&)

@@ -9,6 +9,8 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <stdexcept>
+
 namespace hasp
 {
 
@@ -16,10 +18,11 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 GridGeometry PipelineGeometry(vtkInformation* image)
 {
+  if (!image->Has(Pipeline::WHOLE_EXTENT()))
+    throw std::invalid_argument("there is no image: what gives the input has failed");
   vtkNew<vtkImageData> told;
   told->CopyInformationFromPipeline(image);
-  if (image->Has(Pipeline::WHOLE_EXTENT()))
-    told->SetExtent(image->Get(Pipeline::WHOLE_EXTENT()));
+  told->SetExtent(image->Get(Pipeline::WHOLE_EXTENT()));
   return ImageGeometry(told);
 }
 

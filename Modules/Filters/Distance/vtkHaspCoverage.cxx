@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkHaspCoverage);
@@ -56,12 +57,25 @@ vtkInformation* GridInformation(vtkInformationVector** inputs)
   return volume;
 }
 
+/// How far a mesh reaches beyond the voxels of a grid, mm; 0 if it does not.
+double Beyond(const hasp::TriangleMesh& mesh, const hasp::GridGeometry& grid)
+{
+  glm::dvec3 most(0.0);
+  for (const glm::dvec3& point : mesh.points)
+  {
+    const glm::dvec3 index = grid.WorldToIndex(point);
+    most = glm::max(most, glm::max(-0.5 - index, index - glm::dvec3(grid.dims) + 0.5));
+  }
+  const glm::dvec3 mm = most * grid.spacing;
+  return std::max({ mm.x, mm.y, mm.z });
+}
+
 } // namespace
 
 int vtkHaspCoverage::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction&)
     {
       hasp::SayImage(
@@ -83,7 +97,7 @@ int vtkHaspCoverage::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction& progress)
     {
       const hasp::GridGeometry grid = hasp::PipelineGeometry(GridInformation(inputs));
@@ -92,6 +106,9 @@ int vtkHaspCoverage::RequestData(
         const hasp::TriangleMesh mesh = hasp::TrianglesOf(surface);
         if (mesh.triangles.empty())
           throw std::invalid_argument("the surface has no triangles");
+        if (const double mm = Beyond(mesh, grid); mm > 0.0)
+          vtkWarningMacro(
+            "the surface reaches " << mm << " mm beyond its grid, and is cut off there");
         return hasp::GiveImage(
           output, grid, hasp::MeshCoverage(mesh, grid, this->SamplesPerAxis, progress), "Coverage");
       }

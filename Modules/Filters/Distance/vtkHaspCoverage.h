@@ -14,7 +14,8 @@
  *
  * Errors (vtkErrorMacro, empty output): an input that hasp::ViewImage refuses, labels that are not
  * there, a mesh that is empty, not closed (says where) or comes without a grid, a number out of its
- * range. AbortExecute gives an empty output without an error. Threads: as any VTK filter, one at a
+ * range. A mesh that reaches beyond the grid is cut off, with a warning (vtkWarningMacro).
+ * AbortExecute gives an empty output without an error. Threads: as any VTK filter, one at a
  * time; uses all cores. Cost: O(voxels), and SamplesPerAxis^3 for a voxel on the surface.
  */
 #ifndef vtkHaspCoverage_h

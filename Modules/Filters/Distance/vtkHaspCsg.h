@@ -7,9 +7,15 @@
  * vtkHaspSignedDistance). Output: a vtkHaspSolid. Nothing is sampled: surfaces stay as exact as
  * those of the parts, and vtkHaspSharpContour asks only near them (Distance/Csg.h).
  *
+ * An image knows nothing beyond its border: for an offset or a shell it must reach further than
+ * that (vtkHaspSignedDistance::SetMargin). Where it does not there is a warning (vtkWarningMacro),
+ * and the surface beyond the border is too far out (Distance/GridSolid.h); images that come through
+ * another vtkHaspCsg are not looked at.
+ *
  * Errors (vtkErrorMacro, no solid): an input without a solid, an image of another type or with
- * values that are no distances, a number that is not finite or out of its range. Threads: as any
- * VTK filter, one at a time. Cost: O(inputs); of an image 4 bytes a sample, read once and kept
+ * values that are no distances, a number that is not finite or out of its range, an offset or shell
+ * that goes as far as no sample of an image does, such as beyond a narrow band. Threads: as any VTK
+ * filter, one at a time. Cost: O(inputs); of an image 4 bytes a sample, read once and kept
  * until it changes.
  */
 #ifndef vtkHaspCsg_h

@@ -103,8 +103,12 @@ struct vtkHaspSharpContour::Internals
     const hasp::GridGeometry& grid, vtkPolyData* output, const hasp::ProgressFunction& progress)
   {
     hasp::SharpContourFacts facts;
-    output->ShallowCopy(hasp::MakePolyData(
-      hasp::SharpContour(solid, grid, { .tolerance = self.Tolerance }, &facts, progress)));
+    hasp::SharpContourSettings settings;
+    settings.tolerance = self.Tolerance;
+    settings.mostTriangles =
+      static_cast<std::size_t>(std::max<vtkIdType>(self.MaximumNumberOfTriangles, 0));
+    output->ShallowCopy(
+      hasp::MakePolyData(hasp::SharpContour(solid, grid, settings, &facts, progress)));
     self.NumberOfBlocks = static_cast<vtkIdType>(facts.blocks);
     self.NumberOfBlocksHeld = static_cast<vtkIdType>(facts.blocksHeld);
   }
@@ -141,13 +145,16 @@ int vtkHaspSharpContour::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
   this->NumberOfBlocks = this->NumberOfBlocksHeld = 0;
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction& progress)
     {
       const hasp::SolidPointer solid = CutOff(this->Inside->inputs.Get(inputs[0])[0], this->Bounds);
       if (const auto grid = GridAround(solid->Bounds(), this->Spacing))
         (this->Method == FlyingEdges ? Internals::Plain : Internals::Sharp)(
           *this, *solid, *grid, output, progress);
+      if (output->GetNumberOfCells() == 0)
+        vtkWarningMacro("the surface is empty: nothing of the solid is inside the bounds, or it is "
+                        << "thinner than the spacing of " << this->Spacing << " mm");
     });
 }
 
@@ -161,6 +168,7 @@ void vtkHaspSharpContour::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Bounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " " << b[4]
      << " " << b[5] << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n"
      << indent << "NumberOfBlocks: " << this->NumberOfBlocks << "\n"
      << indent << "NumberOfBlocksHeld: " << this->NumberOfBlocksHeld << "\n";
 }

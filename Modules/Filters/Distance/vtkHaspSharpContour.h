@@ -13,10 +13,10 @@
  *
  * Errors (vtkErrorMacro, empty output): no solid; a spacing or tolerance out of its range; a solid
  * without an end where no Bounds are said; a grid that is too large (FlyingEdges: over 2e8 samples,
- * since it samples all). An empty solid gives an empty mesh and is no error. AbortExecute gives an
- * empty output without an error. Threads: as any VTK filter, one at a time (RENDER or WORKER); uses
- * all cores. Cost: about 1.5 us a triangle on one core, and one byte for 512 samples of the grid;
- * only blocks near the surface are looked at.
+ * since it samples all), too many triangles. An empty solid gives an empty mesh and a warning
+ * (vtkWarningMacro). AbortExecute gives an empty output without an error. Threads: as any VTK
+ * filter, one at a time (RENDER or WORKER); uses all cores. Cost: about 1.5 us a triangle on one
+ * core, and one byte for 512 samples of the grid; only blocks near the surface are looked at.
  */
 #ifndef vtkHaspSharpContour_h
 #define vtkHaspSharpContour_h
@@ -69,6 +69,13 @@ public:
   ///@}
 
   ///@{
+  /// What is more is an error, said before the work from an estimate, or while it grows; default
+  /// 2e8, 5 GB. It keeps a mistyped Spacing from running without end. Not for FlyingEdges.
+  vtkSetMacro(MaximumNumberOfTriangles, vtkIdType);
+  vtkGetMacro(MaximumNumberOfTriangles, vtkIdType);
+  ///@}
+
+  ///@{
   /// Blocks of 8^3 cells in the grid of the last update, and those of them that were looked at.
   vtkGetMacro(NumberOfBlocks, vtkIdType);
   vtkGetMacro(NumberOfBlocksHeld, vtkIdType);
@@ -89,6 +96,7 @@ private:
   double Spacing = 0.4;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Tolerance = 0.01;
+  vtkIdType MaximumNumberOfTriangles = 200'000'000;
   vtkIdType NumberOfBlocks = 0;
   vtkIdType NumberOfBlocksHeld = 0;
   struct Internals;

@@ -4,6 +4,7 @@
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/EuclideanDistance.h"
+#include "Distance/ScanMargin.h"
 #include "Distance/SurfaceElements.h"
 #include "FilterRun.h"
 #include "ImageOutput.h"
@@ -56,11 +57,41 @@ struct Input
   std::span<const float> Shares() const
   {
     const auto* shares = std::get_if<Samples>(&this->grid);
-    if (!shares)
-      throw std::invalid_argument("samples are not of type float, so they are no coverage: "
-                                  "SetInputKindToGrey and SetIsoValue, or SetInputKindToLabels");
-    return { shares->data, this->geometry.Size() };
+    const std::size_t voxels = this->geometry.Size();
+    const auto isShare = [](float v) { return v >= 0.0F && v <= 1.0F; };
+    if (!shares || !std::all_of(shares->data, shares->data + voxels, isShare))
+      throw std::invalid_argument(
+        std::string("samples are not ") + (shares ? "in [0, 1]" : "of type float") +
+        ", so they are no coverage: SetInputKindToGrey and SetIsoValue, or SetInputKindToLabels");
+    return { shares->data, voxels };
   }
+};
+
+/// The same with a margin: what has labels is coverage then.
+struct Enlarged
+{
+  Enlarged(const Input& input, double mm) : Geometry(hasp::GeometryWithMargin(input.geometry, mm))
+  {
+    if (input.kind == Self::Grey)
+      this->Values = hasp::GreyWithMargin(input.grid, input.isovalue, mm);
+    else if (input.kind == Self::Coverage)
+      this->Values = hasp::CoverageWithMargin(input.geometry, input.Shares(), mm);
+    else
+    {
+      const std::vector<std::uint8_t> mask = input.Mask();
+      this->Values =
+        hasp::CoverageWithMargin(input.geometry, std::vector<float>(mask.begin(), mask.end()), mm);
+    }
+    this->Kind = input.kind == Self::Grey ? Self::Grey : Self::Coverage;
+    this->Grid = Samples{ this->Values.data(), this->Geometry };
+  }
+  Input Get() const { return { this->Grid, this->Geometry, this->Kind, 0.0, 1 }; }
+
+private:
+  hasp::GridGeometry Geometry;
+  std::vector<float> Values;
+  hasp::AnyGridView Grid;
+  int Kind;
 };
 
 Input Resolve(Input input)
@@ -106,16 +137,39 @@ std::vector<float> OtherDistance(
   return hasp::SignedEuclideanDistance(input.geometry, mask, progress);
 }
 
+struct Settings
+{
+  int transform;
+  bool band;
+};
+
+void Transform(const Input& input, const Settings& settings, vtkImageData* output,
+  const hasp::ProgressFunction& progress)
+{
+  std::vector<float> distance = settings.transform == Self::AntiAliased
+                                  ? AntiAliasedDistance(input, settings.band, progress)
+                                  : OtherDistance(input, settings.transform, progress);
+  if (settings.band)
+  {
+    const glm::dvec3& spacing = input.geometry.spacing;
+    const auto most = float(BandVoxels * std::min({ spacing.x, spacing.y, spacing.z }));
+    for (float& value : distance)
+      value = std::clamp(value, -most, most);
+  }
+  hasp::GiveImage(output, input.geometry, distance, "SignedDistance");
+}
+
 } // namespace
 
 int vtkHaspSignedDistance::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction&)
     {
       hasp::SayImage(outputs->GetInformationObject(0),
-        hasp::PipelineGeometry(inputs[0]->GetInformationObject(0)));
+        hasp::GeometryWithMargin(
+          hasp::PipelineGeometry(inputs[0]->GetInformationObject(0)), this->Margin));
     });
 }
 
@@ -131,23 +185,17 @@ int vtkHaspSignedDistance::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction& progress)
     {
       const hasp::AnyGridView grid = hasp::ViewImage(vtkImageData::GetData(inputs[0]));
       const Input input =
         Resolve({ grid, hasp::GeometryOf(grid), this->InputKind, this->IsoValue, this->Label });
-      std::vector<float> distance = this->Transform == AntiAliased
-                                      ? AntiAliasedDistance(input, this->NarrowBand, progress)
-                                      : OtherDistance(input, this->Transform, progress);
-      if (this->NarrowBand)
-      {
-        const glm::dvec3& spacing = input.geometry.spacing;
-        const auto most = float(BandVoxels * std::min({ spacing.x, spacing.y, spacing.z }));
-        for (float& value : distance)
-          value = std::clamp(value, -most, most);
-      }
-      hasp::GiveImage(output, input.geometry, distance, "SignedDistance");
+      const Settings settings{ this->Transform, this->NarrowBand };
+      if (this->Margin == 0.0)
+        ::Transform(input, settings, output, progress);
+      else
+        ::Transform(Enlarged(input, this->Margin).Get(), settings, output, progress);
     });
 }
 
@@ -160,5 +208,6 @@ void vtkHaspSignedDistance::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "IsoValue: " << this->IsoValue << "\n"
      << indent << "Label: " << this->Label << "\n"
      << indent << "Transform: " << Names[this->Transform] << "\n"
-     << indent << "NarrowBand: " << (this->NarrowBand ? "on" : "off") << "\n";
+     << indent << "NarrowBand: " << (this->NarrowBand ? "on" : "off") << "\n"
+     << indent << "Margin: " << this->Margin << "\n";
 }

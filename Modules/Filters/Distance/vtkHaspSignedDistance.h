@@ -3,10 +3,11 @@
  * @brief   Signed distance of every voxel to a surface, negative inside, true below a voxel.
  *
  * Input: a vtkImageData with one component of short, unsigned short, unsigned char or float; any
- * extent, spacing and direction. Output: a vtkImageData of float on the same grid,
- * "SignedDistance", mm, for vtkHaspCsg, vtkHaspSharpContour, or any VTK filter. Where nothing is
- * inside all of it is +infinity, where all is, -infinity; vtkHaspCsg and vtkHaspSharpContour refuse
- * such an image. A mesh: vtkHaspCoverage first.
+ * extent, spacing and direction. Output: a vtkImageData of float on the same grid, larger by
+ * Margin, "SignedDistance", mm, for vtkHaspCsg, vtkHaspSharpContour, or any VTK filter; those that
+ * contour take high values as inside, so that what vtkFlyingEdges3D makes of it is inside out:
+ * vtkReverseSense. Where nothing is inside all of it is +infinity, where all is, -infinity;
+ * vtkHaspCsg and vtkHaspSharpContour refuse such an image. A mesh: vtkHaspCoverage first.
  *
  * InputKind says what the samples are. Coverage is exact below a voxel; a scan taken for coverage,
  * or coverage taken for a scan, is wrong by up to a voxel: Automatic measures which of both an
@@ -17,7 +18,8 @@
  * surface), and Chamfer, the weighted <3,4,5> transform of the papers (thesis 2.1.4, Eq. 2.2; up to
  * 10.5 % off), to be compared with.
  *
- * Errors (vtkErrorMacro, empty output): an input that hasp::ViewImage or the transform refuses.
+ * Errors (vtkErrorMacro, empty output): an input that hasp::ViewImage or the transform refuses, a
+ * margin that is negative or gives 2^31 voxels and more.
  * AbortExecute gives an empty output without an error. Threads: as any VTK filter, one at a time;
  * uses all cores, the same result with any number of them. Cost: O(voxels), 12 to 28 bytes each at
  * the peak; a narrow band of coverage costs what its surface costs.
@@ -88,6 +90,15 @@ public:
   vtkBooleanMacro(NarrowBand, bool);
   ///@}
 
+  ///@{
+  /// How far the output reaches beyond the input, mm, on all sides; default 0. As large as the
+  /// greatest offset of what is inside: it has no room otherwise (Distance/GridSolid.h). What is
+  /// beyond the input counts as outside: bone that goes on there is closed, flat, half a voxel
+  /// beyond the last samples. Distances in the input change near there, and nowhere else.
+  vtkSetMacro(Margin, double);
+  vtkGetMacro(Margin, double);
+  ///@}
+
 protected:
   vtkHaspSignedDistance() = default;
   ~vtkHaspSignedDistance() override = default;
@@ -105,6 +116,7 @@ private:
   int Label = 1;
   int Transform = AntiAliased;
   bool NarrowBand = false;
+  double Margin = 0.0;
 };
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "Distance/SolidShapes.h"
 #include "Distance/SolidSweeps.h"
+#include "FilterRun.h"
 #include "vtkHaspSolid.h"
 
 #include "vtkInformation.h"
@@ -9,6 +10,7 @@
 #include "vtkObjectFactory.h"
 
 #include <exception>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkHaspSolidSource);
 
@@ -122,13 +124,13 @@ int vtkHaspSolidSource::RequestData(
 {
   vtkHaspSolid* output = vtkHaspSolid::GetData(outputs);
   output->Initialize();
-  if (!this->Solid)
-  {
-    vtkErrorMacro("there is no shape: call one of SetTo...");
-    return 0;
-  }
-  output->SetSolid(this->Solid);
-  return 1;
+  return hasp::RunFilter(this, this->ErrorCode,
+    [&](const hasp::ProgressFunction&)
+    {
+      if (!this->Solid)
+        throw std::invalid_argument("there is no shape: call one of SetTo...");
+      output->SetSolid(this->Solid);
+    });
 }
 
 void vtkHaspSolidSource::PrintSelf(ostream& os, vtkIndent indent)

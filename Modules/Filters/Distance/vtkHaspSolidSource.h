@@ -57,6 +57,7 @@ public:
     const double up[3], double height, double stroke);
 
   /// From the first letter's axis to the last one's, mm: how wide a text will be, less a stroke.
+  /// All have the same width: whether there are such letters is not asked.
   static double GetTextWidth(const std::string& text, double height);
 
 protected:

@@ -88,7 +88,7 @@ int vtkHaspSolidSweep::RequestData(
 {
   vtkHaspSolid* output = vtkHaspSolid::GetData(outputs);
   output->Initialize();
-  return hasp::RunFilter(this,
+  return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction&)
     {
       const std::vector<hasp::SolidPointer> surface =

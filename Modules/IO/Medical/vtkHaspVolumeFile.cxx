@@ -151,6 +151,9 @@ OpenedVolume OpenByKind(const std::filesystem::path& file, const VolumeReadSetti
     return OpenXMLImage(file, settings);
   if (extension == ".hcells")
     ThrowIsNoCells(file);
+  if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp")
+    ThrowFileError(file, "is a surface, and a volume is read here; hasp info and hasp convert take "
+                         "surfaces, and any viewer of such files draws them");
   if (IsOneDicomFile(file))
     ThrowFileError(file, "is a single DICOM file; open the folder that holds the whole series");
   ThrowFileError(file,

@@ -16,41 +16,86 @@ using Sample = ImplicitSolid::Sample;
 using Box = ImplicitSolid::Box;
 
 constexpr double SteepestMmPerMm = 3.0;
+// Of most cells on the surface. Distances have 1, up to the square root of 3 in stairs, less where
+// a wall is thinner than a cell, more with noise (TestGridSolid).
+constexpr double LeastUsualSlope = 0.5, MostUsualSlope = 2.0;
 
-/// The most that the trilinear polynomial of any cell in layers [first, last) changes, mm a mm:
-/// each component of its gradient is a mean of four edges'. Infinite where a value is not finite.
-double SteepestOf(const GridView<const float>& grid, int first, int last)
+/// How much the trilinear polynomials of cells change, mm a mm.
+struct Slopes
+{
+  double most = 0.0; ///< infinite where a value is not finite
+  std::size_t onSurface = 0, flat = 0,
+              steep = 0; ///< cells of both signs, and those of unusual slope
+
+  void Add(const Slopes& other)
+  {
+    this->most = std::max(this->most, other.most);
+    this->onSurface += other.onSurface;
+    this->flat += other.flat;
+    this->steep += other.steep;
+  }
+};
+
+/// Of the cells in layer k, at most: each component of a gradient is a mean of four edges'.
+Slopes SlopesOf(const GridView<const float>& grid, int k)
 {
   const glm::ivec3 cells = grid.geometry.Cells();
   const glm::dvec3 h = grid.geometry.spacing;
-  double most = 0.0;
-  for (int k = first; k < last; ++k)
-    for (int j = 0; j < cells.y; ++j)
-      for (int i = 0; i < cells.x; ++i)
+  Slopes slopes;
+  for (int j = 0; j < cells.y; ++j)
+    for (int i = 0; i < cells.x; ++i)
+    {
+      const auto c = CellCorners(grid, { i, j, k });
+      if (!std::isfinite(c[0] + c[1] + c[2] + c[3] + c[4] + c[5] + c[6] + c[7]))
       {
-        const auto c = CellCorners(grid, { i, j, k });
-        if (!std::isfinite(c[0] + c[1] + c[2] + c[3] + c[4] + c[5] + c[6] + c[7]))
-          return std::numeric_limits<double>::infinity();
-        glm::dvec3 edge(0.0);
-        for (int n = 0; n < 8; ++n)
-          for (int a = 0; a < 3; ++a)
-            if (!(n >> a & 1))
-              edge[a] = std::max(edge[a], std::abs(c[n | 1 << a] - c[n]));
-        most = std::max(most, glm::length(edge / h));
+        slopes.most = std::numeric_limits<double>::infinity();
+        return slopes;
       }
-  return most;
+      glm::dvec3 edge(0.0);
+      for (int n = 0; n < 8; ++n)
+        for (int a = 0; a < 3; ++a)
+          if (!(n >> a & 1))
+            edge[a] = std::max(edge[a], std::abs(c[n | 1 << a] - c[n]));
+      const double slope = glm::length(edge / h);
+      slopes.most = std::max(slopes.most, slope);
+      const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+      if (*least < 0.0 && *greatest >= 0.0)
+      {
+        ++slopes.onSurface;
+        slopes.flat += slope < LeastUsualSlope;
+        slopes.steep += slope > MostUsualSlope;
+      }
+    }
+  return slopes;
 }
 
-double SteepnessOf(const GridView<const float>& grid)
+Slopes SlopesOf(const GridView<const float>& grid)
 {
-  std::vector<double> layers(grid.geometry.Cells().z);
+  std::vector<Slopes> layers(grid.geometry.Cells().z);
   ParallelFor(0, std::int64_t(layers.size()), 4,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t k = first; k < last; ++k)
-        layers[k] = SteepestOf(grid, int(k), int(k) + 1);
+        layers[k] = SlopesOf(grid, int(k));
     });
-  return *std::max_element(layers.begin(), layers.end());
+  Slopes all;
+  for (const Slopes& layer : layers)
+    all.Add(layer);
+  return all;
+}
+
+/// What has the slopes of no distances. Throws std::invalid_argument.
+void RequireDistances(const Slopes& slopes)
+{
+  if (!(slopes.most <= SteepestMmPerMm))
+    throw std::invalid_argument("grid solid: the values change by " + SolidNumber(slopes.most) +
+                                " mm a mm; at most 3, and finite: give signed distances in mm");
+  for (const bool flat : { true, false })
+    if (2 * (flat ? slopes.flat : slopes.steep) > slopes.onSurface)
+      throw std::invalid_argument(
+        std::string("grid solid: most cells on the surface change by ") +
+        (flat ? "less than 0.5" : "more than 2") +
+        " mm a mm, distances by 1: give signed distances, in mm, not grey values or voxels");
 }
 
 class GridSolid : public ImplicitSolid
@@ -69,21 +114,49 @@ public:
   double At(const glm::dvec3& x) const noexcept override
   {
     const auto [cell, local] = this->Locate(this->ToIndex * (x - this->Grid.geometry.origin));
-    return std::max(TrilinearValue(CellCorners(this->Grid, cell), local), this->Border->At(x));
+    return Joined(TrilinearValue(CellCorners(this->Grid, cell), local), this->Border->At(x));
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    Sample inside = this->FaceAt(0, x);
-    const double border = this->Border->At(x);
-    if (inside.value < border - SolidTieMm)
-      return this->OfBorder(this->Border->SampleAt(x));
-    inside.value = std::max(inside.value, border);
-    return inside;
+    const Sample border = this->Border->SampleAt(x), nearest = this->Nearest(x);
+    if (nearest.value < std::min(border.value, 0.0) - SolidTieMm)
+      return this->OfBorder(border);
+    Sample joined = Continued(nearest, border);
+    joined.value = Joined(nearest.value, border.value);
+    return joined;
   }
   Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
   {
     if (face > 0)
       return this->OfBorder(this->Border->FaceAt(face - 1, x));
+    return Continued(this->Nearest(x), this->Border->SampleAt(x));
+  }
+  std::uint32_t Faces() const noexcept override { return 1 + this->Border->Faces(); }
+  Box Bounds() const noexcept override { return this->Border->Bounds(); }
+  double Steepness() const noexcept override { return this->Steep; }
+
+private:
+  /// Of the value at the nearest place of the grid, and the distance to the grid's box. Beyond it
+  /// the way to the solid, which lies in the box, is no shorter than by Pythagoras' theorem: the
+  /// box is convex.
+  static double Joined(double nearest, double border) noexcept
+  {
+    return border > 0.0 && nearest > 0.0 ? std::hypot(nearest, border) : std::max(nearest, border);
+  }
+  /// Face 0: the same without the border's faces. Beyond the border, where that is nearer than the
+  /// isosurface, by the sum, so that it goes on without a jump.
+  static Sample Continued(const Sample& nearest, const Sample& border) noexcept
+  {
+    if (!(border.value > 0.0))
+      return nearest;
+    if (nearest.value < -SolidTieMm)
+      return { nearest.value + border.value, nearest.gradient + border.gradient, 0 };
+    const double inGrid = std::max(nearest.value, 0.0), all = std::hypot(inGrid, border.value);
+    return { all, (inGrid * nearest.gradient + border.value * border.gradient) / all, 0 };
+  }
+  /// At the nearest place of the grid; the gradient along the border where that lies on it.
+  Sample Nearest(const glm::dvec3& x) const noexcept
+  {
     const glm::dvec3 index = this->ToIndex * (x - this->Grid.geometry.origin);
     const auto [cell, local] = this->Locate(index);
     const auto corners = CellCorners(this->Grid, cell);
@@ -93,11 +166,6 @@ public:
         perStep[a] = 0.0;
     return { TrilinearValue(corners, local), perStep * this->ToIndex, 0 };
   }
-  std::uint32_t Faces() const noexcept override { return 1 + this->Border->Faces(); }
-  Box Bounds() const noexcept override { return this->Border->Bounds(); }
-  double Steepness() const noexcept override { return this->Steep; }
-
-private:
   /// The nearest place of the grid; of what is not a number its first cell.
   CellPosition Locate(const glm::dvec3& index) const noexcept
   {
@@ -138,15 +206,12 @@ SolidPointer MakeGridSolid(
     throw std::invalid_argument("grid solid: " + std::to_string(distance ? distance->size() : 0) +
                                 " values for a grid of " + std::to_string(geometry.Size()) +
                                 " samples; give one each");
-  const double steepness = SteepnessOf({ distance->data(), geometry });
-  if (!(steepness <= SteepestMmPerMm))
-    throw std::invalid_argument(
-      "grid solid: the values change by " + SolidNumber(steepness) +
-      " mm a mm; at most 3, and finite: give distances in mm, such as CoverageDistance makes");
+  const Slopes slopes = SlopesOf({ distance->data(), geometry });
+  RequireDistances(slopes);
   const glm::dvec3 half = 0.5 * glm::dvec3(geometry.Cells());
   SolidPointer border =
     MakeBox(geometry.IndexToWorld(half), geometry.direction, half * geometry.spacing);
-  return std::make_shared<GridSolid>(std::move(distance), geometry, std::move(border), steepness);
+  return std::make_shared<GridSolid>(std::move(distance), geometry, std::move(border), slopes.most);
 }
 
 } // namespace hasp

@@ -1,5 +1,6 @@
 #include "Distance/SharpContour.h"
 #include "Distance/BlockContour.h"
+#include "Distance/ContourSize.h"
 #include "Distance/KuhnTetrahedra.h"
 #include "Grid/ParallelFor.h"
 
@@ -124,6 +125,30 @@ void Check(const GridGeometry& grid, const SharpContourSettings& settings)
   if (!fault.str().empty())
     throw std::invalid_argument("sharp contour: " + fault.str());
 }
+
+[[noreturn]] void RefuseSize(const std::string& triangles, const SharpContourSettings& settings)
+{
+  throw std::invalid_argument("sharp contour: " + triangles + " triangles, and at most " +
+                              std::to_string(settings.mostTriangles) +
+                              " were asked for: use a coarser grid, less of the solid, or a larger "
+                              "limit");
+}
+
+/// Before any work: is it too much? Not asked of a grid that cannot hold so many.
+void CheckSize(const BoundedSolid& solid, const GridGeometry& grid, std::int64_t blocks,
+  const SharpContourSettings& settings)
+{
+  constexpr double MostPerBlock = 12.0 * BlockCells * BlockCells * BlockCells;
+  if (double(blocks) * MostPerBlock <= double(settings.mostTriangles))
+    return;
+  const double triangles = EstimateTriangles(solid, grid);
+  if (triangles <= 2.0 * double(settings.mostTriangles)) // it may be half of that
+    return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "there would be about " << triangles;
+  RefuseSize(text.str(), settings);
+}
 } // namespace
 
 TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
@@ -136,6 +161,7 @@ TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
   const glm::i64vec3 blocks =
     (glm::i64vec3(grid.Cells()) + std::int64_t(BlockCells - 1)) / std::int64_t(BlockCells);
   const std::int64_t count = blocks.x * blocks.y * blocks.z;
+  CheckSize(bounded, grid, count, settings);
   SharpContourFacts made;
   made.blocks = std::size_t(count);
   Welder welder(grid);
@@ -157,6 +183,8 @@ TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
       if (contour)
       {
         welder.Add(*contour);
+        if (welder.Mesh.triangles.size() > settings.mostTriangles)
+          RefuseSize("there are more than " + std::to_string(settings.mostTriangles), settings);
         ++made.blocksHeld;
         made.cells += contour->Cells;
         made.splits += contour->Splits;

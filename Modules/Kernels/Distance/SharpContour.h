@@ -13,6 +13,8 @@ struct SharpContourSettings
 {
   double tolerance = 0.01; ///< of the grid's shortest spacing: how far a curved face may be from a
                            ///< triangle's side before that is broken in two; [0.001, 0.1]
+  std::size_t mostTriangles = 200'000'000; ///< 5 GB of a mesh; more are refused: before the work
+                                           ///< where twice as many are to be expected
 };
 
 /// What a contour was made of.
@@ -70,11 +72,12 @@ struct SharpContourFacts
 /// Returns world millimetres, points welded, triangles counter-clockwise seen from outside. Empty
 /// if nothing is inside.
 /// Throws std::invalid_argument on an invalid grid or setting, where floats come in steps above a
-/// thousandth of a cell, and for more than 2^32 - 1 points; std::runtime_error if the solid is
-/// steeper than it says, so that the surface was left open, and if a tetrahedron is turned over
-/// (not seen); Cancelled. Any thread; all cores, the same bits on any number of them. Lazy: the
-/// solid is asked once for each block of 8^3 cells, and more only near its surface. About 1.5 us a
-/// triangle of a simple solid, one core; memory is that of the mesh, and of 4,096 blocks.
+/// thousandth of a cell, for more than mostTriangles, and 2^32 - 1 points; std::runtime_error if
+/// the solid is steeper than it says, so that the surface was left open, and if a tetrahedron is
+/// turned over (not seen); Cancelled. Any thread; all cores, the same bits on any number of them.
+/// Lazy: the solid is asked once for each block of 8^3 cells, and more only near its surface.
+/// About 1.5 us a triangle of a simple solid, one core; memory is that of the mesh, and of 4,096
+/// blocks.
 TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
   const SharpContourSettings& settings = {}, SharpContourFacts* facts = nullptr,
   const ProgressFunction& progress = {});

@@ -55,12 +55,17 @@ inline glm::dvec3 RequireDirection(const char* shape, const char* what, const gl
 inline glm::dmat3 RequireOrthonormal(const char* shape, const glm::dmat3& axes)
 {
   for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b)
-      if (!(std::abs(glm::dot(axes[a], axes[b]) - (a == b)) <= 1e-4))
+    if (!(std::abs(glm::dot(axes[a], axes[a]) - 1.0) <= 1e-4))
+      throw std::invalid_argument(std::string(shape) + ": axis " + std::to_string(a) +
+                                  " has length " + SolidNumber(glm::length(axes[a])) +
+                                  "; it must be 1 within 5e-5");
+  for (int a = 0; a < 3; ++a)
+    for (int b = a + 1; b < 3; ++b)
+      if (!(std::abs(glm::dot(axes[a], axes[b])) <= 1e-4))
         throw std::invalid_argument(std::string(shape) + ": axes " + std::to_string(a) + " and " +
                                     std::to_string(b) + " have the dot product " +
                                     SolidNumber(glm::dot(axes[a], axes[b])) +
-                                    "; they must be unit and upright on each other within 1e-4");
+                                    "; they must be upright on each other within 1e-4");
   glm::dmat3 exact(axes);
   for (int a = 0; a < 3; ++a)
   {

@@ -73,8 +73,9 @@ const char* StrokesOf(char name, std::size_t place)
   for (const Letter& letter : Alphabet)
     if (letter.name == name)
       return letter.strokes;
-  throw std::invalid_argument("text: character " + std::to_string(place + 1) +
-                              " has no letter; A to Z, 0 to 9, space and . - / + : have one");
+  throw std::invalid_argument(
+    "text: character " + std::to_string(place + 1) +
+    " has no letter; capitals A to Z, 0 to 9, space and . - / + : have one");
 }
 
 /// The capsules of a line; of one point, a ball.

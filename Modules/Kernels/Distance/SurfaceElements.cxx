@@ -76,7 +76,8 @@ public:
     if (!sound)
       throw std::invalid_argument(this->IsCoverage
                                     ? "surface elements: coverage must be in [0, 1]"
-                                    : "surface elements: a value is NaN; say what it stands for");
+                                    : "surface elements: a value is NaN; replace it by a number, "
+                                      "such as the least of the image");
   }
 
   /// Numbers them.

@@ -7,10 +7,12 @@
 
 #include "vtkNew.h"
 
-#include <iostream>
+#include <cstdio>
 
 int main(int argc, char* argv[])
 {
+  if (argc != 3)
+    return std::fputs("MakePlate <label> <out.stl>\n", stderr), 1;
   vtkNew<vtkHaspSolidSource> body, left, right, label;
   const double a[3] = { -11, 0, 0 }, b[3] = { 11, 0, 0 }, up[3] = { 0, 0, 1 };
   body->SetToStadium(a, b, up, 4.0, 1.5);
@@ -19,9 +21,10 @@ int main(int argc, char* argv[])
   left->SetToCylinder(a0, a1, 1.0);
   right->SetToCylinder(b0, b1, 1.0);
   const double origin[3] = { -8, -1.5, 0.75 }, along[3] = { 1, 0, 0 }, upward[3] = { 0, 1, 0 };
-  if (argc != 3 || vtkHaspSolidSource::GetTextWidth(argv[1], 3.0) > 17.5 || // between the holes
-      !label->SetToText(argv[1], origin, along, upward, 3.0, 0.5))
-    return 1;
+  if (!label->SetToText(argv[1], origin, along, upward, 3.0, 0.5))
+    return 1; // what is wrong has been reported
+  if (vtkHaspSolidSource::GetTextWidth(argv[1], 3.0) > 17.5)
+    return std::fputs("MakePlate: the label does not fit between the holes, 17.5 mm\n", stderr), 1;
   vtkNew<vtkHaspCsg> plate; // the first less all others
   plate->SetOperationToDifference();
   for (vtkHaspSolidSource* part : { body.Get(), left.Get(), right.Get(), label.Get() })
@@ -32,8 +35,5 @@ int main(int argc, char* argv[])
   vtkNew<vtkHaspSurfaceWriter> writer;
   writer->SetInputConnection(surface->GetOutputPort());
   writer->SetFileName(argv[2]);
-  if (!writer->Write())
-    return 1;
-  std::cout << surface->GetNumberOfBlocksHeld() << " of " << surface->GetNumberOfBlocks()
-            << " blocks were looked at\n";
+  return writer->Write() ? 0 : 1;
 }

@@ -6,18 +6,20 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 
-#include <cstdlib>
+#include <cstdio>
 #include <iostream>
 
 int main(int argc, char* argv[])
 {
-  if (argc != 3)
-    return 1;
+  double isovalue = 0.0;
+  char rest = 0; // of what is no number
+  if (argc != 3 || std::sscanf(argv[2], "%lf%c", &isovalue, &rest) != 1)
+    return std::fputs("MeasureBone <volume file> <isovalue>\n", stderr), 1;
   vtkNew<vtkHaspVolumeReader> reader;
   reader->SetFileName(argv[1]);
   vtkNew<vtkHaspCoverage> coverage; // SetLabelArrayName, SetLabel: of one fragment
   coverage->SetInputConnection(reader->GetOutputPort());
-  coverage->SetIsoValue(std::atof(argv[2]));
+  coverage->SetIsoValue(isovalue);
   coverage->Update();
   vtkImageData* image = coverage->GetOutput();
   const vtkIdType voxels = image->GetNumberOfPoints();

@@ -1,31 +1,37 @@
 // OffsetBone <volume file> <isovalue> <mm> <out.stl>
-// The surface at this distance off the bone of a scan (negative: within it). Open where bone goes
-// on at the scan's end; vtkHaspCsg's Offset and vtkHaspSharpContour close it (CutBone).
-#include "vtkHaspCoverage.h"
+// The surface at this distance off the bone of a scan (negative: within it), by VTK's own contour.
+// vtkHaspCsg's Offset and vtkHaspSharpContour do the same with edges kept (CutBone).
 #include "vtkHaspSignedDistance.h"
 #include "vtkHaspSurfaceWriter.h"
 #include "vtkHaspVolumeReader.h"
 
 #include "vtkFlyingEdges3D.h"
 #include "vtkNew.h"
+#include "vtkReverseSense.h"
 
-#include <cstdlib>
+#include <algorithm>
+#include <cstdio>
 
 int main(int argc, char* argv[])
 {
-  if (argc != 5)
-    return 1;
+  double isovalue = 0.0, mm = 0.0;
+  char rest = 0; // of what is no number
+  if (argc != 5 || std::sscanf(argv[2], "%lf%c", &isovalue, &rest) != 1 ||
+      std::sscanf(argv[3], "%lf%c", &mm, &rest) != 1)
+    return std::fputs("OffsetBone <volume file> <isovalue> <mm> <out.stl>\n", stderr), 1;
   vtkNew<vtkHaspVolumeReader> reader;
   reader->SetFileName(argv[1]);
-  vtkNew<vtkHaspCoverage> coverage;
-  coverage->SetInputConnection(reader->GetOutputPort());
-  coverage->SetIsoValue(std::atof(argv[2]));
   vtkNew<vtkHaspSignedDistance> distance; // mm, negative inside: any VTK filter takes it
-  distance->SetInputConnection(coverage->GetOutputPort());
-  distance->SetInputKindToCoverage();
-  vtkNew<vtkFlyingEdges3D> surface;
-  surface->SetInputConnection(distance->GetOutputPort());
-  surface->SetValue(0, std::atof(argv[3]));
+  distance->SetInputConnection(reader->GetOutputPort());
+  distance->SetInputKindToGrey();
+  distance->SetIsoValue(isovalue);
+  distance->SetMargin(std::max(mm, 0.0)); // room beyond the scan; bone that goes on is closed there
+  vtkNew<vtkFlyingEdges3D> contour;       // takes high values as inside: its triangles look inwards
+  contour->SetInputConnection(distance->GetOutputPort());
+  contour->SetValue(0, mm);
+  contour->ComputeNormalsOff();
+  vtkNew<vtkReverseSense> surface;
+  surface->SetInputConnection(contour->GetOutputPort());
   vtkNew<vtkHaspSurfaceWriter> writer;
   writer->SetInputConnection(surface->GetOutputPort());
   writer->SetFileName(argv[4]);

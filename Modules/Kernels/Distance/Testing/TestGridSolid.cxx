@@ -1,7 +1,11 @@
 #include "Distance/GridSolid.h"
+#include "Testing/AnalyticCoverage.h"
 #include "Testing/SolidPromises.h"
 
+#include "Distance/ChamferDistance.h"
+#include "Distance/CoverageDistance.h"
 #include "Distance/Csg.h"
+#include "Distance/EuclideanDistance.h"
 #include "Distance/SolidShapes.h"
 #include "Grid/Trilinear.h"
 
@@ -57,6 +61,94 @@ TEST(GridSolid, RefusesWhatIsNoDistance)
   for (float& value : *grey)
     value *= -200;
   EXPECT_THROW(hasp::MakeGridSolid(grey, Grid), std::invalid_argument);
+}
+
+TEST(GridSolid, RefusesFieldsOfOtherSlopes)
+{
+  const auto said = [](double scale, const hasp::SolidPointer& solid = Ball)
+  {
+    auto values = Sampled(*solid, Grid);
+    for (float& value : *values)
+      value = float(value * scale);
+    try
+    {
+      hasp::MakeGridSolid(values, Grid);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said(0.7), "");
+  EXPECT_EQ(said(1.3), "");
+  EXPECT_NE(said(0.1).find("less than 0.5 mm a mm"), std::string::npos); // cm
+  EXPECT_NE(said(-0.25).find("signed distances"), std::string::npos);    // a scan, scaled
+  // Not above 3 anywhere: distances in voxels of 0.4 mm.
+  const hasp::SolidPointer plane = hasp::MakePlane({ 0, 0, 0 }, { 1, 2, 3 });
+  EXPECT_NE(said(1.0 / 0.4, plane).find("more than 2 mm a mm"), std::string::npos);
+}
+
+/// A wall, turned, a plate with an end, and a ball smaller than a cell.
+hasp::SolidPointer ThinParts(double mm)
+{
+  return hasp::MakeUnion(
+    { hasp::MakeIntersection({ hasp::MakeSlab({ 0.1, 0.2, 0.3 }, { 1, 2, 3 }, mm),
+        hasp::MakeBox({ 0, 0, 0 }, glm::dmat3(1), { 6, 6, 6 }) }),
+      hasp::MakeSlab({ 0, 0, 4.03 }, { 0, 0, 1 }, mm),
+      hasp::MakeCapsule({ -5.6, 5.1, -5 }, { -5.5, 5.1, -5 }, 0.5 * mm) });
+}
+
+TEST(GridSolid, TakesDistancesOfThinWallsBandsAndNoise)
+{
+  // Cells of 0.5 x 0.6 x 0.8 mm, and of 0.4 x 0.4 x 2.
+  for (const hasp::GridGeometry& grid : { Grid, Turned({ 41, 41, 9 }, { 0.4, 0.4, 2.0 }) })
+    for (const double mm : { 0.05, 0.2, 0.4, 0.8, 1.6, 3.0 })
+    {
+      const auto exact = Sampled(*ThinParts(mm), grid);
+      EXPECT_NO_THROW(hasp::MakeGridSolid(exact, grid)) << mm;
+      std::mt19937 random(3);
+      std::normal_distribution<float> any(0.0F, 0.08F); // 0.2 voxels
+      auto noisy = std::make_shared<std::vector<float>>(*exact);
+      auto band = std::make_shared<std::vector<float>>(*exact);
+      for (float& value : *noisy)
+        value += std::clamp(any(random), -0.16F, 0.16F);
+      for (float& value : *band)
+        value = std::clamp(value, -0.8F, 0.8F); // two voxels of 0.4 mm
+      EXPECT_NO_THROW(hasp::MakeGridSolid(noisy, grid)) << mm;
+      EXPECT_NO_THROW(hasp::MakeGridSolid(band, grid)) << mm;
+    }
+}
+
+TEST(GridSolid, TakesWhatAllTransformsMake)
+{
+  const hasp::GridGeometry grid{ { 33, 33, 17 }, { -6.4, -6.4, -6.4 }, { 0.4, 0.4, 0.8 },
+    glm::dmat3(1) };
+  for (const double mm : { 0.5, 0.8, 1.6 }) // thinner is no coverage
+  {
+    const hasp::SolidPointer parts = ThinParts(mm);
+    const hasp::AnalyticVolume volume{ "", [&](const glm::dvec3& p) { return -parts->At(p); }, 1 };
+    const std::vector<float> coverage = hasp::AnalyticCoverage(volume, grid);
+    const std::vector<float> grey = hasp::SampleAnalytic<float>(volume, grid, 1000.0, 226.0);
+    std::vector<std::uint8_t> mask;
+    for (const float share : coverage)
+      mask.push_back(share >= 0.5F);
+    const auto taken = [&](std::vector<float> distance, const char* how)
+    {
+      if (std::isfinite(distance[0])) // else nothing is inside
+      {
+        EXPECT_NO_THROW(hasp::MakeGridSolid(
+          std::make_shared<const std::vector<float>>(std::move(distance)), grid))
+          << how << " " << mm;
+      }
+    };
+    taken(hasp::CoverageDistance(grid, coverage), "coverage");
+    taken(hasp::CoverageDistanceBand(grid, coverage), "band");
+    taken(hasp::ChamferDistance(grid, coverage), "chamfer");
+    taken(hasp::CoverageDistance(grid, std::vector<float>(mask.begin(), mask.end())), "mask");
+    taken(hasp::SignedEuclideanDistance(grid, mask), "Euclidean");
+    taken(hasp::GreyDistance(hasp::GridView<const float>{ grey.data(), grid }, 226.0), "grey");
+  }
 }
 
 TEST(GridSolid, KeepsThePromisesOfASolid)
@@ -146,6 +238,51 @@ TEST(GridSolid, WhatReachesTheBorderIsCutOffThere)
     hasp::MakeGridSolid(std::make_shared<std::vector<float>>(Grid.Size(), 3.0F), Grid);
   for (const glm::dvec3& x : hasp::RandomPlaces(500, 20))
     ASSERT_GT(nothing->At(x), 0.0);
+}
+
+TEST(GridSolid, BeyondTheBorderItIsABoundOfTheDistance)
+{
+  // A ball that ends 0.8 mm before the border: the nearest place of the grid is c, and a solid in a
+  // convex box is no nearer than by Pythagoras' theorem.
+  const hasp::GridGeometry grid = Turned({ 25, 25, 25 }, glm::dvec3(0.5));
+  const auto ball = hasp::MakeCapsule({}, {}, 5.2);
+  const auto solid = hasp::MakeGridSolid(Sampled(*ball, grid), grid);
+  const auto box = hasp::MakeBox({}, grid.direction, 0.5 * glm::dvec3(grid.Cells()) * grid.spacing);
+  constexpr double Trilinear = 0.02; // h^2 / (8 R) a direction
+  int outside = 0;
+  for (const glm::dvec3& x : hasp::RandomPlaces(4000, 14))
+    if (const auto beyond = box->SampleAt(x); beyond.value > 0.0)
+    {
+      ++outside;
+      const double there = ball->At(x - beyond.value * beyond.gradient);
+      ASSERT_NEAR(solid->At(x), std::hypot(there, beyond.value), Trilinear);
+      ASSERT_LT(solid->At(x), ball->At(x) + Trilinear);
+      // No distance is above there + beyond, and that no more than sqrt(2) times their hypotenuse.
+      ASSERT_GT(solid->At(x), (ball->At(x) - Trilinear) * std::sqrt(0.5) - Trilinear);
+    }
+  EXPECT_GT(outside, 2000);
+  hasp::ExpectSamplesAgree(*solid, hasp::RandomPlaces(3000, 14));
+  hasp::ExpectNoSteeperThanPromised(*solid, hasp::RandomPlaces(3000, 14));
+}
+
+TEST(GridSolid, KeepsItsPromisesWhereItIsCutOff)
+{
+  // Cut by the border on one side, near to it on the other.
+  const auto ball = hasp::MakeCapsule({ 4, 0, 0 }, { 4, 0, 0 }, 5.2);
+  const auto solid = hasp::MakeGridSolid(Sampled(*ball, Grid), Grid);
+  const auto places = hasp::RandomPlaces(4000, 14);
+  hasp::ExpectSamplesAgree(*solid, places);
+  hasp::ExpectNoSteeperThanPromised(*solid, places);
+  std::vector<glm::dvec3> smooth; // off the faces of cells, and where the ball meets the border
+  for (const glm::dvec3& x : places)
+  {
+    const glm::dvec3 index = Grid.WorldToIndex(x), from = glm::abs(index - glm::round(index));
+    const glm::dvec3 nearest =
+      Grid.IndexToWorld(glm::clamp(index, glm::dvec3(0), glm::dvec3(Grid.Cells())));
+    if (std::min({ from.x, from.y, from.z }) > 1e-3 && std::abs(ball->At(nearest)) > 0.1)
+      smooth.push_back(x);
+  }
+  hasp::ExpectGradientsOfFaces(*solid, smooth, { 0 });
 }
 
 TEST(GridSolid, JoinsShapesInATree)

@@ -1,3 +1,4 @@
+#include "Distance/ContourSize.h"
 #include "Distance/NearSurface.h"
 #include "Distance/SharpContour.h"
 #include "Distance/SolidSweeps.h"
@@ -420,6 +421,45 @@ TEST(SharpContour, EachOfItsBlocksEndsWhereTheNextBegins)
   ASSERT_TRUE(one.Sound() && other.Sound());
   EXPECT_NEAR(one.volumeMm3 / other.volumeMm3, 1.0, 1e-3);
   EXPECT_EQ(one.pieces, other.pieces);
+}
+
+TEST(SharpContour, HowManyTrianglesIsKnownBefore)
+{
+  const auto ball = hasp::MakeCapsule({}, {}, 10.0);
+  const auto box = hasp::MakeBox({}, glm::dmat3(1), { 9.0, 4.0, 2.0 });
+  const auto wall = hasp::MakeIntersection({ hasp::MakeSlab({}, { 1, 2, 3 }, 1.0), ball });
+  for (const hasp::SolidPointer& solid : { ball, box, wall })
+    for (const double spacing : { 0.8, 0.4 })
+    {
+      const int cells = int(24.0 / spacing);
+      const hasp::GridGeometry grid{ glm::ivec3(cells + 1), glm::dvec3(-12), glm::dvec3(spacing),
+        glm::dmat3(1) };
+      const double told = hasp::EstimateTriangles(hasp::BoundedSolid(*solid, grid), grid);
+      const double made = double(hasp::SharpContour(*solid, grid).triangles.size());
+      EXPECT_LT(told, 2.0 * made) << spacing;
+      EXPECT_GT(told, 0.5 * made) << spacing;
+    }
+}
+
+TEST(SharpContour, MoreTrianglesThanAskedForAreRefused)
+{
+  // A cube of 10 mm at 0.0005 mm would have 3e10 triangles, and take days.
+  const auto box = hasp::MakeBox({}, glm::dmat3(1), { 5, 5, 5 });
+  const hasp::GridGeometry fine{ glm::ivec3(20801), glm::dvec3(-5.2), glm::dvec3(0.0005),
+    glm::dmat3(1) };
+  EXPECT_THROW(hasp::SharpContour(*box, fine), std::invalid_argument);
+  // Where no estimate is made: while it grows.
+  const hasp::GridGeometry coarse{ glm::ivec3(27), glm::dvec3(-6.5), glm::dvec3(0.5),
+    glm::dmat3(1) };
+  const std::size_t triangles = hasp::SharpContour(*box, coarse).triangles.size();
+  hasp::SharpContourSettings settings;
+  settings.mostTriangles = triangles;
+  EXPECT_EQ(hasp::SharpContour(*box, coarse, settings).triangles.size(), triangles);
+  for (const std::size_t least : { triangles - 1, triangles / 4 })
+  {
+    settings.mostTriangles = least;
+    EXPECT_THROW(hasp::SharpContour(*box, coarse, settings), std::invalid_argument);
+  }
 }
 
 } // namespace

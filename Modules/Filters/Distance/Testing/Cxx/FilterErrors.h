@@ -8,7 +8,8 @@
 #include <string>
 
 /// What an algorithm and its executive say while `work` runs, in place of printing it.
-inline std::string ErrorsOf(vtkAlgorithm* of, const std::function<void()>& work)
+inline std::string ErrorsOf(
+  vtkAlgorithm* of, const std::function<void()>& work, unsigned long event = vtkCommand::ErrorEvent)
 {
   std::string said;
   vtkNew<vtkCallbackCommand> listen;
@@ -17,7 +18,7 @@ inline std::string ErrorsOf(vtkAlgorithm* of, const std::function<void()>& work)
     { *static_cast<std::string*>(all) += static_cast<const char*>(text); });
   for (vtkObject* object :
     { static_cast<vtkObject*>(of), static_cast<vtkObject*>(of->GetExecutive()) })
-    object->AddObserver(vtkCommand::ErrorEvent, listen);
+    object->AddObserver(event, listen);
   work();
   for (vtkObject* object :
     { static_cast<vtkObject*>(of), static_cast<vtkObject*>(of->GetExecutive()) })
@@ -28,6 +29,12 @@ inline std::string ErrorsOf(vtkAlgorithm* of, const std::function<void()>& work)
 inline std::string ErrorsOfUpdate(vtkAlgorithm* of)
 {
   return ErrorsOf(of, [of] { of->Update(); });
+}
+
+inline std::string WarningsOfUpdate(vtkAlgorithm* of)
+{
+  return ErrorsOf(
+    of, [of] { of->Update(); }, vtkCommand::WarningEvent);
 }
 
 /// Ends an algorithm at its first word of progress.

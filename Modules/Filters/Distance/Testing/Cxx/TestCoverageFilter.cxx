@@ -177,12 +177,11 @@ TEST(CoverageFilter, ASliceIsNoVolume)
 TEST(CoverageFilter, TooLittleMemoryIsSaid)
 {
   vtkNew<vtkHaspCoverage> filter;
-  const std::string said = ErrorsOf(filter,
-    [&]
-    {
-      EXPECT_EQ(
-        hasp::RunFilter(filter, [](const hasp::ProgressFunction&) { throw std::bad_alloc(); }), 0);
-    });
+  unsigned long code = 0;
+  const auto work = [](const hasp::ProgressFunction&) { throw std::bad_alloc(); };
+  const std::string said =
+    ErrorsOf(filter, [&] { EXPECT_EQ(hasp::RunFilter(filter, code, work), 0); });
+  EXPECT_NE(code, 0UL);
   EXPECT_NE(said.find("coarser grid"), std::string::npos) << said;
 }
 
@@ -197,6 +196,20 @@ TEST(CoverageFilter, WrongNumbersAndAnAbortGiveNothing)
   const AbortAtOnce abort(filter);
   EXPECT_EQ(ErrorsOfUpdate(filter), "");
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(CoverageFilter, AMeshThatLeavesItsGridIsWarnedOf)
+{
+  const hasp::GridGeometry grid{ glm::ivec3(21), glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(5.0);
+  vtkNew<vtkHaspCoverage> coverage;
+  coverage->SetInputConnection(ball->GetOutputPort());
+  coverage->SetGridData(hasp::MakeImage(grid, std::vector<float>(grid.Size())));
+  ball->SetCenter(10, 10, 10);
+  EXPECT_EQ(WarningsOfUpdate(coverage), "");
+  ball->SetCenter(10, 10, 17.5); // to 22.5 mm, voxels to 20.5
+  EXPECT_NE(WarningsOfUpdate(coverage).find("reaches 2 mm beyond its grid"), std::string::npos);
 }
 
 } // namespace

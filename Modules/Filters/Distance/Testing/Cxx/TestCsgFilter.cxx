@@ -2,6 +2,7 @@
 
 #include "FilterErrors.h"
 #include "Grid/AnalyticVolumes.h"
+#include "vtkHaspSignedDistance.h"
 #include "vtkHaspSolid.h"
 #include "vtkHaspSolidSource.h"
 #include "vtkHaspVolumeView.h"
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -123,6 +125,86 @@ TEST(CsgFilter, AnImageOfDistancesIsAPartAndReadOnce)
   EXPECT_NEAR(at(5, 2), std::sqrt(29.0) - 3.0, 0.02);
 }
 
+TEST(CsgFilter, AnOffsetBeyondTheBorderIsWarnedOf)
+{
+  vtkNew<vtkHaspCsg> offset; // of a ball that ends 2 mm before the border
+  offset->AddInputData(BallImage());
+  offset->SetOperationToOffset();
+  offset->SetDistance(1.9);
+  EXPECT_EQ(WarningsOfUpdate(offset), "");
+  offset->SetDistance(2.5);
+  const std::string said = WarningsOfUpdate(offset);
+  EXPECT_NE(said.find("input 0 reaches to 2 mm from the border"), std::string::npos) << said;
+  EXPECT_NE(said.find("2.5 mm"), std::string::npos) << said;
+  EXPECT_NE(said.find("SetMargin(2.5)"), std::string::npos) << said;
+  EXPECT_NE(offset->GetOutput()->GetSolid(), nullptr);
+  offset->SetOperationToShell();
+  offset->SetRange(-1.0, 2.5);
+  EXPECT_NE(WarningsOfUpdate(offset).find("2.5 mm"), std::string::npos) << "also what is known";
+  offset->SetRange(-1.0, 1.0);
+  EXPECT_EQ(WarningsOfUpdate(offset), "");
+  offset->SetOperationToUnion();
+  EXPECT_EQ(WarningsOfUpdate(offset), "");
+}
+
+TEST(CsgFilter, AMarginKeepsOffsetsRound)
+{
+  const hasp::GridGeometry scan{ glm::ivec3(21), glm::dvec3(0), glm::dvec3(1), glm::dmat3(1) };
+  const hasp::AnalyticVolume ball = hasp::AnalyticSphere(glm::dvec3(10), 8.0);
+  vtkNew<vtkHaspSignedDistance> bone;
+  bone->SetInputData(hasp::MakeImage(scan, hasp::SampleAnalytic<float>(ball, scan, 80.0, 226.0)));
+  bone->SetInputKindToGrey();
+  bone->SetMargin(4.0);
+  vtkNew<vtkHaspCsg> offset;
+  offset->AddInputConnection(bone->GetOutputPort());
+  offset->SetOperationToOffset();
+  offset->SetDistance(4.0);
+  EXPECT_EQ(WarningsOfUpdate(offset), "");
+  for (int n = 0; n < 200; ++n)
+  {
+    const glm::dvec3 out =
+      glm::normalize(glm::dvec3(std::sin(n * 1.1), std::cos(n * 2.3), std::sin(n * 0.7 + 1.0)));
+    const glm::dvec3 place = glm::dvec3(10) + 12.0 * out; // far from its surface: 0.2 voxels
+    EXPECT_NEAR(offset->GetOutput()->EvaluateDistance(&place.x), 0.0, 0.2);
+  }
+}
+
+TEST(CsgFilter, AnOffsetAsFarAsNoSampleIsRefused)
+{
+  const auto image = BallImage();
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+    values[v] = std::clamp(values[v], -1.5F, 1.5F); // a narrow band
+  vtkNew<vtkHaspCsg> offset;
+  offset->AddInputData(image);
+  offset->SetOperationToOffset();
+  const auto refused = [&](double mm, const char* where)
+  {
+    offset->SetDistance(mm);
+    const std::string said = ErrorsOfUpdate(offset);
+    EXPECT_NE(said.find(where), std::string::npos) << said;
+    EXPECT_NE(said.find("-1.5 to 1.5 mm"), std::string::npos) << said;
+    EXPECT_NE(said.find("NarrowBand"), std::string::npos) << said;
+    EXPECT_EQ(offset->GetOutput()->GetSolid(), nullptr);
+  };
+  refused(1.5, "1.5 mm outside");
+  refused(3.0, "3 mm outside");
+  refused(-1.5, "1.5 mm inside");
+  refused(-5.0, "5 mm inside");
+  for (const double known : { -1.4, 0.0, 1.4 })
+  {
+    offset->SetDistance(known);
+    EXPECT_EQ(ErrorsOfUpdate(offset), "") << known;
+  }
+  offset->SetOperationToShell();
+  offset->SetRange(0.0, 2.0);
+  EXPECT_NE(ErrorsOfUpdate(offset), "");
+  offset->SetRange(-2.0, 1.0);
+  EXPECT_NE(ErrorsOfUpdate(offset), "");
+  offset->SetRange(-1.0, 1.0);
+  EXPECT_EQ(ErrorsOfUpdate(offset), "");
+}
+
 TEST(CsgFilter, SaysWhichInputIsWrongAndWhatToDo)
 {
   TwoBalls balls;
@@ -150,6 +232,19 @@ TEST(CsgFilter, SaysWhichInputIsWrongAndWhatToDo)
     csg->AddInputData(hasp::MakeImage(grid, std::vector<float>(64, all)));
     EXPECT_NE(ErrorsOfUpdate(csg).find(all > 0 ? "nothing is inside" : "everything is inside"),
       std::string::npos);
+  }
+  // Coverage, and a scan that somebody scaled: bright is inside.
+  for (const bool isCoverage : { true, false })
+  {
+    auto image = BallImage();
+    auto* values = static_cast<float*>(image->GetScalarPointer());
+    for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+      values[v] = isCoverage ? std::clamp(0.5F - 2.0F * values[v], 0.0F, 1.0F)
+                             : std::clamp(-0.25F * values[v], -0.5F, 0.5F);
+    csg->RemoveAllInputs();
+    csg->AddInputData(image);
+    EXPECT_NE(ErrorsOfUpdate(csg).find("vtkHaspSignedDistance"), std::string::npos) << isCoverage;
+    EXPECT_EQ(csg->GetOutput()->GetSolid(), nullptr);
   }
   csg->RemoveAllInputs();
   vtkNew<vtkPolyData> mesh;

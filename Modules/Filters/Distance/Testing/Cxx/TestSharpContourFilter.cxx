@@ -120,9 +120,31 @@ TEST(SharpContourFilter, NothingIsAnEmptyMesh)
   for (const int method : { vtkHaspSharpContour::SharpContour, vtkHaspSharpContour::FlyingEdges })
   {
     contour->SetMethod(method);
-    EXPECT_EQ(ErrorsOfUpdate(contour), "");
+    EXPECT_NE(WarningsOfUpdate(contour).find("the surface is empty"), std::string::npos);
     EXPECT_EQ(contour->GetOutput()->GetNumberOfPoints(), 0);
   }
+  contour->SetInputConnection(ball->GetOutputPort());
+  contour->SetBounds(5, 6, 5, 6, 5, 6);
+  EXPECT_NE(WarningsOfUpdate(contour).find("inside the bounds"), std::string::npos);
+  contour->SetBounds(1, -1, 1, -1, 1, -1);
+  EXPECT_EQ(WarningsOfUpdate(contour), "");
+}
+
+TEST(SharpContourFilter, ATinySpacingIsRefusedBeforeTheWork)
+{
+  SlottedBox part;
+  part.contour->SetSpacing(0.0005);
+  const std::string said = ErrorsOfUpdate(part.contour);
+  EXPECT_NE(said.find("triangles"), std::string::npos) << said;
+  EXPECT_EQ(part.contour->GetOutput()->GetNumberOfPoints(), 0);
+  part.contour->SetSpacing(0.2);
+  const auto triangles = vtkIdType(part.Check().triangles);
+  part.contour->SetMaximumNumberOfTriangles(triangles / 3);
+  EXPECT_NE(ErrorsOfUpdate(part.contour).find("triangles"), std::string::npos);
+  part.contour->SetMaximumNumberOfTriangles(triangles - 1); // the estimate may let it pass
+  EXPECT_NE(ErrorsOfUpdate(part.contour).find("triangles"), std::string::npos);
+  part.contour->SetMaximumNumberOfTriangles(3 * triangles);
+  EXPECT_EQ(ErrorsOfUpdate(part.contour), "");
 }
 
 TEST(SharpContourFilter, WrongNumbersAreSaidBeforeMemoryIsTaken)

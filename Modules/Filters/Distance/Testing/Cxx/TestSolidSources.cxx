@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <limits>
 
 namespace
@@ -37,6 +38,26 @@ std::array<double, 6> BoundsOf(vtkHaspSolidAlgorithm* of)
 }
 
 const Place O{ 0, 0, 0 }, X{ 1, 0, 0 }, Y{ 0, 1, 0 }, Z{ 0, 0, 1 };
+
+TEST(SolidSource, MistakesAreNamedAsTheyAre)
+{
+  vtkNew<vtkHaspSolidSource> source;
+  const auto said = [&](const std::function<void()>& set) { return ErrorsOf(source, set); };
+  const Place half{ 1, 1, 1 };
+  const double longAxis[9] = { 2, 0, 0, 0, 1, 0, 0, 0, 1 };
+  EXPECT_NE(
+    said([&] { source->SetToBox(O.data(), half.data(), longAxis); }).find("axis 0 has length 2"),
+    std::string::npos);
+  const double skew[9] = { 1, 0.6, 0, 0, 0.8, 0, 0, 0, 1 };
+  EXPECT_NE(said([&] { source->SetToBox(O.data(), half.data(), skew); })
+              .find("axes 0 and 1 have the dot product 0.6"),
+    std::string::npos);
+  EXPECT_NE(said([&] { source->SetToText("Ab", O.data(), X.data(), Y.data(), 3.0, 0.5); })
+              .find("character 2 has no letter; capitals"),
+    std::string::npos);
+  ErrorsOfUpdate(source);
+  EXPECT_NE(source->GetErrorCode(), 0UL) << "there is no shape";
+}
 
 TEST(SolidSource, EachShapeIsWhereItIsSaid)
 {
