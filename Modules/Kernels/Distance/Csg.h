@@ -41,6 +41,11 @@ SolidPointer MakeOffset(SolidPointer part, double mm);
 /// n faces of the part, n outer ones, then n inner ones.
 SolidPointer MakeShell(SolidPointer part, double fromMm, double toMm);
 
+/// An intersection whose edges are cut off, where upright bevelMm along either surface:
+/// max(a, b, (a + b + bevelMm) / 2). Faces: those of a (n), of b (m), then n m bevels, m
+/// consecutive ones for a face of a. Films stay.
+SolidPointer MakeBevelledIntersection(SolidPointer a, SolidPointer b, double bevelMm);
+
 /// A union with its creases filled by a fillet, polynomial, within radiusMm of both surfaces:
 /// min(a, b) - h^2 r / 4 with h = max(0, 1 - |a - b| / r). It adds at most r / 4. Faces: those of a
 /// (n), of b (m), then n m fillets, one for each pair, m consecutive ones for a face of a.

@@ -4,6 +4,8 @@
 #include "Distance/ImplicitShapes.h"
 #include "SolidChecks.h"
 
+#include <glm/trigonometric.hpp>
+
 #include <array>
 
 namespace hasp
@@ -258,6 +260,55 @@ private:
   glm::dvec3 A, B;
   double Radius;
 };
+
+class Cone : public ImplicitSolid
+{
+public:
+  Cone(const glm::dvec3& tip, const glm::dvec3& direction, double halfAngle)
+    : Tip(tip),
+      Direction(direction),
+      Sine(std::sin(halfAngle)),
+      Cosine(std::cos(halfAngle))
+  {
+  }
+  double At(const glm::dvec3& x) const noexcept override
+  {
+    const glm::dvec3 v = x - this->Tip;
+    const double height = glm::dot(v, this->Direction);
+    const double away = glm::length(v - height * this->Direction);
+    return this->IsBeforeTip(height, away) ? glm::length(v)
+                                           : away * this->Cosine - height * this->Sine;
+  }
+  Sample SampleAt(const glm::dvec3& x) const noexcept override
+  {
+    const glm::dvec3 v = x - this->Tip;
+    const double height = glm::dot(v, this->Direction);
+    const double away = glm::length(v - height * this->Direction);
+    return this->FaceAt(this->IsBeforeTip(height, away) && glm::length(v) > SolidTieMm ? 1 : 0, x);
+  }
+  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
+  {
+    const glm::dvec3 v = x - this->Tip;
+    if (face == 1)
+      return { glm::length(v), Along(v, glm::length(v)), face };
+    const double height = glm::dot(v, this->Direction);
+    const glm::dvec3 across = v - height * this->Direction;
+    const double away = glm::length(across);
+    return { away * this->Cosine - height * this->Sine,
+      this->Cosine * Along(across, away) - this->Sine * this->Direction, face };
+  }
+  std::uint32_t Faces() const noexcept override { return 2; }
+  Box Bounds() const noexcept override { return HalfSpaceBounds(this->Tip, -this->Direction, 0.0); }
+
+private:
+  bool IsBeforeTip(double height, double away) const noexcept
+  {
+    return height * this->Cosine + away * this->Sine < 0.0;
+  }
+
+  glm::dvec3 Tip, Direction;
+  double Sine, Cosine;
+};
 } // namespace
 
 SolidPointer MakePlane(const glm::dvec3& point, const glm::dvec3& normal)
@@ -325,6 +376,16 @@ SolidPointer MakeCapsule(const glm::dvec3& a, const glm::dvec3& b, double radius
   RequireFinite("capsule", "end", b);
   RequirePositive("capsule", "radius", radiusMm);
   return std::make_shared<Capsule>(a, b, radiusMm);
+}
+
+SolidPointer MakeCone(const glm::dvec3& tip, const glm::dvec3& direction, double angleDeg)
+{
+  RequireFinite("cone", "tip", tip);
+  if (!(angleDeg >= 1.0 && angleDeg <= 179.0))
+    throw std::invalid_argument(
+      "cone: the angle is " + SolidNumber(angleDeg) + " degrees; it must be in [1, 179]");
+  return std::make_shared<Cone>(
+    tip, RequireDirection("cone", "direction", direction), glm::radians(0.5 * angleDeg));
 }
 
 } // namespace hasp

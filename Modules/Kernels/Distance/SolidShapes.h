@@ -38,4 +38,8 @@ SolidPointer MakeStadium(const glm::dvec3& a, const glm::dvec3& b, const glm::dv
 /// All within radiusMm of a segment; a ball if both ends are the same. One face.
 SolidPointer MakeCapsule(const glm::dvec3& a, const glm::dvec3& b, double radiusMm);
 
+/// All that is seen from the tip within angleDeg / 2 of a direction; without an end. angleDeg in
+/// [1, 179]. Faces: the side, the tip.
+SolidPointer MakeCone(const glm::dvec3& tip, const glm::dvec3& direction, double angleDeg);
+
 } // namespace hasp

@@ -29,7 +29,8 @@ std::vector<Named> AllShapes()
     { "rounded box", hasp::MakeRoundedBox(c, Turned, { 2, 3, 1 }, 0.4) },
     { "cylinder", hasp::MakeCylinder(c, c + Tilted, 1.5) },
     { "stadium", hasp::MakeStadium(c, c + glm::dvec3(3, 1, 0), Tilted, 1.2, 0.8) },
-    { "capsule", hasp::MakeCapsule(c, c + Tilted, 1.5) },
+    { "capsule", hasp::MakeCapsule(c, c + Tilted, 1.5) }, { "cone", hasp::MakeCone(c, Tilted, 70) },
+    { "flat cone", hasp::MakeCone(c, { 0, 0, -1 }, 150) },
     { "ball", hasp::MakeCapsule(c, c, 1.5) } };
 }
 
@@ -52,6 +53,10 @@ TEST(SolidShapes, RefuseWhatIsNoShape)
   EXPECT_THROW(hasp::MakeStadium({}, {}, Tilted, 1, 0), std::invalid_argument);
   EXPECT_THROW(hasp::MakeCapsule({}, { 0, nan, 0 }, 1), std::invalid_argument);
   EXPECT_THROW(hasp::MakeCapsule({}, {}, 0), std::invalid_argument);
+  EXPECT_THROW(hasp::MakeCone({ nan, 0, 0 }, Tilted, 90), std::invalid_argument);
+  EXPECT_THROW(hasp::MakeCone({}, {}, 90), std::invalid_argument);
+  EXPECT_THROW(hasp::MakeCone({}, Tilted, 0.9), std::invalid_argument);
+  EXPECT_THROW(hasp::MakeCone({}, Tilted, 180), std::invalid_argument);
 }
 
 TEST(SolidShapes, KeepThePromisesOfASolid)
@@ -166,6 +171,11 @@ TEST(SolidShapes, AgreeWithClosedFormsAtChosenPlaces)
   EXPECT_DOUBLE_EQ(stadium->At({ 6, 4, 5 }), std::hypot(4, 4));
   EXPECT_DOUBLE_EQ(stadium->At({ 2, 0, -0.75 }), -0.25);
   EXPECT_DOUBLE_EQ(hasp::MakeCapsule({ 0, 0, 0 }, { 9, 0, 0 }, 1)->At({ -3, 4, 0 }), 4);
+  const auto cone = hasp::MakeCone({ 0, 0, 1 }, { 0, 0, 2 }, 90);
+  EXPECT_NEAR(cone->At({ 3, 4, 1 }), 5 * std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(cone->At({ 0, 0, 4 }), -3 * std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(cone->At({ 0, 2, 3 }), 0, 1e-12);
+  EXPECT_DOUBLE_EQ(cone->At({ 0, 3, -3 }), 5); // the tip is nearest
 }
 
 TEST(SolidShapes, OnEachSurfaceOnlyItsOwnFacesAreNamed)

@@ -1,0 +1,84 @@
+#include "HaspProcess.h"
+
+#include "Grid/Phantom.h"
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+namespace
+{
+
+using nlohmann::json;
+
+class HaspPlate : public HaspTest
+{
+protected:
+  /// Over the phantom's left frontal bone.
+  static json Recipe()
+  {
+    const hasp::PhantomSettings settings;
+    json landmarks = json::array();
+    for (const double left : { 0.25, 0.40, 0.55 })
+    {
+      const glm::dvec3 p = hasp::PhantomOuterTable(settings, glm::dvec3(left, -1.0, 0.6));
+      landmarks.push_back({ p.x, p.y, p.z });
+    }
+    const json screw{ { "point", landmarks[1] }, { "diameterMm", 2.4 }, { "headDiameterMm", 4 },
+      { "headDepthMm", 0.3 }, { "headAngleDeg", 90 }, { "lengthMm", 5 } };
+    return { { "format", "hasp-plate-recipe-1" }, { "isovalue", 226 }, { "ignoreBelowMm3", 100 },
+      { "landmarks", landmarks }, { "gapMm", 0.3 }, { "thicknessMm", 2.5 }, { "widthMm", 7 },
+      { "bevelMm", 0.75 }, { "bridgeMm", 0 }, { "edgeDistanceMm", 1 }, { "holeDistanceMm", 1 },
+      { "spacingMm", 0.7 }, { "screws", { screw } }, { "fragments", json::array() } };
+  }
+  HaspRun Plate(const json& recipe, const std::vector<std::string>& more = {})
+  {
+    this->WriteText("plate.json", recipe.dump());
+    std::vector<std::string> words{ "plate", this->Path("head.mha"), "--recipe",
+      this->Path("plate.json"), "--output", this->Path("plate.stl") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+  void Head()
+  {
+    ASSERT_EQ(
+      RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
+  }
+};
+
+TEST_F(HaspPlate, BadRecipesAreTwoAndLeaveNothing)
+{
+  this->Head();
+  ExpectFailure(RunHasp({ "plate", this->Path("head.mha"), "--recipe", this->Path("no.json"),
+                  "--output", this->Path("plate.stl") }),
+    2, "the .json file: no such file");
+  json recipe = Recipe();
+  recipe["widthMm"] = -7;
+  ExpectFailure(this->Plate(recipe), 2, "widthMm is -7");
+  recipe = Recipe();
+  recipe["landmarks"][0] = { 0, 0, 0 };
+  ExpectFailure(this->Plate(recipe), 2, "landmarks[0] is");
+  recipe = Recipe();
+  recipe["edgeDistanceMm"] = 2;
+  ExpectFailure(this->Plate(recipe), 2, "screws[0] is 1.5 mm from the plate's edge, must be 2");
+  ExpectFailure(this->Plate(Recipe(), { "--labels", this->Path("no.mha") }), 2, "no such file");
+  EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "plate.json" }));
+}
+
+TEST_F(HaspPlate, WritesAPlateAndSaysWhereItsScrewsAre)
+{
+  this->Head();
+  const HaspRun run = this->Plate(Recipe(), { "--json" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json document = json::parse(run.out);
+  ASSERT_EQ(document.at("screws").size(), 1U);
+  const json recipe = Recipe();
+  for (int a = 0; a < 3; ++a)
+    EXPECT_NEAR(document.at("screws")[0].at("outer_mm")[a].get<double>(),
+      recipe["landmarks"][1][a].get<double>(), 4.0);
+  EXPECT_GT(ReadBytes(this->Path("plate.stl")).size(), 84U + 50U * 1000U);
+  const std::string first = ReadBytes(this->Path("plate.stl"));
+  ASSERT_EQ(this->Plate(Recipe()).exitCode, 0);
+  EXPECT_EQ(ReadBytes(this->Path("plate.stl")), first);
+}
+
+} // namespace
