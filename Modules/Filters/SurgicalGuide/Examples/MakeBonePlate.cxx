@@ -1,4 +1,4 @@
-// MakePlate <DICOM folder, .inv3, .mha or .vti> <recipe.json> <plate.stl>
+// MakeBonePlate <DICOM folder, .inv3, .mha or .vti> <recipe.json> <plate.stl>
 // Makes a bone plate with countersunk screw holes along landmarks. The recipe's keys:
 // Planning/PlateRecipeFile.h.
 #include "vtkHaspPlateFilter.h"
