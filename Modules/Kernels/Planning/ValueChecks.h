@@ -22,6 +22,8 @@ public:
   void Point(const std::string& key, const glm::dvec3& point) const;
   /// Length 1 within 1e-3.
   void Unit(const std::string& key, const glm::dvec3& direction) const;
+  /// UTF-8, at most 200 bytes, no control characters. The message does not quote the text.
+  void Text(const std::string& key, const std::string& text) const;
 
   /// "SUBJECT: KEY is VALUE, must be MUST", and "SUBJECT: KEY MUST".
   [[noreturn]] void Refuse(const std::string& key, double value, const std::string& must) const;
