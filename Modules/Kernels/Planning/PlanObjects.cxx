@@ -20,27 +20,22 @@ bool IsAny(const Plan& plan, PlanId id)
 
 PlanReference ToVolume(const char* key, PlanId id)
 {
-  return { key, id, IsAny<PlanVolume>, "a volume of the plan" };
+  return { id, IsAny<PlanVolume>, "the id of a volume of the plan", key };
 }
 
-PlanReference ToFragment(const std::string& key, PlanId id)
+PlanReference ToFragment(
+  PlanId id, const char* key, std::size_t entry = PlanReference::NoEntry, const char* member = "")
 {
-  return { key, id, IsAny<PlanFragment>, "a fragment of the plan" };
+  return { id, IsAny<PlanFragment>, "the id of a fragment of the plan", key, entry, member };
 }
 
 std::vector<PlanReference> ToFragments(const std::vector<PlanId>& fragments)
 {
   std::vector<PlanReference> references;
+  references.reserve(fragments.size());
   for (std::size_t n = 0; n < fragments.size(); ++n)
-    references.push_back(ToFragment(ListKey("fragments", n), fragments[n]));
+    references.push_back(ToFragment(fragments[n], "fragments", n));
   return references;
-}
-
-void CheckHash(const ValueChecks& check, const char* key, const std::string& hash)
-{
-  const bool isHash = hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == hash.npos;
-  if (!isHash)
-    check.Refuse(key, "must be 64 hexadecimal digits in lower case, a SHA-256");
 }
 
 void CheckIds(const ValueChecks& check, const char* list, const std::vector<PlanId>& ids)
@@ -77,8 +72,8 @@ struct SourceReferences
 {
   std::vector<PlanReference> operator()(const LabelSource& source) const
   {
-    return { { "source.segmentation", source.segmentation, IsAny<PlanSegmentation>,
-      "a segmentation of the plan" } };
+    return { { source.segmentation, IsAny<PlanSegmentation>, "the id of a segmentation of the plan",
+      "source.segmentation" } };
   }
   std::vector<PlanReference> operator()(const ComponentSource& source) const
   {
@@ -86,10 +81,17 @@ struct SourceReferences
   }
   std::vector<PlanReference> operator()(const PieceSource& source) const
   {
-    return { ToFragment("source.fragment", source.fragment) };
+    return { ToFragment(source.fragment, "source.fragment") };
   }
 };
 } // namespace
+
+std::string PlanReference::Key() const
+{
+  return this->entry == NoEntry              ? this->key
+         : std::string(this->member).empty() ? ListKey(this->key, this->entry)
+                                             : ListKey(this->key, this->entry, this->member);
+}
 
 std::vector<PlanReference> References(const PlanVolume&)
 {
@@ -118,11 +120,11 @@ std::vector<PlanReference> References(const PlanCut& object)
 
 std::vector<PlanReference> References(const PlanGuide& object)
 {
-  std::vector<PlanReference> references = { { "bone", object.bone, IsAny<PlanVolume, PlanFragment>,
-    "a volume or fragment of the plan" } };
+  std::vector<PlanReference> references = { { object.bone, IsAny<PlanVolume, PlanFragment>,
+    "the id of a volume or fragment of the plan", "bone" } };
   for (std::size_t n = 0; n < object.cuts.size(); ++n)
     references.push_back(
-      { ListKey("cuts", n), object.cuts[n], IsAny<PlanCut>, "a cut of the plan" });
+      { object.cuts[n], IsAny<PlanCut>, "the id of a cut of the plan", "cuts", n });
   return references;
 }
 
@@ -131,7 +133,7 @@ std::vector<PlanReference> References(const PlanMeasure& object)
   std::vector<PlanReference> references;
   for (std::size_t n = 0; n < object.points.size(); ++n)
     if (object.points[n].fragment != 0)
-      references.push_back(ToFragment(ListKey("points", n, "fragment"), object.points[n].fragment));
+      references.push_back(ToFragment(object.points[n].fragment, "points", n, "fragment"));
   return references;
 }
 
@@ -139,14 +141,14 @@ void CheckObject(const PlanVolume& object, const std::string& subject)
 {
   const ValueChecks check(subject);
   check.Text("name", object.name);
-  CheckHash(check, "hash", object.hash);
+  check.Hash("hash", object.hash);
 }
 
 void CheckObject(const PlanSegmentation& object, const std::string& subject)
 {
   const ValueChecks check(subject);
   check.Text("name", object.name);
-  CheckHash(check, "labels", object.labels);
+  check.Hash("labels", object.labels);
 }
 
 void CheckObject(const PlanFragment& object, const std::string& subject)

@@ -2,6 +2,7 @@
 #include "Planning/PlanLists.h"
 #include "Planning/ValueChecks.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace hasp
 /// An id that an object names another by.
 struct PlanReference
 {
-  std::string key; ///< where: "cuts[2]"
   PlanId id;
   bool (*fits)(const Plan&, PlanId); ///< whether what it names may be named here
-  const char* must;                  ///< "a cut of the plan"
+  const char* must;                  ///< "the id of a cut of the plan"
+  const char* key;                   ///< where it stands: "cuts", …
+  std::size_t entry = NoEntry;       ///< … "cuts[2]"
+  const char* member = "";           ///< … "points[2].fragment"
+
+  static constexpr std::size_t NoEntry = ~std::size_t(0);
+  std::string Key() const; ///< made when an error asks for it: each edit asks for references
 };
 
 /// Everything that an object names, in its order.
@@ -47,8 +53,7 @@ void CheckInPlan(const Plan& plan, const T& object, const std::string& subject)
   CheckObject(object, subject);
   for (const PlanReference& reference : References(object))
     if (!reference.fits(plan, reference.id))
-      ValueChecks(subject).Refuse(
-        reference.key, double(reference.id), std::string("the id of ") + reference.must);
+      ValueChecks(subject).Refuse(reference.Key(), reference.id, reference.must);
 }
 
 } // namespace hasp

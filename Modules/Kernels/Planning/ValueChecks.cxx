@@ -76,6 +76,12 @@ void ValueChecks::Text(const std::string& key, const std::string& text) const
       this->Refuse(key, "holds a control character or is not UTF-8");
 }
 
+void ValueChecks::Hash(const std::string& key, const std::string& hash) const
+{
+  if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+    this->Refuse(key, "must be 64 hexadecimal digits in lower case, a SHA-256");
+}
+
 void ValueChecks::Refuse(const std::string& key, double value, const std::string& must) const
 {
   std::ostringstream text;

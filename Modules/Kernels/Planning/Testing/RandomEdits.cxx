@@ -164,11 +164,6 @@ PlanEdit RandomEdits::OfFragments(const Plan& plan)
 
 PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
 {
-  std::vector<PlanId> all, unused;
-  ForEachPlanObject(plan, [&](const auto& object) { all.push_back(object.id); });
-  for (const PlanId id : all)
-    if (UsersOf(plan, id).empty())
-      unused.push_back(id);
   const int kind = this->Below(10);
   if (plan.volumes.empty() || kind == 0)
     return this->AddOrChange(plan.volumes, newId, [&](PlanId) { return this->MakeVolume(); });
@@ -191,6 +186,10 @@ PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
     return this->AddOrChange(plan.measures, newId, [&](PlanId) { return this->MakeMeasure(plan); });
   if (kind == 8)
     return this->OfFragments(plan);
+  std::vector<PlanId> all, unused;
+  ForEachPlanObject(plan, [&](const auto& object) { all.push_back(object.id); });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(unused),
+    [&](PlanId id) { return UsersOf(plan, id).empty(); });
   if (this->Below(2) == 0 && !unused.empty())
     return RemoveObject{ unused[std::size_t(this->Below(unused.size()))] };
   return RenameObject{ all[std::size_t(this->Below(all.size()))], this->Text() };

@@ -1,0 +1,17 @@
+#pragma once
+
+/// Takes the place of the C library's open, write, fsync, close, rename, unlink and mkdir in a test
+/// program, also for the libraries that it loads. They do what they always do but while armed.
+namespace failing
+{
+enum class Way
+{
+  Error, ///< the call fails with ENOSPC
+  Crash  ///< the program ends before it, a write half done
+};
+
+/// The `call`-th call from now, 1 and up, fails so. 0: none does, they are counted.
+void Arm(int call, Way way);
+/// How many calls there were since.
+int Disarm();
+} // namespace failing
