@@ -71,9 +71,9 @@ void WriteDurably(
   const std::string cannot = subject + " cannot be written";
   for (;;)
   {
-    std::filesystem::path temporary = path;
-    temporary += "." + std::to_string(getpid()) + "-" + std::to_string(next++);
-    temporary += TemporaryEnd;
+    const std::filesystem::path temporary =
+      path.parent_path() /
+      (std::string(TemporaryBegin) + std::to_string(getpid()) + "-" + std::to_string(next++));
     Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
     if (file.Get() < 0 && errno == EEXIST) // of a program that had the same number and is no more
       continue;

@@ -7,11 +7,12 @@
 namespace hasp
 {
 
-/// Puts a whole file in place, or leaves what was there: a temporary beside it, fsync, rename,
-/// fsync of the folder. So at each moment, a crash or a full disk included, the name is of the old
-/// bytes or of the new ones, and after the return of the new. Throws std::runtime_error "SUBJECT
-/// cannot be written: …" without the path, which may name a patient; the temporary is gone then,
-/// unless the program is. Two programs may write at once: the last one stays. Internal. Any thread.
+/// Puts a whole file in place, or leaves what was there: a temporary .hasp-… beside it, fsync,
+/// rename, fsync of the folder. So at each moment, a crash or a full disk included, the name is of
+/// the old bytes or of the new ones, and after the return of the new. Throws std::runtime_error
+/// "SUBJECT cannot be written: …" without the path, which may name a patient; the temporary is gone
+/// then, unless the program is. Two programs may write at once: the last one stays. Internal. Any
+/// thread.
 void WriteDurably(
   const std::filesystem::path& path, std::string_view bytes, const std::string& subject);
 
@@ -22,7 +23,7 @@ void MakeFolderDurably(const std::filesystem::path& folder, const std::string& s
 std::string ReadWhole(
   const std::filesystem::path& path, std::size_t most, const std::string& subject);
 
-/// The temporaries of WriteDurably end so; one that is left was a program's that ended meanwhile.
-constexpr std::string_view TemporaryEnd = ".part";
+/// The temporaries of WriteDurably begin so; one that is left was a program's that ended meanwhile.
+constexpr std::string_view TemporaryBegin = ".hasp-";
 
 } // namespace hasp

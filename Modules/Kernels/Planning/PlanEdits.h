@@ -82,7 +82,7 @@ using PlanEdit = std::variant<RemoveObject, RenameObject, PoseFragments, SetFrag
 
 /// The plan after the edit. A valid plan stays valid: else std::invalid_argument, which names the
 /// object by kind and id ("cut 3: blade.kerfMm is 9, must be in (0, 5]"), and no text of the plan.
-/// Any thread. O(log objects) if the plan is moved in.
+/// Any thread. O(log objects) if the plan is moved in, RemoveObject O(objects).
 Plan Apply(Plan plan, const PlanEdit& edit);
 
 /// What a menu calls it: "Add cut 3", "Move fragments 2 and 5". No name out of the plan. `before`:

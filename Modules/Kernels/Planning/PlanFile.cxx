@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* Subject = "plan";
 constexpr const char* PlanName = "plan.json";
 constexpr std::string_view Format = "hasp-plan-";
-constexpr std::size_t MostText = 256U << 20U;
+constexpr std::size_t MostText = 64U << 20U;
 constexpr std::size_t MostBlob = std::size_t(16) << 30U;
 
 // A file is BODY Before HASH After, where the hash is of BODY: each byte is hashed or compared.
@@ -154,7 +154,7 @@ void RemoveUnusedBlobs(const fs::path& folder, const PlanDocument& document)
       {
         const std::string name = entry.path().filename().string();
         const bool blob = at != folder && name.size() == 64 && !named.contains(name);
-        if (entry.is_regular_file() && (blob || name.ends_with(TemporaryEnd)))
+        if (entry.is_regular_file() && (blob || name.starts_with(TemporaryBegin)))
           unused.push_back(entry.path());
       }
   for (const fs::path& path : unused)

@@ -32,7 +32,7 @@ struct PlanDocument
   bool operator==(const PlanDocument&) const noexcept = default;
 };
 
-/// plan.json as text; equal documents are equal texts. At most 256 MiB.
+/// plan.json as text; equal documents are equal texts. At most 64 MiB.
 std::string FormatPlan(const PlanDocument& document);
 /// Reads that, and older versions of it. The plan must be the one that its history leads to.
 PlanDocument ParsePlan(const std::string& text);

@@ -27,7 +27,8 @@ class PlanHistory
 public:
   static constexpr std::size_t Stride = 16;
 
-  explicit PlanHistory(Plan start = {}); ///< throws what ValidatePlan throws
+  PlanHistory() : PlanHistory(Plan{}) {}
+  explicit PlanHistory(Plan start); ///< throws what ValidatePlan throws
   /// As it was saved. Throws std::invalid_argument unless the steps lead somewhere from `start`,
   /// done <= steps.size(), and nextId is above all ids.
   PlanHistory(Plan start, std::vector<PlanStep> steps, std::size_t done, PlanId nextId);

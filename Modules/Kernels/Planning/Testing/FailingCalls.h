@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 
 /// Takes the place of the C library's open, write, fsync, close, rename, unlink and mkdir in a test
 /// program, also for the libraries that it loads. They do what they always do but while armed.
@@ -12,6 +13,6 @@ enum class Way
 
 /// The `call`-th call from now, 1 and up, fails so. 0: none does, they are counted.
 void Arm(int call, Way way);
-/// How many calls there were since.
-int Disarm();
+/// Which calls there were since, each with a space behind it.
+std::string Disarm();
 } // namespace failing
