@@ -88,11 +88,13 @@ TEST(PlanHistory, AnIdThatWasUndoneIsNotUsedAgain)
   EXPECT_EQ(history.NewId(), 3U);          // its history is not
   EXPECT_THROW(history.Do(Volume(2)), std::invalid_argument);
   EXPECT_NE(history.ToRedo(), nullptr); // what throws changes nothing
+  history.Do(RenameObject{ 1, "x" });   // forgets the step that had 2
+  EXPECT_EQ(history.NewId(), 3U);
   history.Do(Volume(history.NewId()));
   EXPECT_EQ(history.Current().volumes[1].id, 3U);
   history.Undo();
   EXPECT_EQ(history.NewId(), 4U);
-  EXPECT_EQ(PlanHistory(history.Start(), history.Steps(), 1, 4), history);
+  EXPECT_EQ(PlanHistory(history.Start(), history.Steps(), 2, 4), history);
 }
 
 TEST(PlanHistory, AStepIsDoneWholeOrNotAtAll)

@@ -26,7 +26,8 @@ std::string File(const std::string& blade, const std::string& notes)
     R"({"cuts":[{"id":1,")" + blade + R"(":7}],"guides":[{"saw":1}])" + notes + "}";
   return R"({"plan":)" + plan + R"(,"history":{"start":)" + plan +
          R"(,"steps":[{"edits":[{"add":"cut","object":{")" + blade +
-         R"(":8}},{"change":"guide","object":{"saw":9}},{"remove":1}]}]}})";
+         R"(":8}},{"change":"cut","object":{")" + blade +
+         R"(":9}},{"change":"guide","object":{"saw":9}},{"remove":1}]}]}})";
 }
 
 std::string Migrated(const std::string& text, std::size_t version)
