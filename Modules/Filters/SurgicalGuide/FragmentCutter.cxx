@@ -44,15 +44,19 @@ void KeepCutIslands(
     const Blade blade(recipe.cuts[n].blade);
     double least = std::numeric_limits<double>::infinity();
     std::size_t seed = 0;
-    for (std::size_t s = 0; s < mark.size(); ++s)
-    {
-      if (!mark[s])
-        continue;
-      const glm::dvec3 at = blade.Local(ct.IndexToWorld(glm::dvec3(SamplePlace(ct.dims, s))));
-      const glm::dvec3 out = glm::abs(at) - blade.Half() - step;
-      if (out.x <= 0.0 && out.y <= 0.0 && out.z <= 0.0 && glm::length(at) < least)
-        least = glm::length(at), seed = s;
-    }
+    const auto [first, last] = SamplesIn(ct, blade.Bounds());
+    for (int k = first.z; k <= last.z; ++k)
+      for (int j = first.y; j <= last.y; ++j)
+        for (int i = first.x; i <= last.x; ++i)
+        {
+          const std::size_t sample = (std::size_t(k) * ct.dims.y + j) * ct.dims.x + i;
+          if (!mark[sample])
+            continue;
+          const glm::dvec3 at = blade.Local(ct.IndexToWorld(glm::dvec3(i, j, k)));
+          const glm::dvec3 out = glm::abs(at) - blade.Half() - step;
+          if (out.x <= 0.0 && out.y <= 0.0 && out.z <= 0.0 && glm::length(at) < least)
+            least = glm::length(at), seed = sample;
+        }
     if (!std::isfinite(least))
       throw MissesBone(n);
     if (mark[seed] == Bone)

@@ -81,7 +81,7 @@ struct CutBone
 /// points) and std::runtime_error, both naming the cut: "cuts[2] does not meet bone", "resected[0]
 /// is 12 mm from all fragments, must be within 3 mm"; Cancelled. Any thread; all cores, the same
 /// result with any number of them. About 1 us a sample of the islands' box, and 4 us a triangle;
-/// 21 bytes a sample of the box, and one byte a sample of the volume.
+/// 25 bytes a sample of the box, and one byte a sample of the volume.
 VTKHASPFILTERSSURGICALGUIDE_EXPORT CutBone CutFragments(
   const BoneImage& bone, const CutRecipe& recipe, const ProgressFunction& progress = {});
 

@@ -5,6 +5,7 @@
 #include <glm/vector_relational.hpp>
 
 #include <cmath>
+#include <tuple>
 
 namespace hasp
 {
@@ -22,7 +23,8 @@ void VisitNeighbours(const glm::ivec3& dims, const glm::ivec3& at, Visit visit)
         visit((std::size_t(k) * dims.y + j) * dims.x + i, glm::ivec3(i, j, k));
 }
 
-/// The samples in an upright box of the world, and one more on each side.
+} // namespace
+
 std::pair<glm::ivec3, glm::ivec3> SamplesIn(const GridGeometry& grid, const ImplicitSolid::Box& box)
 {
   glm::dvec3 low(1e9), high(-1e9);
@@ -37,8 +39,6 @@ std::pair<glm::ivec3, glm::ivec3> SamplesIn(const GridGeometry& grid, const Impl
   return { glm::max(glm::ivec3(glm::floor(glm::clamp(low, -2.0, 1e6))) - 1, glm::ivec3(0)),
     glm::min(glm::ivec3(glm::ceil(glm::clamp(high, -2.0, 1e6))) + 1, grid.dims - 1) };
 }
-} // namespace
-
 void FloodSamples(const glm::ivec3& dims, std::vector<std::uint8_t>& mark, std::size_t seed,
   std::uint8_t from, std::uint8_t to, const std::function<void(std::size_t)>& tell)
 {
