@@ -285,6 +285,10 @@ TEST(FragmentCutter, CrumbsAreToldAndMarkedAndWhatIsResectedStays)
   EXPECT_TRUE(cut.fragments[0].resected);
   EXPECT_FALSE(cut.fragments[1].resected);
   EXPECT_LE(cut.UnaccountedShare(), Conserved);
+  recipe.resected = { { 24.4, 5.0, 0 } }; // beside both: 0.9 mm from the bar, 2.8 mm from the crumb
+  const hasp::CutBone beside = Cut(scan, recipe);
+  EXPECT_TRUE(beside.fragments[0].resected);
+  EXPECT_FALSE(beside.fragments[1].resected);
 }
 
 TEST(FragmentCutter, LabelsSayWhoseBoneIsCutAndWhoseEachVoxelIs)
