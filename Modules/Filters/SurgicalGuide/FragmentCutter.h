@@ -7,7 +7,8 @@
 #include "Planning/CutRecipe.h"                // for CutRecipe
 #include "vtkHaspFiltersSurgicalGuideModule.h" // for export macro
 
-#include <optional> // for labels
+#include <cstdint>  // for labels
+#include <optional> // likewise
 #include <vector>   // for fragments
 
 /// Osteotomies, free of VTK but for the export macro: bone and blades in, fragments out.
