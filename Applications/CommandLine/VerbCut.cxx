@@ -38,6 +38,12 @@ struct CutOptions
   bool labelImage = false;
 };
 
+double MillisecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
+}
+
 /// What reads, cuts or writes, its exceptions as failures of this kind.
 template <typename Work>
 auto Try(ExitCode code, const std::string& before, const Work& work)
@@ -80,12 +86,12 @@ CutBone Cut(
   };
   const auto start = std::chrono::steady_clock::now();
   CutBone cut = Try(ExitCode::BadInput, "", [&] { return CutFragments(bone, recipe, progress); });
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  const double spent = MillisecondsSince(start);
   std::size_t bytes = 0;
   for (const BoneFragment& fragment : cut.fragments)
     bytes += fragment.mesh.points.size() * sizeof(glm::dvec3) +
              fragment.mesh.triangles.size() * sizeof(glm::uvec3);
-  session.resources.push_back({ "fragments", bytes, spent.count(), "cut from the volume" });
+  session.resources.push_back({ "fragments", bytes, spent, "cut from the volume" });
   return cut;
 }
 
@@ -169,8 +175,12 @@ void Write(const CutOptions& options, const CutBone& cut, const nlohmann::ordere
           (fragment.crumb ? "crumb " : "fragment ") + std::to_string(fragment.number),
           { shade(0.0), shade(1.0 / 3.0), shade(2.0 / 3.0) } });
       }
-      WriteSegmentation(MakeImage(grid, LabelFragments(cut.fragments, grid)), segments,
-        (folder / "fragments.seg.nrrd").string());
+      const auto start = std::chrono::steady_clock::now();
+      const std::vector<std::uint16_t> numbers = LabelFragments(cut.fragments, grid);
+      session.resources.push_back({ "label image", numbers.size() * sizeof(numbers[0]),
+        MillisecondsSince(start), "--label-image; written, then released" });
+      WriteSegmentation(
+        MakeImage(grid, numbers), segments, (folder / "fragments.seg.nrrd").string());
     }
     WriteBytes(measures.dump(2) + "\n", (folder / "measures.json").string());
   };

@@ -20,7 +20,8 @@ inline glm::ivec3 SamplePlace(const glm::ivec3& dims, std::size_t sample)
 
 /// The first and the last sample of a grid in an upright box of the world, and one more on each
 /// side; none if the first is beyond the last along an axis.
-std::pair<glm::ivec3, glm::ivec3> SamplesIn(const GridGeometry& grid, const ImplicitSolid::Box& box);
+std::pair<glm::ivec3, glm::ivec3> SamplesIn(
+  const GridGeometry& grid, const ImplicitSolid::Box& box);
 
 /// Samples of bone that are connected through neighbours (26 of them), by a seed. Leaves those of
 /// `mark` that are `from` as `to`, and tells each. O(samples of it).
