@@ -166,39 +166,82 @@ TEST(TransplantSegments, JointsMeetOnTheirPlaneAndStepsGapsAndOverlapsAreMeasure
   EXPECT_NEAR(fit.stepMm2 / section, 0.5, 0.05);
 }
 
-TEST(TransplantSegments, ThePhantomsFibulaFillsItsMandible)
+class PhantomTransplant : public testing::Test
 {
+protected:
+  PhantomTransplant()
+  {
+    this->settings.anatomy = hasp::PhantomAnatomy::HeadAndFibula;
+    for (int n = -17; n <= 17; ++n) // the fibula's bow: 5 mm forward in the middle of 340 mm
+      this->plan.donor.axis.push_back(glm::dvec3(150.0, -5.0 * (1.0 - n * n / 289.0), 10.0 * n));
+    this->plan.donor.lateral = { 1, 0, 0 };
+    const hasp::HorseshoeShape arch{ { 0, -58, -96 }, 22.0, 1.08, 61.0, 5.0, 5.5 }; // of the jaw
+    this->plan.joints = hasp::MitreJoints(
+      std::vector<glm::dvec3>{ arch.PointAt(-40.0), arch.PointAt(-14.0), arch.PointAt(14.0) });
+    this->plan.outward = { { 0, 0, 1 }, { 0, 0, 1 } };
+  }
+  /// A part of that world.
+  BoneScan Scan(const glm::ivec3& dims, const glm::dvec3& origin, const glm::dvec3& spacing)
+  {
+    BoneScan scan;
+    scan.grid = { dims, origin, spacing, glm::dmat3(1) };
+    scan.samples = hasp::SamplePhantom(scan.grid, this->settings);
+    return scan;
+  }
+
   hasp::PhantomSettings settings;
-  settings.anatomy = hasp::PhantomAnatomy::HeadAndFibula;
-  BoneScan scan; // the part of that world that the fibula is in, head and all out of it
-  scan.grid = { { 23, 23, 180 }, { 138, -16, -179 }, { 1.1, 1.1, 2.0 }, glm::dmat3(1) };
-  scan.samples = hasp::SamplePhantom(scan.grid, settings);
   hasp::Transplant plan;
-  for (int n = -17; n <= 17; ++n) // its bow: 5 mm forward in the middle of 340 mm
-    plan.donor.axis.push_back(glm::dvec3(150.0, -5.0 * (1.0 - n * n / 289.0), 10.0 * n));
-  plan.donor.lateral = { 1, 0, 0 };
-  const hasp::HorseshoeShape arch{ { 0, -58, -96 }, 22.0, 1.08, 61.0, 5.0, 5.5 };
-  plan.joints = hasp::MitreJoints(
-    std::vector<glm::dvec3>{ arch.PointAt(-40.0), arch.PointAt(-14.0), arch.PointAt(14.0) });
-  plan.outward = { { 0, 0, 1 }, { 0, 0, 1 } };
-  hasp::TransplantSegments donor({ scan.View(), {}, 1 }, plan.donor, { 226.0, 0.8, 100.0 });
-  const auto& segments = donor.Place(plan);
+};
+
+TEST_F(PhantomTransplant, TheFibulaFillsTheMandibleThatWasResected)
+{
+  const BoneScan leg = this->Scan({ 23, 23, 180 }, { 138, -16, -179 }, { 1.1, 1.1, 2.0 });
+  hasp::TransplantSegments donor({ leg.View(), {}, 1 }, this->plan.donor, { 226.0, 0.8, 100.0 });
+  const auto& segments = donor.Place(this->plan);
   ASSERT_EQ(segments.size(), 2U);
   EXPECT_GE(segments[0].cut.fromMm, 75.0);
-  const hasp::JointFit fit =
-    hasp::MeasureJoint(plan.joints[1], segments[0].mesh, segments[1].mesh, 20.0);
-  std::printf("segments %.1f and %.1f mm, wedges %.1f and %.1f degrees; joint: contact %.0f, step "
-              "%.0f, gap %.0f mm2\n",
-    segments[0].cut.lengthMm, segments[1].cut.lengthMm, glm::degrees(segments[0].cut.wedgeRadians),
-    glm::degrees(segments[1].cut.wedgeRadians), fit.contactMm2, fit.stepMm2, fit.gapMm2);
-  EXPECT_GT(fit.contactMm2, 2.0 * (fit.stepMm2 + fit.gapMm2 + fit.overlapMm2));
-  for (std::size_t n = 0; n < 2; ++n)
+  for (const hasp::PlacedSegment& segment : segments)
   {
-    EXPECT_TRUE(hasp::CheckMesh(segments[n].mesh).Sound());
+    EXPECT_TRUE(hasp::CheckMesh(segment.mesh).Sound());
     // A shaft of about 1.4 to 1.8 cm2 of bone and canal.
-    EXPECT_GT(segments[n].volumeMm3, 60.0 * segments[n].cut.lengthMm);
-    EXPECT_LT(segments[n].volumeMm3, 250.0 * segments[n].cut.lengthMm);
+    EXPECT_GT(segment.volumeMm3, 60.0 * segment.cut.lengthMm);
+    EXPECT_LT(segment.volumeMm3, 250.0 * segment.cut.lengthMm);
   }
+  const auto& joints = this->plan.joints;
+  const hasp::JointFit middle =
+    hasp::MeasureJoint(joints[1], segments[0].mesh, segments[1].mesh, 20.0);
+  EXPECT_GT(middle.contactMm2, 10.0 * (middle.stepMm2 + middle.gapMm2 + middle.overlapMm2));
+
+  // The jaw is sawn within the defect, so that its stumps end at the first and last joint.
+  const BoneScan head = this->Scan({ 105, 89, 67 }, { -62, -92, -108 }, glm::dvec3(1.2));
+  const double kerf = 1.5;
+  hasp::CutRecipe recipe;
+  recipe.spacingMm = 1.0;
+  for (const int n : { 0, 2 })
+    recipe.cuts.push_back({ { joints[n].point + (n == 0 ? 0.5 : -0.5) * kerf * joints[n].normal,
+                              joints[n].normal, { 0, 0, 1 }, 50.0, 60.0, kerf },
+      8.0 });
+  const hasp::CutBone jaw = hasp::CutFragments({ head.View(), {}, 1 }, recipe);
+  ASSERT_TRUE(jaw.cuts[0].parted && jaw.cuts[1].parted);
+  const auto stump = [&](const std::vector<int>& numbers) -> const hasp::TriangleMesh&
+  { return jaw.fragments[std::size_t(numbers.at(0) - 1)].mesh; };
+  const hasp::TriangleMesh& right = stump(jaw.cuts[0].back);
+  const hasp::TriangleMesh& left = stump(jaw.cuts[1].front);
+  const hasp::JointFit first = hasp::MeasureJoint(joints[0], right, segments[0].mesh, 30.0),
+                       last = hasp::MeasureJoint(joints[2], segments[1].mesh, left, 30.0);
+  for (const hasp::JointFit& fit : { first, last })
+  {
+    std::printf("jaw to fibula: contact %.0f, step %.0f, gap %.1f, overlap %.1f mm2\n",
+      fit.contactMm2, fit.stepMm2, fit.gapMm2, fit.overlapMm2);
+    EXPECT_GT(fit.contactMm2, 80.0);
+    EXPECT_LT(fit.gapMm2 + fit.overlapMm2, 0.05 * fit.contactMm2);
+  }
+  // What each face has is in contact or a step, and the jaw's is what the saw went through.
+  const double jawFace = hasp::MeasureJoint(joints[0], right, {}, 30.0).stepMm2,
+               face = hasp::MeasureJoint(joints[0], {}, segments[0].mesh, 30.0).stepMm2;
+  EXPECT_NEAR(2.0 * (first.contactMm2 + first.gapMm2 + first.overlapMm2) + first.stepMm2,
+    jawFace + face, 1e-6);
+  EXPECT_NEAR(jawFace / jaw.cuts[0].areaMm2, 1.0, 0.05);
 }
 
 } // namespace
