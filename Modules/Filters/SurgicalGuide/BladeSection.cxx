@@ -105,15 +105,17 @@ public:
     return std::find(this->Taken.begin(), this->Taken.end(), false) == this->Taken.end();
   }
 
-  /// What is nearer to bone that is taken than to bone that stays: half the difference changes by
-  /// no more than 1 mm a mm.
+  /// What is nearer to bone that is taken than to bone that stays, known to half a sample: an
+  /// eighth of the thinnest kerf, of which it keeps half to either side.
   SolidPointer Region() const
   {
     const std::vector<float> taken = this->SquaredFrom(true), left = this->SquaredFrom(false);
-    auto values = std::make_shared<std::vector<float>>(taken.size());
+    std::vector<std::uint8_t> nearer(taken.size());
     for (std::size_t n = 0; n < taken.size(); ++n)
-      (*values)[n] = 0.5F * (std::sqrt(taken[n]) - std::sqrt(left[n]));
-    return MakeGridSolid(std::move(values), this->Grid);
+      nearer[n] = taken[n] < left[n];
+    return MakeGridSolid(
+      std::make_shared<const std::vector<float>>(SignedEuclideanDistance(this->Grid, nearer)),
+      this->Grid);
   }
 
   double LeftMm2() const
