@@ -14,6 +14,7 @@ void AddVerbs(CLI::App& app, Session& session)
   AddCalibrateVerb(app, session);
 #endif
 #if HASP_WITH_GUIDES
+  AddCutVerb(app, session);
   AddGuideVerb(app, session);
 #endif
   AddPhantomVerb(app, session);

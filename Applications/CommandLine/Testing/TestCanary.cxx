@@ -109,8 +109,12 @@ TEST_F(Canary, RecipesGiveNothingAway)
 #if HASP_WITH_GUIDES
   this->Phantom();
   for (const std::string& recipe : Damaged(this->Recipe()))
+  {
     this->ExpectNone({ "guide", this->Path("head.mha"), "--recipe", recipe, "--output",
       this->OutFile("x.stl"), "--check" });
+    this->ExpectNone(
+      { "cut", this->Path("head.mha"), "--cuts", recipe, "--output", this->OutFile("x") });
+  }
 #endif
 }
 
