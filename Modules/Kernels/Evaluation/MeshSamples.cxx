@@ -56,7 +56,7 @@ std::vector<MeshSample> SampleMesh(const TriangleMesh& mesh, double spacingMm)
                     mesh.points[t.z] - mesh.points[t.x]));
   }
   // Well-shaped parts have a fifth of their longest side's square and more.
-  const double spacing = std::max(spacingMm, std::sqrt(area / 500000.0));
+  const double spacing = std::max(spacingMm, std::sqrt(area / 100000.0));
   std::vector<MeshSample> samples;
   samples.reserve(mesh.triangles.size());
   for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n)

@@ -24,7 +24,7 @@ inline constexpr double SliverMm = 1e-3;
 /// until that is at most `spacingMm` long, and its parts' centres are given. Triangles lower than
 /// SliverMm are left out.
 ///
-/// spacingMm   > 0; made larger for large parts, so that some millions of places are enough
+/// spacingMm   > 0; made larger for large parts, so that some 100,000 places are enough
 /// Throws std::invalid_argument on a spacing out of range or a triangle whose points are not there.
 /// Any thread; O(places), one core.
 std::vector<MeshSample> SampleMesh(const TriangleMesh& mesh, double spacingMm);
