@@ -15,6 +15,7 @@ void AddVerbs(CLI::App& app, Session& session)
 #endif
 #if HASP_WITH_GUIDES
   AddGuideVerb(app, session);
+  AddCertifyVerb(app, session);
 #endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);

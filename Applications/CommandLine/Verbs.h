@@ -23,6 +23,7 @@ void AddViewVerb(CLI::App& app, Session& session);
 void AddCalibrateVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
+void AddCertifyVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 
 } // namespace hasp

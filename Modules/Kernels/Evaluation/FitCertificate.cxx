@@ -7,7 +7,10 @@
 #include "Evaluation/SurfaceDistance.h"
 #include "Evaluation/TriangleTree.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace hasp
@@ -60,6 +63,34 @@ void MeasureMesh(const TriangleMesh& mesh, const FindSelfIntersectionsFunction& 
   }
 }
 
+/// Is the place at the wall of a slot or hole, as claimed?
+bool InCut(const PartClaims& claims, const glm::dvec3& place)
+{
+  for (const ClaimedSlot& slot : claims.slots)
+  {
+    const glm::dvec3 off = place - slot.point;
+    if (std::abs(glm::dot(off, slot.normal)) <= 0.5 * slot.widthMm + 2.0 * slot.toleranceMm &&
+        std::abs(glm::dot(off, slot.along)) <= 0.5 * slot.lengthMm + 2.0 * slot.toleranceMm)
+      return true;
+  }
+  for (const ClaimedHole& hole : claims.holes)
+    if (glm::length(glm::cross(place - hole.point, hole.axis)) <=
+        0.5 * hole.diameterMm + 2.0 * hole.toleranceMm)
+      return true;
+  return false;
+}
+
+/// Those that do not come out in a cut: there the shell ends.
+std::vector<Chord> ChordsOfShell(const std::vector<MeshSample>& samples,
+  const std::vector<Chord>& chords, const PartClaims& claims)
+{
+  std::vector<Chord> uncut = chords;
+  for (std::size_t n = 0; n < uncut.size(); ++n)
+    if (InCut(claims, samples[n].point - chords[n].mm * samples[n].normal))
+      uncut[n].mm = 0.0;
+  return uncut;
+}
+
 void MeasureGap(const std::vector<MeshSample>& samples, const std::vector<Chord>& chords,
   const AnyGridView& bone, FitCertificate& c, const ProgressFunction& progress)
 {
@@ -74,7 +105,7 @@ void MeasureGap(const std::vector<MeshSample>& samples, const std::vector<Chord>
   BonePieces pieces(bone, c.claims.isovalue, c.claims.ignoreBelowMm3);
   c.gap = MeasureGuideGap(
     samples, nearest, settings, [&](const glm::dvec3& at) { return pieces.Counts(at); });
-  c.shell = MeasureShell(samples, chords, nearest,
+  c.shell = MeasureShell(samples, ChordsOfShell(samples, chords, c.claims), nearest,
     { shell.gapMm, shell.gapToleranceMm, settings.facing, c.claims.withdrawal });
   JudgeGap(*c.gap, shell, c.mesh.volumeMm3, c.faults);
 }

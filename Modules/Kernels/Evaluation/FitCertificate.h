@@ -87,7 +87,7 @@ using FindSelfIntersectionsFunction =
 ///  - closed, 2-manifold, outward, no triangle without area, not meeting itself, `pieces`: absolute.
 ///    Without `selfIntersections`, or where it throws std::invalid_argument: NotChecked, never green
 ///  - walls: claims.leastWallMm, what the printer can do, all over (WallThickness); a shell's
-///    thickness less its tolerance all over (ShellThickness)
+///    thickness less its tolerance all over (ShellThickness) but where it ends in a claimed cut
 ///  - gap: its tolerance, on leastGapShare of the inner wall; at least InnerShare of the wall that
 ///    a shell of this volume and thickness has must face bone; nothing of the part in bone
 ///  - slots: nothing in the way, the narrowest place no narrower than claimed by the tolerance, the

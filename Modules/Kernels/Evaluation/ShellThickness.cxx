@@ -1,6 +1,7 @@
 #include "Evaluation/ShellThickness.h"
 
 #include "Evaluation/AreaShares.h"
+#include "Evaluation/ThinPlaces.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -28,6 +31,7 @@ ShellThickness MeasureShell(std::span<const MeshSample> samples, std::span<const
   const double opposite = -std::cos(glm::radians(45.0));
   ShellThickness shell;
   AreaShares shares;
+  std::vector<ThinPlace> places;
   for (std::size_t n = 0; n < samples.size(); ++n)
   {
     const glm::dvec3& normal = samples[n].normal;
@@ -43,12 +47,12 @@ ShellThickness MeasureShell(std::span<const MeshSample> samples, std::span<const
       mm += std::max(0.0, nearest[n]->distance - s.gapMm);
     }
     shares.Add(mm, samples[n].areaMm2);
-    if (shell.leastMm == 0.0 || mm < shell.leastMm)
-    {
-      shell.leastMm = mm;
-      shell.leastAt = samples[n].point - 0.5 * chords[n].mm * normal;
-    }
+    places.push_back(
+      { mm, samples[n].areaMm2, samples[n].point - 0.5 * chords[n].mm * normal });
   }
+  const ThinPlace least = ThinnestPlace(std::move(places));
+  shell.leastMm = least.mm;
+  shell.leastAt = least.at;
   shares.Sort();
   shell.shellMm2 = shares.Area();
   shell.p5Mm = shares.Below(0.05);

@@ -114,7 +114,7 @@ std::optional<TriangleTree::Hit> TriangleTree::First(
   int depth = 0;
   stack[depth++] = 0;
   const Corners* met = nullptr;
-  double best = to;
+  double best = std::min(to, std::numeric_limits<double>::max()); // less than what a miss gives
   while (depth > 0)
   {
     const Node& node = this->Nodes[stack[--depth]];

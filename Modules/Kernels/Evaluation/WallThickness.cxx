@@ -1,12 +1,14 @@
 #include "Evaluation/WallThickness.h"
 
 #include "Evaluation/AreaShares.h"
+#include "Evaluation/ThinPlaces.h"
 #include "Grid/ParallelFor.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace hasp
 {
@@ -34,17 +36,18 @@ WallThickness MeasureWalls(std::span<const MeshSample> samples, std::span<const 
   const double opposite = -std::cos(glm::radians(WallThickness::WallDegrees));
   WallThickness walls;
   AreaShares shares;
+  std::vector<ThinPlace> places;
   for (std::size_t n = 0; n < samples.size(); ++n)
   {
     if (!(chords[n].mm > 0.0 && glm::dot(samples[n].normal, chords[n].normal) < opposite))
       continue;
     shares.Add(chords[n].mm, samples[n].areaMm2);
-    if (walls.leastMm == 0.0 || chords[n].mm < walls.leastMm)
-    {
-      walls.leastMm = chords[n].mm;
-      walls.leastAt = samples[n].point - 0.5 * chords[n].mm * samples[n].normal;
-    }
+    places.push_back({ chords[n].mm, samples[n].areaMm2,
+      samples[n].point - 0.5 * chords[n].mm * samples[n].normal });
   }
+  const ThinPlace least = ThinnestPlace(std::move(places));
+  walls.leastMm = least.mm;
+  walls.leastAt = least.at;
   shares.Sort();
   walls.wallMm2 = shares.Area();
   walls.p5Mm = shares.Below(0.05);

@@ -59,6 +59,18 @@ TEST(WallThickness, AnEdgeIsNoWall)
   EXPECT_NEAR(WallsOf(parttest::Ball(10, 20)).leastMm, 20.0, 0.6);
 }
 
+TEST(WallThickness, WhatIsSmallerThanAPrintersDetailIsNoWall)
+{
+  // A fin, 0.1 mm thick: of 0.3 x 0.2 mm nobody prints; of 0.9 x 0.6 mm a thin wall is left.
+  for (const double size : { 0.3, 0.9 })
+  {
+    const auto finned = parttest::Blocks({ 0, 6, 6.1, 20 }, { 0, 7, 7 + size, 15 },
+      { 0, 2.5, 2.5 + 2 * size / 3 },
+      [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); });
+    EXPECT_NEAR(WallsOf(finned).leastMm, size > 0.5 ? 0.1 : 2.5, 1e-9);
+  }
+}
+
 /// A plate of 20 x 15 mm and this thickness over z = 0, which is bone.
 struct Shell
 {
