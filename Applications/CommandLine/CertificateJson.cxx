@@ -26,16 +26,16 @@ Json MeshJson(const FitCertificate& c)
   const MeshCheck& m = c.mesh;
   Json pieces = Json::array();
   for (std::size_t n = 0; n < c.pieces.size() && n < 100; ++n)
-    pieces.push_back({ { "triangles", c.pieces[n].triangles },
-      { "volume_mm3", c.pieces[n].volumeMm3 }, { "low", At(c.pieces[n].low) },
-      { "high", At(c.pieces[n].high) } });
+    pieces.push_back(
+      { { "triangles", c.pieces[n].triangles }, { "volume_mm3", c.pieces[n].volumeMm3 },
+        { "low", At(c.pieces[n].low) }, { "high", At(c.pieces[n].high) } });
   Json json{ { "triangles", m.triangles }, { "points", m.points }, { "closed", m.Closed() },
-    { "manifold", m.TwoManifold() }, { "outward", m.Outward() },
-    { "open_edges", m.borderEdges }, { "crowded_edges", m.crowdedEdges },
-    { "turned_edges", m.turnedEdges }, { "pinched_points", m.pinchedPoints },
-    { "degenerate", m.degenerate }, { "slivers", c.slivers }, { "self_intersections", nullptr },
-    { "volume_mm3", m.volumeMm3 }, { "area_mm2", m.areaMm2 }, { "low", At(c.low) },
-    { "high", At(c.high) }, { "pieces", m.pieces }, { "largest_pieces", pieces } };
+    { "manifold", m.TwoManifold() }, { "outward", m.Outward() }, { "open_edges", m.borderEdges },
+    { "crowded_edges", m.crowdedEdges }, { "turned_edges", m.turnedEdges },
+    { "pinched_points", m.pinchedPoints }, { "degenerate", m.degenerate }, { "slivers", c.slivers },
+    { "self_intersections", nullptr }, { "volume_mm3", m.volumeMm3 }, { "area_mm2", m.areaMm2 },
+    { "low", At(c.low) }, { "high", At(c.high) }, { "pieces", m.pieces },
+    { "largest_pieces", pieces } };
   if (c.selfIntersections)
     json["self_intersections"] = *c.selfIntersections;
   return json;
@@ -45,9 +45,8 @@ Json WallsJson(const WallThickness& wall, double leastMm)
 {
   if (!(wall.wallMm2 > 0.0))
     return nullptr;
-  return { { "least_mm", wall.leastMm }, { "least_at", At(wall.leastAt) },
-    { "p5_mm", wall.p5Mm }, { "p50_mm", wall.p50Mm }, { "wall_mm2", wall.wallMm2 },
-    { "limit_mm", leastMm } };
+  return { { "least_mm", wall.leastMm }, { "least_at", At(wall.leastAt) }, { "p5_mm", wall.p5Mm },
+    { "p50_mm", wall.p50Mm }, { "wall_mm2", wall.wallMm2 }, { "limit_mm", leastMm } };
 }
 
 Json ShellJson(const FitCertificate& c)
@@ -56,8 +55,8 @@ Json ShellJson(const FitCertificate& c)
     return nullptr;
   return { { "asked_mm", c.claims.shell->thicknessMm },
     { "tolerance_mm", c.claims.shell->thicknessToleranceMm }, { "least_mm", c.shell->leastMm },
-    { "least_at", At(c.shell->leastAt) }, { "p5_mm", c.shell->p5Mm },
-    { "p50_mm", c.shell->p50Mm }, { "shell_mm2", c.shell->shellMm2 } };
+    { "least_at", At(c.shell->leastAt) }, { "p5_mm", c.shell->p5Mm }, { "p50_mm", c.shell->p50Mm },
+    { "shell_mm2", c.shell->shellMm2 } };
 }
 
 Json GapJson(const FitCertificate& c)
@@ -74,9 +73,8 @@ Json GapJson(const FitCertificate& c)
     { "most_mm", gap.most }, { "worst_at", At(gap.worstAt) },
     { "nearest_wall_mm", near ? Json(gap.leastAnywhere) : Json(nullptr) },
     { "nearest_wall_at", near ? At(gap.leastAnywhereAt) : Json(nullptr) },
-    { "histogram",
-      { { "from_mm", -0.5 * GuideGap::BinMm * double(gap.histogramMm2.size()) },
-        { "bin_mm", GuideGap::BinMm }, { "area_mm2", gap.histogramMm2 } } } };
+    { "histogram", { { "from_mm", -0.5 * GuideGap::BinMm * double(gap.histogramMm2.size()) },
+                     { "bin_mm", GuideGap::BinMm }, { "area_mm2", gap.histogramMm2 } } } };
 }
 
 Json SlotJson(const SlotFit& fit, const ClaimedSlot& claim)
@@ -120,8 +118,8 @@ nlohmann::ordered_json CertificateJson(const FitCertificate& c)
   for (std::size_t n = 0; n < c.holes.size(); ++n)
     holes.push_back(HoleJson(c.holes[n], c.claims.holes[n]));
   for (const FitFault& fault : c.faults)
-    faults.push_back({ { "kind", FitFaultName(fault.kind) }, { "text", fault.text },
-      { "at", At(fault.at) } });
+    faults.push_back(
+      { { "kind", FitFaultName(fault.kind) }, { "text", fault.text }, { "at", At(fault.at) } });
   return { { "format", "hasp-certificate-1" }, { "passed", c.Holds() }, { "faults", faults },
     { "isovalue", c.claims.isovalue }, { "mesh", MeshJson(c) },
     { "walls", WallsJson(c.wall, c.claims.leastWallMm) }, { "shell", ShellJson(c) },

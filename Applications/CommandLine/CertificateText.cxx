@@ -58,10 +58,11 @@ std::string CutsText(const FitCertificate& c)
       n, c.slots[n].widthMm, c.slots[n].leastWidthMm, c.claims.slots[n].widthMm,
       c.slots[n].flatnessMm, c.slots[n].offsetMm, c.slots[n].tiltDegrees, c.slots[n].guideMm);
   for (std::size_t n = 0; n < c.holes.size(); ++n)
-    text += Line("holes[%zu]            %.3f mm, lets %.3f through, asked %.3f; round within %.3f, off "
-                 "%.3f mm, %.2f degrees; guides %.1f mm\n",
-      n, c.holes[n].diameterMm, c.holes[n].leastMm, c.claims.holes[n].diameterMm,
-      c.holes[n].roundnessMm, c.holes[n].offsetMm, c.holes[n].tiltDegrees, c.holes[n].guideMm);
+    text +=
+      Line("holes[%zu]            %.3f mm, lets %.3f through, asked %.3f; round within %.3f, off "
+           "%.3f mm, %.2f degrees; guides %.1f mm\n",
+        n, c.holes[n].diameterMm, c.holes[n].leastMm, c.claims.holes[n].diameterMm,
+        c.holes[n].roundnessMm, c.holes[n].offsetMm, c.holes[n].tiltDegrees, c.holes[n].guideMm);
   return text;
 }
 
@@ -74,10 +75,10 @@ std::string CertificateText(const FitCertificate& c)
     text += ShellText(c);
   text += CutsText(c);
   if (c.insertion)
-    text += c.insertion->blocked == 0
-              ? "put on along its axis  yes, no bone in the way\n"
-              : Line("put on along its axis  NO, bone %.2f mm deep in the way\n",
-                  c.insertion->deepestMm);
+    text +=
+      c.insertion->blocked == 0
+        ? "put on along its axis  yes, no bone in the way\n"
+        : Line("put on along its axis  NO, bone %.2f mm deep in the way\n", c.insertion->deepestMm);
   for (const FitFault& fault : c.faults)
     text += "fault               " + fault.text + "\n";
   return text + "verdict             " + (c.Holds() ? "holds" : "DOES NOT HOLD") + "\n";

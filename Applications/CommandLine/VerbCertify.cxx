@@ -35,8 +35,7 @@ void Run(const CertifyOptions& options, Session& session)
   const TriangleMesh part = ReadPart(options.part, session);
   const LoadedVolume bone = ReadVolume(options.bone, session);
   SayWarnings(bone.passport, session);
-  const FitCertificate certificate =
-    CertifyPart(part, bone.image, claims, session);
+  const FitCertificate certificate = CertifyPart(part, bone.image, claims, session);
   if (!certificate.Holds())
     ThrowFaults(certificate, "the part does not hold");
 }
@@ -60,7 +59,8 @@ void AddCertifyVerb(CLI::App& app, Session& session)
     ->capture_default_str();
   AddCommonOptions(*verb, session);
   verb->footer(
-    "Measured on the file alone: closed, 2-manifold, self-intersections, pieces, walls, gap to the\n"
+    "Measured on the file alone: closed, 2-manifold, self-intersections, pieces, walls, gap to "
+    "the\n"
     "bone, slots, holes, and whether it can be put on along its axis. In other units, mirrored or\n"
     "in RAS it is told so.\n"
     "Example: hasp certify guide.stl --bone head.mha --recipe guide.json --json\n"

@@ -76,8 +76,8 @@ void MarkAsFailed(const std::string& stl)
 void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& options,
   const GuideRecipe& recipe, Session& session)
 {
-  const FitCertificate certificate = CertifyPart(
-    ReadPart(stl, session), volume, ClaimsOf(recipe, options.leastShare), session);
+  const FitCertificate certificate =
+    CertifyPart(ReadPart(stl, session), volume, ClaimsOf(recipe, options.leastShare), session);
   if (certificate.Holds())
     return;
   if (!options.force)

@@ -79,8 +79,8 @@ CertificateTrial TryCertificate(SeededDefect defect, std::uint32_t firstSeed, st
     trial.red += !certificate.Holds();
     trial.found += !clean && found;
     if (clean ? !certificate.Holds() : !found)
-      trial.wrong.push_back("seed " + std::to_string(seed) + ", " + SeededDefectName(defect) +
-                            Words(certificate));
+      trial.wrong.push_back(
+        "seed " + std::to_string(seed) + ", " + SeededDefectName(defect) + Words(certificate));
   }
   return trial;
 }

@@ -138,17 +138,15 @@ SolidPointer MakeSolid(const Scene& scene, PartClaims claims, SeededDefect defec
     const glm::dvec3 center = at + (gap + left + r) * out;
     tools.push_back(MakeCapsule(center, center + 10.0 * out, r));
   }
-  const SolidPointer shell =
-    MakeIntersection({ MakeShell(scene.bone, gap, gap + scene.thicknessMm),
-      MakeBox(scene.to, scene.turn, scene.half) });
+  const SolidPointer shell = MakeIntersection({ MakeShell(scene.bone, gap, gap + scene.thicknessMm),
+    MakeBox(scene.to, scene.turn, scene.half) });
   const SolidPointer part = MakeDifference(shell, MakeUnion(tools));
   if (defect != SeededDefect::LoosePiece)
     return part;
   const double r = draw.From(0.8, 2.0);
-  return MakeUnion({ part,
-    scene.Ball({ draw.From(-6, 6), draw.From(-6, 6),
-                 gap + scene.thicknessMm + 1.2 + r + draw.From(1.0, 3.0) },
-      r) });
+  return MakeUnion({ part, scene.Ball({ draw.From(-6, 6), draw.From(-6, 6),
+                                        gap + scene.thicknessMm + 1.2 + r + draw.From(1.0, 3.0) },
+                             r) });
 }
 
 TriangleMesh Contour(const ImplicitSolid& solid, const Scene& scene)
@@ -183,7 +181,8 @@ void SpoilMesh(TriangleMesh& mesh, const Scene& scene, SeededDefect defect, Draw
   if (defect == SeededDefect::Mirrored)
   {
     const auto axis = static_cast<int>(draw.Below(3));
-    const double about = draw.Below(2) == 0 ? 0.0 : [&]
+    const double about = draw.Below(2) == 0 ? 0.0
+                                            : [&]
     {
       const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
         [axis](const glm::dvec3& a, const glm::dvec3& b) { return a[axis] < b[axis]; });
@@ -201,8 +200,8 @@ void Scan(const Scene& scene, Draw& draw, SeededPart& part)
 {
   part.scan.spacing = { draw.From(0.5, 0.8), 0.0, draw.From(0.5, 1.0) };
   part.scan.spacing.y = part.scan.spacing.x;
-  part.scan.direction = glm::dmat3(
-    glm::rotate(glm::dmat4(1.0), draw.From(0.0, 0.4), draw.Direction()));
+  part.scan.direction =
+    glm::dmat3(glm::rotate(glm::dmat4(1.0), draw.From(0.0, 0.4), draw.Direction()));
   const double half = glm::length(glm::dvec2(scene.half)) + 6.0;
   part.scan.dims = glm::ivec3(glm::ceil(2.0 * half / part.scan.spacing)) + 1;
   part.scan.origin =

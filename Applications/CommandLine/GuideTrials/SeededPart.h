@@ -10,8 +10,8 @@
 namespace hasp
 {
 
-/// What is done to a part. All but the last two of the first row are things that happen to files and
-/// printers, and not one of them shows in a picture.
+/// What is done to a part. All but the last two of the first row are things that happen to files
+/// and printers, and not one of them shows in a picture.
 enum class SeededDefect
 {
   None,
@@ -34,10 +34,10 @@ const char* SeededDefectName(SeededDefect defect);
 /// anyhow turned.
 struct SeededPart
 {
-  GridGeometry scan;                   ///< of the bone
-  std::vector<std::int16_t> grey;      ///< HU-like, 300 a mm at the bone's surface, which is 226
-  PartClaims claims;                   ///< of the clean part
-  TriangleMesh mesh;                   ///< as read back: 32-bit floats, welded
+  GridGeometry scan;              ///< of the bone
+  std::vector<std::int16_t> grey; ///< HU-like, 300 a mm at the bone's surface, which is 226
+  PartClaims claims;              ///< of the clean part
+  TriangleMesh mesh;              ///< as read back: 32-bit floats, welded
 
   AnyGridView Bone() const { return GridView<const std::int16_t>{ this->grey.data(), this->scan }; }
 };

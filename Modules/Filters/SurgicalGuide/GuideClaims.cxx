@@ -32,8 +32,8 @@ PartClaims ClaimsOf(const GuideRecipe& recipe, double leastGapShare)
       glm::normalize(glm::cross(normal, *claims.withdrawal)), slot.widthMm, slot.lengthMm, 0.1 });
   }
   for (const GuideHole& hole : recipe.holes)
-    claims.holes.push_back({ hole.point, glm::normalize(hole.axis), hole.diameterMm,
-      0.1 + h * h / hole.diameterMm });
+    claims.holes.push_back(
+      { hole.point, glm::normalize(hole.axis), hole.diameterMm, 0.1 + h * h / hole.diameterMm });
   return claims;
 }
 

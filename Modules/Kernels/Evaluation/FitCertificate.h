@@ -67,8 +67,8 @@ struct FitCertificate
   WallThickness wall;
   std::optional<GuideGap> gap; ///< and shell: where one is claimed
   std::optional<ShellThickness> shell;
-  std::vector<SlotFit> slots; ///< one for each that is claimed, in that order
-  std::vector<HoleFit> holes; ///< likewise
+  std::vector<SlotFit> slots;         ///< one for each that is claimed, in that order
+  std::vector<HoleFit> holes;         ///< likewise
   std::optional<Insertion> insertion; ///< where a withdrawal direction is claimed
   std::vector<FitFault> faults;
 
@@ -84,8 +84,10 @@ using FindSelfIntersectionsFunction =
 /// nothing of how this one was made.
 ///
 /// Where the limits come from:
-///  - closed, 2-manifold, outward, no triangle without area, not meeting itself, `pieces`: absolute.
-///    Without `selfIntersections`, or where it throws std::invalid_argument: NotChecked, never green
+///  - closed, 2-manifold, outward, no triangle without area, not meeting itself, `pieces`:
+///  absolute.
+///    Without `selfIntersections`, or where it throws std::invalid_argument: NotChecked, never
+///    green
 ///  - walls: claims.leastWallMm, what the printer can do, all over (WallThickness); a shell's
 ///    thickness less its tolerance all over (ShellThickness) but where it ends in a claimed cut
 ///  - gap: its tolerance, on leastGapShare of the inner wall; at least InnerShare of the wall that
@@ -94,14 +96,13 @@ using FindSelfIntersectionsFunction =
 ///    fitted width no wider, flat and in place within it; so is its tilt, at the ends of its height
 ///  - holes: likewise, by the fitted cylinder
 ///  - withdrawal: no bone is met more than InsertionSettings::toleranceMm deep
-/// If gap, slots or holes fail, it is tried whether the part fits in other units, mirrored (about 0,
-/// its own box or the volume's, along each axis) or in RAS: then that is the first fault.
+/// If gap, slots or holes fail, it is tried whether the part fits in other units, mirrored (about
+/// 0, its own box or the volume's, along each axis) or in RAS: then that is the first fault.
 ///
-/// Limits: a part that fits as well mirrored cannot be told from its mirror image. See the headers of
-/// what is measured for theirs.
-/// Throws std::invalid_argument on bad claims, a bad volume, or a triangle whose points are not
-/// there; Cancelled. Any thread; all cores, the same result on any number of them. About a second
-/// for 100,000 triangles on two cores.
+/// Limits: a part that fits as well mirrored cannot be told from its mirror image. See the headers
+/// of what is measured for theirs. Throws std::invalid_argument on bad claims, a bad volume, or a
+/// triangle whose points are not there; Cancelled. Any thread; all cores, the same result on any
+/// number of them. About a second for 100,000 triangles on two cores.
 FitCertificate CertifyFit(const TriangleMesh& mesh, const AnyGridView& bone,
   const PartClaims& claims, const FindSelfIntersectionsFunction& selfIntersections,
   const ProgressFunction& progress = {});

@@ -118,8 +118,7 @@ void JudgeWalls(const FitCertificate& c, FitFaults& faults)
 {
   if (c.wall.wallMm2 > 0.0 && c.wall.leastMm < c.claims.leastWallMm)
     Add(faults, FitFaultKind::ThinWall,
-      Text("a wall is %.2f mm thick, must be %.2f at least", c.wall.leastMm,
-        c.claims.leastWallMm),
+      Text("a wall is %.2f mm thick, must be %.2f at least", c.wall.leastMm, c.claims.leastWallMm),
       c.wall.leastAt);
   if (!c.shell)
     return;
@@ -131,8 +130,7 @@ void JudgeWalls(const FitCertificate& c, FitFaults& faults)
       c.shell->leastAt);
 }
 
-void JudgeGap(
-  const GuideGap& gap, const ClaimedShell& shell, double volumeMm3, FitFaults& faults)
+void JudgeGap(const GuideGap& gap, const ClaimedShell& shell, double volumeMm3, FitFaults& faults)
 {
   if (!(gap.innerWallMm2 > 0.0))
     return Add(faults, FitFaultKind::Gap, "no wall faces bone within reach");
@@ -167,15 +165,15 @@ void JudgeSlot(const SlotFit& fit, const ClaimedSlot& slot, std::size_t number, 
     return;
   }
   if (fit.leastWidthMm < slot.widthMm - tolerance)
-    fault(Text(" is %.2f mm wide, must be %.2f within %.2f", fit.leastWidthMm, slot.widthMm,
-            tolerance),
+    fault(
+      Text(" is %.2f mm wide, must be %.2f within %.2f", fit.leastWidthMm, slot.widthMm, tolerance),
       fit.leastAt);
   if (fit.widthMm > slot.widthMm + tolerance)
     fault(Text(" is %.2f mm wide between its planes, must be %.2f within %.2f", fit.widthMm,
       slot.widthMm, tolerance));
   if (fit.flatnessMm > tolerance)
-    fault(Text(" has walls that are flat within %.2f mm, must be within %.2f", fit.flatnessMm,
-      tolerance));
+    fault(Text(
+      " has walls that are flat within %.2f mm, must be within %.2f", fit.flatnessMm, tolerance));
   if (fit.offsetMm > tolerance)
     fault(Text(" lies %.2f mm off its plane, may %.2f", fit.offsetMm, tolerance));
   if (AtTheEnds(fit.tiltDegrees, fit.guideMm) > tolerance)
@@ -205,8 +203,8 @@ void JudgeHole(const HoleFit& fit, const ClaimedHole& hole, std::size_t number, 
             hole.diameterMm, tolerance),
       fit.middle);
   else if (fit.leastMm < hole.diameterMm - tolerance)
-    fault(Text(" lets %.2f mm through, must %.2f, less %.2f at most", fit.leastMm,
-            hole.diameterMm, tolerance),
+    fault(Text(" lets %.2f mm through, must %.2f, less %.2f at most", fit.leastMm, hole.diameterMm,
+            tolerance),
       fit.middle);
   if (fit.offsetMm > tolerance)
     fault(Text(" lies %.2f mm off its axis, may %.2f", fit.offsetMm, tolerance), fit.middle);
@@ -218,8 +216,9 @@ void JudgeInsertion(const Insertion& insertion, FitFaults& faults)
 {
   if (insertion.blocked > 0)
     Add(faults, FitFaultKind::Undercut,
-      Text("it cannot be put on along its axis: %.1f mm2 of it would pass through bone, up to %.2f mm "
-           "deep, such as " ,
+      Text(
+        "it cannot be put on along its axis: %.1f mm2 of it would pass through bone, up to %.2f mm "
+        "deep, such as ",
         insertion.blockedMm2, insertion.deepestMm) +
         Place(insertion.boneAt) + ", by the place of the part",
       insertion.partAt);

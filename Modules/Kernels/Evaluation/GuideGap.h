@@ -48,7 +48,8 @@ using CountsAsBone = std::function<bool(const glm::dvec3&)>;
 /// (against the isosurface's outward normal at the nearest point, cosine >= facing) and which lie
 /// within nearMm of it. Where a wall is too close, `counts` is asked whether what is there is bone;
 /// if not, the place is left out.
-/// Throws std::invalid_argument on settings out of range or sizes that differ. Any thread; one core.
+/// Throws std::invalid_argument on settings out of range or sizes that differ. Any thread; one
+/// core.
 GuideGap MeasureGuideGap(std::span<const MeshSample> samples,
   std::span<const std::optional<NearestSurface>> nearest, const GuideGapSettings& settings,
   const CountsAsBone& counts = {});

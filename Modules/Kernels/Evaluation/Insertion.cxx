@@ -104,8 +104,7 @@ private:
     const glm::ivec3 last = this->Blocks.Blocks() - 1;
     const glm::ivec3 block =
       glm::clamp(glm::ivec3(index) / MinMaxBlocks::Side, glm::ivec3(0), last);
-    const std::size_t n =
-      (std::size_t(block.z) * (last.y + 1) + block.y) * (last.x + 1) + block.x;
+    const std::size_t n = (std::size_t(block.z) * (last.y + 1) + block.y) * (last.x + 1) + block.x;
     if (this->Blocks.Data()[n].max >= this->Isovalue)
       return 0.0;
     double out = std::numeric_limits<double>::max();

@@ -34,7 +34,8 @@ DisjointSets JoinThroughEdges(const TriangleMesh& mesh)
       const std::uint32_t a = mesh.triangles[t][c], b = mesh.triangles[t][(c + 1) % 3];
       edges.push_back({ std::min(a, b), std::max(a, b), t });
     }
-  std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) { return l.Key() < r.Key(); });
+  std::sort(
+    edges.begin(), edges.end(), [](const Edge& l, const Edge& r) { return l.Key() < r.Key(); });
   DisjointSets pieces(mesh.triangles.size());
   for (std::size_t n = 1; n < edges.size(); ++n)
     if (edges[n].Key() == edges[n - 1].Key())
@@ -70,7 +71,8 @@ std::vector<MeshPiece> MeshPieces(const TriangleMesh& mesh)
     piece.low = glm::min(piece.low, glm::min(a, glm::min(b, c)));
     piece.high = glm::max(piece.high, glm::max(a, glm::max(b, c)));
   }
-  std::stable_sort(pieces.begin(), pieces.end(), [](const MeshPiece& l, const MeshPiece& r)
+  std::stable_sort(pieces.begin(), pieces.end(),
+    [](const MeshPiece& l, const MeshPiece& r)
     { return std::abs(l.volumeMm3) > std::abs(r.volumeMm3); });
   return pieces;
 }

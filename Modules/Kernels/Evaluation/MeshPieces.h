@@ -17,9 +17,9 @@ struct MeshPiece
   glm::dvec3 low{ 0.0 }, high{ 0.0 };
 };
 
-/// The pieces of a mesh, that of the greatest volume first. Points are told apart by index: weld the
-/// mesh first (WeldPoints). Throws std::invalid_argument if a triangle names a point that is not
-/// there. Any thread; O(triangles log triangles), one core.
+/// The pieces of a mesh, that of the greatest volume first. Points are told apart by index: weld
+/// the mesh first (WeldPoints). Throws std::invalid_argument if a triangle names a point that is
+/// not there. Any thread; O(triangles log triangles), one core.
 std::vector<MeshPiece> MeshPieces(const TriangleMesh& mesh);
 
 } // namespace hasp

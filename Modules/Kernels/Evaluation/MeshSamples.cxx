@@ -24,9 +24,15 @@ void Halve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double
     return;
   }
   sample.areaMm2 *= 0.5;
-  const glm::dvec3 &p = longest == ab ? a : longest == bc ? b : c,
-                   &q = longest == ab ? b : longest == bc ? c : a,
-                   &o = longest == ab ? c : longest == bc ? a : b;
+  const glm::dvec3 &p = longest == ab   ? a
+                        : longest == bc ? b
+                                        : c,
+                   &q = longest == ab   ? b
+                        : longest == bc ? c
+                                        : a,
+                   &o = longest == ab   ? c
+                        : longest == bc ? a
+                                        : b;
   const glm::dvec3 middle = 0.5 * (p + q);
   Halve(p, middle, o, spacing, sample, samples);
   Halve(middle, q, o, spacing, sample, samples);
@@ -44,16 +50,16 @@ double HeightOf(const TriangleMesh& mesh, const glm::uvec3& t)
 std::vector<MeshSample> SampleMesh(const TriangleMesh& mesh, double spacingMm)
 {
   if (!(spacingMm > 0.0) || !std::isfinite(spacingMm))
-    throw std::invalid_argument("mesh samples: spacingMm is " + std::to_string(spacingMm) +
-                                ", must be finite and above 0");
+    throw std::invalid_argument(
+      "mesh samples: spacingMm is " + std::to_string(spacingMm) + ", must be finite and above 0");
   double area = 0.0;
   for (const glm::uvec3& t : mesh.triangles)
   {
     if (const std::uint32_t most = std::max({ t.x, t.y, t.z }); most >= mesh.points.size())
       throw std::invalid_argument("mesh: a triangle names point " + std::to_string(most) + " of " +
                                   std::to_string(mesh.points.size()));
-    area += 0.5 * glm::length(glm::cross(mesh.points[t.y] - mesh.points[t.x],
-                    mesh.points[t.z] - mesh.points[t.x]));
+    area += 0.5 * glm::length(glm::cross(
+                    mesh.points[t.y] - mesh.points[t.x], mesh.points[t.z] - mesh.points[t.x]));
   }
   // Well-shaped parts have a fifth of their longest side's square and more.
   const double spacing = std::max(spacingMm, std::sqrt(area / 100000.0));

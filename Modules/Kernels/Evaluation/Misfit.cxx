@@ -26,7 +26,10 @@ struct Guess
   glm::dvec3 factor;
   glm::dvec3 about{ 0.0 };
 
-  glm::dvec3 Place(const glm::dvec3& p) const { return this->about + this->factor * (p - this->about); }
+  glm::dvec3 Place(const glm::dvec3& p) const
+  {
+    return this->about + this->factor * (p - this->about);
+  }
   bool Mirrors() const { return this->factor.x * this->factor.y * this->factor.z < 0.0; }
   double Scale() const { return std::abs(this->factor.x); }
 };

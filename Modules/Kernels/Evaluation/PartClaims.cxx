@@ -42,8 +42,8 @@ void RequirePlace(const std::string& what, const glm::dvec3& p)
 void RequireUnit(const std::string& what, const glm::dvec3& d)
 {
   if (!(std::abs(glm::length(d) - 1.0) <= 1e-3))
-    throw std::invalid_argument("claims: " + what + " has length " +
-                                std::to_string(glm::length(d)) + ", must have 1");
+    throw std::invalid_argument(
+      "claims: " + what + " has length " + std::to_string(glm::length(d)) + ", must have 1");
 }
 } // namespace
 

@@ -37,7 +37,8 @@ ShellThickness MeasureShell(std::span<const MeshSample> samples, std::span<const
     const glm::dvec3& normal = samples[n].normal;
     if (!nearest[n] || !(chords[n].mm > 0.0) ||
         !(glm::dot(normal, nearest[n]->outward) < -s.facing) ||
-        !(glm::dot(normal, chords[n].normal) < opposite) || RunsAlong(chords[n].normal, s.withdrawal))
+        !(glm::dot(normal, chords[n].normal) < opposite) ||
+        RunsAlong(chords[n].normal, s.withdrawal))
       continue;
     double mm = chords[n].mm;
     if (RunsAlong(normal, s.withdrawal))
@@ -47,8 +48,7 @@ ShellThickness MeasureShell(std::span<const MeshSample> samples, std::span<const
       mm += std::max(0.0, nearest[n]->distance - s.gapMm);
     }
     shares.Add(mm, samples[n].areaMm2);
-    places.push_back(
-      { mm, samples[n].areaMm2, samples[n].point - 0.5 * chords[n].mm * normal });
+    places.push_back({ mm, samples[n].areaMm2, samples[n].point - 0.5 * chords[n].mm * normal });
   }
   const ThinPlace least = ThinnestPlace(std::move(places));
   shell.leastMm = least.mm;

@@ -22,9 +22,9 @@ struct ShellSettings
 /// How thick a shell on bone is: from its wall that faces bone straight to its outer side. mm.
 struct ShellThickness
 {
-  double shellMm2 = 0.0;     ///< of the inner wall that was measured; 0: there is no shell
-  double leastMm = 0.0;      ///< of ThinnestPlace (ThinPlaces.h)
-  glm::dvec3 leastAt{ 0.0 }; ///< middle of the shell there
+  double shellMm2 = 0.0;          ///< of the inner wall that was measured; 0: there is no shell
+  double leastMm = 0.0;           ///< of ThinnestPlace (ThinPlaces.h)
+  glm::dvec3 leastAt{ 0.0 };      ///< middle of the shell there
   double p5Mm = 0.0, p50Mm = 0.0; ///< 5 and 50 % of the inner wall's area have less
 };
 

@@ -165,7 +165,8 @@ private:
   /// No surface in a row of cells.
   bool Empty(int low, int high, int j, int k) const
   {
-    return this->Start[this->Number({ low, j, k })] == this->Start[this->Number({ high, j, k }) + 1];
+    return this->Start[this->Number({ low, j, k })] ==
+           this->Start[this->Number({ high, j, k }) + 1];
   }
 
   void BestOfCell(const glm::ivec3& cell, const glm::dvec3& p, double reach,

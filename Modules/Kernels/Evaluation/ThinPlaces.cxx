@@ -22,8 +22,8 @@ ThinPlace ThinnestPlace(std::vector<ThinPlace> places)
       for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i)
         {
-          double& area = around[{ std::int64_t(cell.x) + i, std::int64_t(cell.y) + j,
-            std::int64_t(cell.z) + k }];
+          double& area = around[{
+            std::int64_t(cell.x) + i, std::int64_t(cell.y) + j, std::int64_t(cell.z) + k }];
           area += place.areaMm2;
           if (area >= ThinDetailMm * ThinDetailMm)
             return place;

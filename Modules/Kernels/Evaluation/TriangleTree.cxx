@@ -153,9 +153,8 @@ bool TriangleTree::Inside(const glm::dvec3& place, const glm::dvec3& direction) 
 
 double TriangleTree::Reach(const glm::dvec3& direction) const
 {
-  return this->Nodes.empty()
-           ? 0.0
-           : 0.5 * glm::dot(glm::abs(direction), this->Highest - this->Lowest);
+  return this->Nodes.empty() ? 0.0
+                             : 0.5 * glm::dot(glm::abs(direction), this->Highest - this->Lowest);
 }
 
 } // namespace hasp

@@ -12,9 +12,9 @@
 namespace hasp
 {
 
-/// Rays against the triangles of a mesh, whatever its faults: a tree of boxes, halved at the median.
-/// Double precision; a ray through an edge or a point meets one of its triangles (a sum of areas
-/// within 1e-9 counts as inside). Triangles without an area are never met.
+/// Rays against the triangles of a mesh, whatever its faults: a tree of boxes, halved at the
+/// median. Double precision; a ray through an edge or a point meets one of its triangles (a sum of
+/// areas within 1e-9 counts as inside). Triangles without an area are never met.
 ///
 /// Immutable; any thread may ask. O(n log n) to make, 100 ms for 100,000 triangles, 120 bytes each;
 /// about 1 us a ray. Throws std::invalid_argument on a triangle whose points are not there.

@@ -23,10 +23,10 @@ std::vector<Chord> MeasureChords(const TriangleTree& tree, std::span<const MeshS
 /// thickness falls to 0 in any part.
 struct WallThickness
 {
-  double wallMm2 = 0.0;             ///< of the mesh that is a side of a wall
-  double leastMm = 0.0;             ///< of ThinnestPlace (ThinPlaces.h); 0: there are no walls
-  glm::dvec3 leastAt{ 0.0 };        ///< middle of the wall there
-  double p5Mm = 0.0, p50Mm = 0.0;   ///< 5 and 50 % of the sides' area have less
+  double wallMm2 = 0.0;           ///< of the mesh that is a side of a wall
+  double leastMm = 0.0;           ///< of ThinnestPlace (ThinPlaces.h); 0: there are no walls
+  glm::dvec3 leastAt{ 0.0 };      ///< middle of the wall there
+  double p5Mm = 0.0, p50Mm = 0.0; ///< 5 and 50 % of the sides' area have less
   static constexpr double WallDegrees = 20.0;
 };
 

@@ -51,14 +51,14 @@ TEST(HoleFit, TheFitIsOfTheMeshNotOfTheClaim)
 TEST(HoleFit, SaysIfItIsBlockedOpenOrNotThere)
 {
   const auto motion = parttest::AnyMotion(4);
-  const auto solid = motion(
-    parttest::Blocks({ -5, 5 }, { -5, 5 }, { -2, 2 }, [](int, int, int) { return true; }));
+  const auto solid =
+    motion(parttest::Blocks({ -5, 5 }, { -5, 5 }, { -2, 2 }, [](int, int, int) { return true; }));
   auto fit = hasp::FitHole(hasp::TriangleTree(solid), Claim(motion, 2));
   EXPECT_EQ(fit.sections, 0U);
   ASSERT_TRUE(fit.blockedAt);
   // A notch of 2 x 2 mm in the rim, its axis 0.2 mm from there.
-  const auto notched = motion(parttest::Blocks({ -5, -1, 1, 5 }, { -1, 1, 5 }, { -2, 2 },
-    [](int i, int j, int) { return i != 1 || j != 0; }));
+  const auto notched = motion(parttest::Blocks(
+    { -5, -1, 1, 5 }, { -1, 1, 5 }, { -2, 2 }, [](int i, int j, int) { return i != 1 || j != 0; }));
   hasp::ClaimedHole rim = Claim(motion, 2);
   rim.point += motion.Turn({ 0, -0.8, 0 });
   fit = hasp::FitHole(hasp::TriangleTree(notched), rim);

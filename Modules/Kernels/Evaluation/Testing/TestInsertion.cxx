@@ -19,12 +19,11 @@ struct Mushroom
   {
     this->grid = { glm::ivec3(81), {}, glm::dvec3(0.6), motion.turn };
     this->grid.origin = motion.Place({ -24, -24, -20 });
-    const hasp::AnalyticVolume bone{ "mushroom",
-      [motion](const glm::dvec3& world)
+    const hasp::AnalyticVolume bone{ "mushroom", [motion](const glm::dvec3& world)
       {
         const glm::dvec3 p = (world - motion.to) * motion.turn;
-        return std::max(std::min(6 - std::hypot(p.x, p.y), 10 - p.z),
-          9 - glm::length(p - glm::dvec3(0, 0, 14)));
+        return std::max(
+          std::min(6 - std::hypot(p.x, p.y), 10 - p.z), 9 - glm::length(p - glm::dvec3(0, 0, 14)));
       } };
     this->samples = hasp::SampleAnalytic<float>(bone, this->grid, 1, 0);
   }

@@ -17,7 +17,8 @@ hasp::TriangleMesh Plate(double upper = 0.6, bool bridged = false)
 
 hasp::ClaimedSlot Claim(const parttest::Motion& motion)
 {
-  return { motion.Place({ 0, 0, 0 }), motion.Turn({ 1, 0, 0 }), motion.Turn({ 0, 1, 0 }), 1.2, 9.0 };
+  return { motion.Place({ 0, 0, 0 }), motion.Turn({ 1, 0, 0 }), motion.Turn({ 0, 1, 0 }), 1.2,
+    9.0 };
 }
 
 TEST(SlotFit, MeasuresASlotUnderAnyRotation)
@@ -66,8 +67,8 @@ TEST(SlotFit, SaysWhereItIsBlockedAndIfThereIsNone)
   EXPECT_TRUE(at.y > 2 && at.y < 3 && at.z > 0 && at.z < 2) << at.y << " " << at.z;
   EXPECT_GT(bridged.places, 0U);
 
-  const auto solid = motion(
-    parttest::Blocks({ -10, 10 }, { -7, 7 }, { -2, 2 }, [](int, int, int) { return true; }));
+  const auto solid =
+    motion(parttest::Blocks({ -10, 10 }, { -7, 7 }, { -2, 2 }, [](int, int, int) { return true; }));
   EXPECT_EQ(hasp::FitSlot(hasp::TriangleTree(solid), Claim(motion)).places, 0U);
   EXPECT_TRUE(hasp::FitSlot(hasp::TriangleTree(solid), Claim(motion)).blockedAt);
   hasp::ClaimedSlot away = Claim(motion);

@@ -49,8 +49,9 @@ TEST(WallThickness, FindsAThinPlaceAndSaysWhere)
 TEST(WallThickness, AnEdgeIsNoWall)
 {
   // A wedge of 30 degrees runs out to nothing; a ball has no thin place at its side.
-  hasp::TriangleMesh wedge{ { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 0, 10 * std::tan(glm::pi<double>() / 6) },
-                              { 0, 9, 0 }, { 10, 9, 0 }, { 10, 9, 10 * std::tan(glm::pi<double>() / 6) } },
+  hasp::TriangleMesh wedge{ { { 0, 0, 0 }, { 10, 0, 0 },
+                              { 10, 0, 10 * std::tan(glm::pi<double>() / 6) }, { 0, 9, 0 },
+                              { 10, 9, 0 }, { 10, 9, 10 * std::tan(glm::pi<double>() / 6) } },
     { { 0, 1, 2 }, { 3, 5, 4 }, { 0, 3, 4 }, { 0, 4, 1 }, { 1, 4, 5 }, { 1, 5, 2 }, { 0, 2, 5 },
       { 0, 5, 3 } } };
   ASSERT_TRUE(hasp::CheckMesh(wedge).Sound());
@@ -64,9 +65,9 @@ TEST(WallThickness, WhatIsSmallerThanAPrintersDetailIsNoWall)
   // A fin, 0.1 mm thick: of 0.3 x 0.2 mm nobody prints; of 0.9 x 0.6 mm a thin wall is left.
   for (const double size : { 0.3, 0.9 })
   {
-    const auto finned = parttest::Blocks({ 0, 6, 6.1, 20 }, { 0, 7, 7 + size, 15 },
-      { 0, 2.5, 2.5 + 2 * size / 3 },
-      [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); });
+    const auto finned =
+      parttest::Blocks({ 0, 6, 6.1, 20 }, { 0, 7, 7 + size, 15 }, { 0, 2.5, 2.5 + 2 * size / 3 },
+        [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); });
     EXPECT_NEAR(WallsOf(finned).leastMm, size > 0.5 ? 0.1 : 2.5, 1e-9);
   }
 }
