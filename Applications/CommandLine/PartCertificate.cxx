@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "Session.h"
 #include "SurfaceInput.h"
+#include "VtkMessages.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeView.h"
 
@@ -11,7 +12,9 @@
 #include "Evaluation/SelfIntersections.h"
 #endif
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSTLReader.h"
 
 #include <chrono>
 #include <iostream>
@@ -38,6 +41,16 @@ TriangleMesh ReadPart(const std::string& path, Session& session)
   const LoadedSurface read = ReadSurface(path, FileLabel(path), session.quiet, session);
   session.resources.push_back({ "part", BytesOf(read), 0.0, "read back as written" });
   return WeldPoints(MakeTriangleMesh(read.surface));
+}
+
+TriangleMesh ReadBackStl(const std::string& stl)
+{
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(stl.c_str());
+  reader->MergingOff();
+  reader->Update();
+  ThrowVtkError(ExitCode::FailedCheck, "the part cannot be read back");
+  return WeldPoints(MakeTriangleMesh(reader->GetOutput()));
 }
 
 FitCertificate CertifyPart(

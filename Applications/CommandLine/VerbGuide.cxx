@@ -77,7 +77,7 @@ void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& opt
   const GuideRecipe& recipe, Session& session)
 {
   const FitCertificate certificate =
-    CertifyPart(ReadPart(stl, session), volume, ClaimsOf(recipe, options.leastShare), session);
+    CertifyPart(ReadBackStl(stl), volume, ClaimsOf(recipe, options.leastShare), session);
   if (certificate.Holds())
     return;
   if (!options.force)
