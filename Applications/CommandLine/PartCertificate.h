@@ -14,8 +14,8 @@ struct Session;
 /// Failure: BadInput if it cannot be read.
 TriangleMesh ReadPart(const std::string& path, Session& session);
 
-/// An STL file under way, whatever it is called yet: by VTK's reader, which is not the writer's own.
-/// Throws Failure: FailedCheck if it cannot be read.
+/// An STL file under way, whatever it is called yet: by VTK's reader, which is not the writer's
+/// own. Throws Failure: FailedCheck if it cannot be read.
 TriangleMesh ReadBackStl(const std::string& stl);
 
 /// Certifies a part, with CGAL where it is there, and hands the certificate to the session: its

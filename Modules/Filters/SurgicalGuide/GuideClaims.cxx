@@ -21,9 +21,9 @@ PartClaims ClaimsOf(const GuideRecipe& recipe, double leastGapShare)
   shell.gapMm = recipe.gapMm;
   shell.leastGapShare = leastGapShare;
   shell.thicknessMm = recipe.thicknessMm;
-  shell.thicknessToleranceMm = h;
-  claims.shell = shell;
   claims.leastWallMm = std::min(claims.leastWallMm, recipe.thicknessMm - h);
+  shell.thicknessToleranceMm = recipe.thicknessMm - claims.leastWallMm;
+  claims.shell = shell;
   for (const GuideSlot& slot : recipe.slots)
   {
     const glm::dvec3 normal = glm::normalize(slot.normal);

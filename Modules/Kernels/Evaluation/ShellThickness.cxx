@@ -28,7 +28,7 @@ ShellThickness MeasureShell(std::span<const MeshSample> samples, std::span<const
 {
   if (samples.size() != chords.size() || samples.size() != nearest.size())
     throw std::invalid_argument("shell thickness: samples, chords and distances differ in number");
-  const double opposite = -std::cos(glm::radians(45.0));
+  const double opposite = -std::cos(glm::radians(30.0));
   ShellThickness shell;
   AreaShares shares;
   std::vector<ThinPlace> places;

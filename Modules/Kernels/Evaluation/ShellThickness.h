@@ -29,7 +29,7 @@ struct ShellThickness
 };
 
 /// Chords of the places that face bone (`nearest`: where it is) and come out of a side that looks
-/// away within 45 degrees: what comes out steeper is cut, by a slot, a hole or the rim.
+/// away within 30 degrees: what comes out steeper is cut, by a slot, a hole or the rim.
 ///
 /// Undercuts are blocked out along the withdrawal direction, which leaves walls along it (within 10
 /// degrees), and the shell runs out there by design. Where the inner wall is one, and within
