@@ -16,6 +16,7 @@ void AddVerbs(CLI::App& app, Session& session)
 #if HASP_WITH_GUIDES
   AddCutVerb(app, session);
   AddGuideVerb(app, session);
+  AddCertifyVerb(app, session);
 #endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);

@@ -24,6 +24,7 @@ void AddCalibrateVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
 void AddCutVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
+void AddCertifyVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 
 } // namespace hasp
