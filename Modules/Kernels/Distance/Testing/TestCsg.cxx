@@ -46,6 +46,8 @@ TEST(Csg, RefusesWhatIsNoTree)
   EXPECT_THROW(hasp::MakeShell(ball, 0, std::nan("")), std::invalid_argument);
   EXPECT_THROW(hasp::MakeSmoothUnion(ball, nullptr, 1), std::invalid_argument);
   EXPECT_THROW(hasp::MakeSmoothUnion(ball, ball, 0), std::invalid_argument);
+  EXPECT_THROW(hasp::MakeSmoothIntersection(nullptr, ball, 1), std::invalid_argument);
+  EXPECT_THROW(hasp::MakeSmoothIntersection(ball, ball, -1), std::invalid_argument);
   // Pairs of faces multiply: refused before their numbers run out.
   hasp::SolidPointer many = Box({}, { 1, 1, 1 });
   EXPECT_THROW(
@@ -315,6 +317,30 @@ TEST(Csg, ASmoothUnionIsFilledByAFillet)
     const double a = floor->At(x), b = wall->At(x), h = std::max(0.0, 1 - std::abs(a - b) / 2);
     ASSERT_NEAR(joined->At(x), std::min(a, b) - h * h * 0.5, 1e-14);
   }
+}
+
+TEST(Csg, ASmoothIntersectionLosesItsEdges)
+{
+  const auto floor = hasp::MakePlane({}, { 0, 0, 1 }), wall = hasp::MakePlane({}, { 1, 0, 0 });
+  const auto common = hasp::MakeSmoothIntersection(floor, wall, 2);
+  // On the edge a quarter of the radius is taken away, 2 mm before it nothing.
+  EXPECT_DOUBLE_EQ(common->At({ 0, 0, 0 }), 0.5);
+  EXPECT_DOUBLE_EQ(common->At({ 0, 0, -2 }), 0);
+  EXPECT_EQ(common->Faces(), 3u);
+  EXPECT_EQ(common->SampleAt({ -0.5, 0, -0.5 }).face, 2u);
+  for (const double off : { -1e-7, 1e-7 })
+    EXPECT_LT(
+      glm::distance(common->SampleAt({ 0, 0, -2 + off }).gradient, glm::dvec3(1, 0, 0)), 1e-6);
+  for (const glm::dvec3& x : hasp::RandomPlaces(2000, 4))
+  {
+    const double a = floor->At(x), b = wall->At(x), h = std::max(0.0, 1 - std::abs(a - b) / 2);
+    ASSERT_NEAR(common->At(x), std::max(a, b) + h * h * 0.5, 1e-14);
+  }
+  const auto rounded = hasp::MakeSmoothIntersection(Box({}, { 2, 1, 1 }), Ball({ 1, 0, 0 }, 2), 1);
+  EXPECT_EQ(rounded->Bounds().low.x, -1);
+  EXPECT_EQ(rounded->Bounds().high.x, 2);
+  hasp::ExpectSamplesAgree(*rounded, hasp::RandomPlaces(2000, 4));
+  hasp::ExpectNoSteeperThanPromised(*rounded, hasp::RandomPlaces(2000, 4));
 }
 
 TEST(Csg, BoundsOfASmoothUnionHoldWhatItAdds)
