@@ -63,9 +63,9 @@ int vtkHaspGuideFilter::RequestData(
   };
   try
   {
-    const hasp::TriangleMesh guide =
+    const hasp::BuiltGuide guide =
       hasp::BuildGuide(hasp::ViewImage(image), *this->Recipe, progress);
-    output->ShallowCopy(hasp::MakePolyData(guide));
+    output->ShallowCopy(hasp::MakePolyData(guide.mesh));
     return 1;
   }
   catch (const hasp::Cancelled&)
