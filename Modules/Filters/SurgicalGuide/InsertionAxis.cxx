@@ -19,6 +19,7 @@ namespace hasp
 namespace
 {
 constexpr double StepDeg = 5.0;
+constexpr double ReachDeg = 90.0, ReachStepDeg = 15.0; // what counts as reachable at all
 constexpr double TurnedCost = 0.01;   // of the area: what a turn by the full angle must gain
 constexpr double GrazingCosine = 0.1; // a surface more along the direction is not reached
 
@@ -26,16 +27,67 @@ constexpr double GrazingCosine = 0.1; // a surface more along the direction is n
 struct SurfaceSample
 {
   glm::dvec3 place;
-  glm::dvec3 area; ///< vector sum of its open sides', outwards, mm^2
   bool inRegion;
+  double area = 0.0;        ///< of its open sides as one facet, mm^2
+  glm::dvec3 normal{ 0.0 }; ///< outwards, unit; these two in the region alone
+};
+
+/// The bone's samples as a mask that is open all around.
+class BoneMask
+{
+public:
+  BoneMask(const GridGeometry& grid, const std::vector<std::uint8_t>& keep) : Grid(grid), Keep(keep)
+  {
+  }
+  bool At(const glm::ivec3& p) const
+  {
+    if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
+        glm::any(glm::greaterThanEqual(p, this->Grid.dims)))
+      return false;
+    return this->Keep[(std::size_t(p.z) * this->Grid.dims.y + p.y) * this->Grid.dims.x + p.x] != 0;
+  }
+  /// Sum of the open sides' areas, as vectors outwards along the grid's axes; 0 if none is open, or
+  /// if opposite ones are.
+  glm::dvec3 OpenSides(const glm::ivec3& p, bool& open) const
+  {
+    const glm::dvec3 h = this->Grid.spacing, side(h.y * h.z, h.z * h.x, h.x * h.y);
+    glm::dvec3 out(0.0);
+    for (int a = 0; a < 3; ++a)
+      for (const int way : { -1, 1 })
+      {
+        glm::ivec3 next = p;
+        next[a] += way;
+        if (!this->At(next))
+        {
+          out[a] += way * side[a];
+          open = true;
+        }
+      }
+    return out;
+  }
+  /// Away from the bone within two samples all around: smoother than one sample's sides.
+  glm::dvec3 Normal(const glm::ivec3& p) const
+  {
+    glm::dvec3 away(0.0);
+    for (int k = -2; k <= 2; ++k)
+      for (int j = -2; j <= 2; ++j)
+        for (int i = -2; i <= 2; ++i)
+          if (const glm::dvec3 step = glm::dvec3(i, j, k) * this->Grid.spacing;
+              !this->At(p + glm::ivec3(i, j, k)))
+            away += step;
+    const double length = glm::length(away);
+    return length > 0.0 ? this->Grid.direction * (away / length) : glm::dvec3(0.0);
+  }
+
+private:
+  const GridGeometry& Grid;
+  const std::vector<std::uint8_t>& Keep;
 };
 
 std::vector<SurfaceSample> SurfaceOf(
   const GridGeometry& g, const std::vector<std::uint8_t>& keep, const ImplicitSolid& region)
 {
-  const glm::dvec3 h = g.spacing;
-  const glm::dvec3 side(h.y * h.z, h.z * h.x, h.x * h.y);
-  const std::size_t step[] = { 1, std::size_t(g.dims.x), std::size_t(g.dims.x) * g.dims.y };
+  const BoneMask bone(g, keep);
   std::vector<SurfaceSample> samples;
   std::size_t n = 0;
   for (int k = 0; k < g.dims.z; ++k)
@@ -45,38 +97,33 @@ std::vector<SurfaceSample> SurfaceOf(
         if (!keep[n])
           continue;
         const glm::ivec3 at(i, j, k);
-        glm::dvec3 out(0.0);
         bool open = false;
-        for (int a = 0; a < 3; ++a)
-          for (const int way : { -1, 1 })
-          {
-            const bool border = way < 0 ? at[a] == 0 : at[a] == g.dims[a] - 1;
-            if (border || !keep[way < 0 ? n - step[a] : n + step[a]])
-            {
-              out[a] += way * side[a];
-              open = true;
-            }
-          }
-        if (open)
+        const glm::dvec3 sides = bone.OpenSides(at, open);
+        if (!open)
+          continue;
+        SurfaceSample sample{ g.IndexToWorld(at), false };
+        if (region.At(sample.place) < 0.0)
         {
-          const glm::dvec3 place = g.IndexToWorld(at);
-          samples.push_back({ place, g.direction * out, region.At(place) < 0.0 });
+          sample.inRegion = true;
+          sample.area = glm::length(sides);
+          sample.normal = bone.Normal(at);
         }
+        samples.push_back(sample);
       }
   return samples;
 }
 
 /// `start`, then rings around it.
-std::vector<glm::dvec3> Directions(const glm::dvec3& start, double mostDeg)
+std::vector<glm::dvec3> Directions(const glm::dvec3& start, double mostDeg, double stepDeg)
 {
   const glm::dvec3 other = std::abs(start.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(start, other)), y = glm::cross(start, x);
   std::vector<glm::dvec3> all{ start };
-  const int rings = std::max(1, static_cast<int>(std::round(mostDeg / StepDeg)));
+  const int rings = std::max(1, static_cast<int>(std::round(mostDeg / stepDeg)));
   for (int ring = 1; ring <= rings; ++ring)
   {
     const double turn = glm::radians(mostDeg * ring / rings);
-    const int count = std::max(6, static_cast<int>(std::round(360.0 * std::sin(turn) / StepDeg)));
+    const int count = std::max(6, static_cast<int>(std::round(360.0 * std::sin(turn) / stepDeg)));
     for (int n = 0; n < count; ++n)
     {
       const double around = glm::two_pi<double>() * n / count;
@@ -115,8 +162,7 @@ std::vector<std::uint8_t> ReachedAlong(
   for (const SurfaceSample& s : samples)
     if (s.inRegion)
     {
-      const double area = glm::length(s.area);
-      const double facing = area > 0.0 ? glm::dot(s.area, direction) / area : 0.0;
+      const double facing = glm::dot(s.normal, direction);
       // Within its pixel a sloping surface rises by so much.
       const double slope = std::sqrt(std::max(0.0, 1.0 - facing * facing)) / facing;
       reached.push_back(
@@ -132,7 +178,10 @@ InsertionAxis FindInsertionAxis(const AnyGridView& ct, const std::vector<std::ui
 {
   const GridGeometry& g = GeometryOf(ct);
   const std::vector<SurfaceSample> samples = SurfaceOf(g, keep, region);
-  const std::vector<glm::dvec3> directions = Directions(start, mostDeg);
+  std::vector<glm::dvec3> directions = Directions(start, mostDeg, StepDeg);
+  const std::size_t candidates = directions.size();
+  const std::vector<glm::dvec3> others = Directions(start, ReachDeg, ReachStepDeg);
+  directions.insert(directions.end(), others.begin(), others.end());
   const double pixel = std::max({ g.spacing.x, g.spacing.y, g.spacing.z });
   std::vector<std::vector<std::uint8_t>> reached(directions.size());
   ParallelFor(0, std::int64_t(directions.size()), 1,
@@ -141,25 +190,21 @@ InsertionAxis FindInsertionAxis(const AnyGridView& ct, const std::vector<std::ui
 
   std::vector<double> areas; // of what can be reached at all
   double all = 0.0;
-  std::size_t count = 0;
   for (const SurfaceSample& s : samples)
     if (s.inRegion)
     {
+      const std::size_t at = areas.size();
       const bool any = std::any_of(
-        reached.begin(), reached.end(), [&](const auto& along) { return along[count] != 0; });
-      areas.push_back(any ? glm::length(s.area) : 0.0);
+        reached.begin(), reached.end(), [&](const auto& along) { return along[at] != 0; });
+      areas.push_back(any ? s.area : 0.0);
       all += areas.back();
-      ++count;
     }
-  if (!(all > 0.0))
-    throw std::runtime_error("guide: no bone around the landmarks can be reached within "
-                             "axisSearchDeg of withdrawal; turn withdrawal away from the bone");
-  InsertionAxis best;
+  InsertionAxis best{ start };
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < directions.size(); ++n)
+  for (std::size_t n = 0; n < candidates; ++n)
   {
     double missed = 0.0;
-    for (std::size_t s = 0; s < count; ++s)
+    for (std::size_t s = 0; s < areas.size(); ++s)
       missed += reached[n][s] ? 0.0 : areas[s];
     const double turned = std::acos(glm::clamp(glm::dot(directions[n], start), -1.0, 1.0));
     const double cost = missed / all + TurnedCost * turned / glm::radians(mostDeg);
@@ -169,6 +214,9 @@ InsertionAxis FindInsertionAxis(const AnyGridView& ct, const std::vector<std::ui
       best = { directions[n], missed / all };
     }
   }
+  if (!(all > 0.0 && best.undercut < 1.0))
+    throw std::runtime_error("guide: no bone around the landmarks can be reached within "
+                             "axisSearchDeg of withdrawal; turn withdrawal away from the bone");
   return best;
 }
 

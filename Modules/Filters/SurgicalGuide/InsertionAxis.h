@@ -21,10 +21,11 @@ struct InsertionAxis
 /// Bone is what is >= isovalue and marked in `keep`, one byte a sample of `ct`. Its surface is
 /// taken as the samples with a side open, each with the area of its open sides; the region is where
 /// `region` is below 0. A sample is undercut along a direction if its surface faces away or lies
-/// along it, or bone lies before it. The area is that of the samples that one direction at least
-/// reaches. Accuracy is that of samples: what is undercut by less than one counts as reached.
-/// Throws std::runtime_error if the region holds no bone that can be reached. All cores, the same
-/// result with any number. O(samples + directions * surface samples).
+/// along it, or bone lies before it. The area is that of all samples that any direction within 90
+/// degrees of `start` reaches (15 apart). Accuracy is that of samples: what is undercut by less
+/// than one counts as reached. Throws std::runtime_error if no direction asked for reaches bone in
+/// the region. All cores, the same result with any number. O(samples + directions * surface
+/// samples).
 InsertionAxis FindInsertionAxis(const AnyGridView& ct, const std::vector<std::uint8_t>& keep,
   const ImplicitSolid& region, const glm::dvec3& start, double mostDeg);
 
