@@ -336,7 +336,7 @@ TEST(Csg, ASmoothIntersectionLosesItsEdges)
     const double a = floor->At(x), b = wall->At(x), h = std::max(0.0, 1 - std::abs(a - b) / 2);
     ASSERT_NEAR(common->At(x), std::max(a, b) + h * h * 0.5, 1e-14);
   }
-  const auto rounded = hasp::MakeSmoothIntersection(Box({}, { 2, 1, 1 }), Ball({ 1, 0, 0 }, 2), 1);
+  const auto rounded = hasp::MakeSmoothIntersection(Ball({ 1, 0, 0 }, 2), Box({}, { 2, 1, 1 }), 1);
   EXPECT_EQ(rounded->Bounds().low.x, -1);
   EXPECT_EQ(rounded->Bounds().high.x, 2);
   hasp::ExpectSamplesAgree(*rounded, hasp::RandomPlaces(2000, 4));

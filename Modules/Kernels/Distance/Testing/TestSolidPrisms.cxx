@@ -72,6 +72,12 @@ TEST(SolidPrisms, AnExtrusionIsTheSameInEveryHeight)
   for (const glm::dvec3& x : hasp::RandomPlaces(3000, 8))
     ASSERT_NEAR(post->At(x), hasp::CylinderDistance(x, { 1, 0, 0 }, Tilted[2], 2), 1e-12);
   ExpectPromises(*post);
+  // Off the ball's middle its gradient leaves the plane; the pillar's does not.
+  const auto thin = hasp::MakeExtrusion(ball, glm::dvec3(1, 0, 0) + 1.2 * Tilted[2], Tilted[2]);
+  for (const glm::dvec3& x : hasp::RandomPlaces(200, 8))
+    ASSERT_NEAR(glm::dot(thin->SampleAt(x).gradient, Tilted[2]), 0.0, 1e-12);
+  hasp::ExpectGradientsOfFaces(*thin, hasp::RandomPlaces(200, 8), { 0 });
+  EXPECT_NEAR(thin->At(glm::dvec3(1, 0, 0) + 1.6 * Tilted[0]), 0.0, 1e-12); // 1.2, 1.6, 2
   const auto upright = hasp::MakeExtrusion(ball, { 1, 0, 0 }, { 0, 0, -3 });
   EXPECT_EQ(upright->Bounds().high.x, 3);
   ExpectPromises(*upright);
