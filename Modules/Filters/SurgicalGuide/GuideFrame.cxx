@@ -70,7 +70,11 @@ SolidPointer WithStrokes(SolidPointer region, const GuideRecipe& recipe)
 {
   for (const GuideStroke& stroke : recipe.strokes)
   {
-    SolidPointer brush = MakeTube(stroke.points, false, stroke.radiusMm);
+    // What is wiped off is so wide at the outer wall: a ball on the bone is narrower up there.
+    const double radius = stroke.erased
+                            ? std::hypot(stroke.radiusMm, recipe.gapMm + recipe.thicknessMm)
+                            : stroke.radiusMm;
+    SolidPointer brush = MakeTube(stroke.points, false, radius);
     if (!stroke.erased)
       region = region ? MakeUnion({ region, brush }) : brush;
     else if (region)

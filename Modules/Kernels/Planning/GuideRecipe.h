@@ -65,7 +65,8 @@ struct GuideLabel
   bool operator==(const GuideLabel&) const noexcept = default;
 };
 
-/// What a round brush painted on the bone, or wiped off again.
+/// What a round brush painted on the bone, or wiped off again, all through the shell: as wide as
+/// the brush at the bone, or where it is wiped off at the outer wall.
 struct GuideStroke
 {
   std::vector<glm::dvec3> points; ///< of its middle, one or more, world mm
