@@ -19,7 +19,7 @@ namespace hasp
 namespace
 {
 constexpr double StepDeg = 5.0;
-constexpr double ReachDeg = 90.0, ReachStepDeg = 15.0; // what counts as reachable at all
+constexpr double ReachDeg = 60.0, ReachStepDeg = 15.0; // what counts as reachable at all
 constexpr double TurnedCost = 0.01;   // of the area: what a turn by the full angle must gain
 constexpr double GrazingCosine = 0.1; // a surface more along the direction is not reached
 
@@ -113,6 +113,29 @@ std::vector<SurfaceSample> SurfaceOf(
   return samples;
 }
 
+/// Takes out what no direction within ReachDeg of `start` meets before the region: what is not in
+/// front of the ball around it, in a cone.
+void KeepWhatMayBeInTheWay(std::vector<SurfaceSample>& samples, const glm::dvec3& start)
+{
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const SurfaceSample& s : samples)
+    if (s.inRegion)
+    {
+      low = glm::min(low, s.place);
+      high = glm::max(high, s.place);
+    }
+  const glm::dvec3 middle = 0.5 * (low + high);
+  const double radius = 0.5 * glm::distance(low, high), tangent = std::tan(glm::radians(ReachDeg));
+  std::erase_if(samples,
+    [&](const SurfaceSample& s)
+    {
+      const glm::dvec3 v = s.place - middle;
+      const double before = glm::dot(v, start) + radius;
+      return !s.inRegion && (before < 0.0 || glm::length(v - glm::dot(v, start) * start) >
+                                               radius + tangent * before);
+    });
+}
+
 /// `start`, then rings around it.
 std::vector<glm::dvec3> Directions(const glm::dvec3& start, double mostDeg, double stepDeg)
 {
@@ -177,7 +200,8 @@ InsertionAxis FindInsertionAxis(const AnyGridView& ct, const std::vector<std::ui
   const ImplicitSolid& region, const glm::dvec3& start, double mostDeg)
 {
   const GridGeometry& g = GeometryOf(ct);
-  const std::vector<SurfaceSample> samples = SurfaceOf(g, keep, region);
+  std::vector<SurfaceSample> samples = SurfaceOf(g, keep, region);
+  KeepWhatMayBeInTheWay(samples, start);
   std::vector<glm::dvec3> directions = Directions(start, mostDeg, StepDeg);
   const std::size_t candidates = directions.size();
   const std::vector<glm::dvec3> others = Directions(start, ReachDeg, ReachStepDeg);
