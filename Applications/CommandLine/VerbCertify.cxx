@@ -9,7 +9,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace hasp
 {
@@ -20,8 +24,24 @@ struct CertifyOptions
 {
   std::string part, recipe;
   VolumeChoices bone;
+  std::vector<double> axis; ///< none, or L, P, S
   double leastShare = 0.95;
 };
+
+PartClaims ReadClaims(const CertifyOptions& options)
+{
+  const GuideRecipe recipe = ReadRecipe(options.recipe);
+  std::optional<glm::dvec3> axis;
+  if (!options.axis.empty())
+    axis = glm::dvec3(options.axis[0], options.axis[1], options.axis[2]);
+  if (axis && !(glm::length(*axis) > 0.0))
+    throw Failure(ExitCode::WrongUse, "--insertion-axis must not be 0, 0, 0");
+  if (!axis && recipe.axisSearchDeg > 0.0)
+    throw Failure(ExitCode::WrongUse,
+      "the recipe searches its insertion axis: give the one that `hasp guide --json` names, with "
+      "--insertion-axis");
+  return ClaimsOf(recipe, options.leastShare, axis);
+}
 
 void Run(const CertifyOptions& options, Session& session)
 {
@@ -31,7 +51,7 @@ void Run(const CertifyOptions& options, Session& session)
   if (options.recipe.empty())
     SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");
   else
-    claims = ClaimsOf(ReadRecipe(options.recipe), options.leastShare);
+    claims = ReadClaims(options);
   const TriangleMesh part = ReadPart(options.part, session);
   const LoadedVolume bone = ReadVolume(options.bone, session);
   SayWarnings(bone.passport, session);
@@ -52,6 +72,11 @@ void AddCertifyVerb(CLI::App& app, Session& session)
     ->required();
   AddSeriesOptions(*verb, options->bone);
   verb->add_option("--recipe", options->recipe, "The .json file that says what the part must be");
+  verb
+    ->add_option("--insertion-axis", options->axis,
+      "The direction it lifts off along, L,P,S: of a recipe that searches it")
+    ->delimiter(',')
+    ->expected(3);
   verb
     ->add_option("--least-share", options->leastShare,
       "Of the inner wall that must be within 0.2 mm of the gap")

@@ -38,8 +38,13 @@ struct GuideOptions
   double leastShare = 0.95;
 };
 
-vtkSmartPointer<vtkPolyData> MakeGuide(
-  vtkImageData* volume, const GuideRecipe& recipe, Session& session)
+struct Guide
+{
+  vtkSmartPointer<vtkPolyData> surface;
+  glm::dvec3 insertionAxis;
+};
+
+Guide MakeGuide(vtkImageData* volume, const GuideRecipe& recipe, Session& session)
 {
   session.progress.Step("making the guide");
   vtkNew<vtkHaspGuideFilter> filter;
@@ -50,9 +55,12 @@ vtkSmartPointer<vtkPolyData> MakeGuide(
   filter->Update();
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::BadInput, "no guide can be made of this recipe and volume");
-  vtkSmartPointer<vtkPolyData> guide = filter->GetOutput();
-  session.resources.push_back(
-    { "guide", 1024 * guide->GetActualMemorySize(), spent.count(), "made from the recipe" });
+  Guide guide{ filter->GetOutput(), {} };
+  filter->GetInsertionAxis(&guide.insertionAxis.x);
+  session.resources.push_back({ "guide", 1024 * guide.surface->GetActualMemorySize(), spent.count(),
+    "made from the recipe" });
+  const glm::dvec3& axis = guide.insertionAxis;
+  session.result["insertion_axis"] = { axis.x, axis.y, axis.z };
   return guide;
 }
 
@@ -74,10 +82,9 @@ void MarkAsFailed(const std::string& stl)
 
 /// Prints the certificate; throws Failure: FailedCheck if it does not hold and is not forced.
 void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& options,
-  const GuideRecipe& recipe, Session& session)
+  const PartClaims& claims, Session& session)
 {
-  const FitCertificate certificate =
-    CertifyPart(ReadBackStl(stl), volume, ClaimsOf(recipe, options.leastShare), session);
+  const FitCertificate certificate = CertifyPart(ReadBackStl(stl), volume, claims, session);
   if (certificate.Holds())
     return;
   if (!options.force)
@@ -95,17 +102,18 @@ void Run(const GuideOptions& options, Session& session)
   const GuideRecipe recipe = ReadRecipe(options.recipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
-  const auto guide = MakeGuide(volume.image, recipe, session);
+  const Guide guide = MakeGuide(volume.image, recipe, session);
   const auto inspect = [&](const std::string& pendingFile)
   {
     if (options.check)
-      Check(pendingFile, volume.image, options, recipe, session);
+      Check(pendingFile, volume.image, options,
+        ClaimsOf(recipe, options.leastShare, guide.insertionAxis), session);
     else
       session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
   };
   try
   {
-    WriteSurface(guide, options.output, inspect);
+    WriteSurface(guide.surface, options.output, inspect);
   }
   catch (const Failure&)
   {

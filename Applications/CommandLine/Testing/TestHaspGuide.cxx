@@ -67,8 +67,10 @@ TEST_F(HaspGuide, AGuideThatDoesNotHoldIsThreeAndNotKept)
 {
   this->FinePhantom();
   this->WriteText("guide.stl", "old");
-  // Nothing on a grid of 0.7 mm is within 0.2 mm everywhere.
-  const HaspRun run = this->Guide(Recipe(), { "--check", "--json", "--least-share", "1" });
+  // Nothing on a grid of 1.5 mm is within 0.2 mm everywhere.
+  json recipe = Recipe();
+  recipe["spacingMm"] = 1.5;
+  const HaspRun run = this->Guide(recipe, { "--check", "--json", "--least-share", "1" });
   ExpectFailure(run, 3, "was not kept");
   // Without CGAL there is another fault: that self-intersections were not looked for.
   EXPECT_EQ(json::parse(run.out).at("certificate").at("faults").size(), HASP_WITH_CGAL ? 1u : 2u);
