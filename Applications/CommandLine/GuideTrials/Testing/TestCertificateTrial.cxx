@@ -20,7 +20,7 @@ class SeededParts : public testing::TestWithParam<hasp::SeededDefect>
 };
 
 #if HASP_WITH_CGAL
-TEST(SeededParts, CleanOnesAreNotFlagged)
+TEST(CleanParts, AreNotFlagged)
 {
   const auto trial = hasp::TryCertificate(hasp::SeededDefect::None, 1, 3);
   EXPECT_EQ(trial.red, 0U) << All(trial);
@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(, SeededParts,
     hasp::SeededDefect::WrongGap, hasp::SeededDefect::NarrowSlot, hasp::SeededDefect::SmallHole,
     hasp::SeededDefect::Mirrored, hasp::SeededDefect::InchForMm, hasp::SeededDefect::LoosePiece));
 #else
-TEST(SeededParts, WithoutCGALNoneIsGreen)
+TEST(CleanParts, AreNotGreenWithoutCGAL)
 {
   EXPECT_EQ(hasp::TryCertificate(hasp::SeededDefect::None, 1, 1).red, 1U);
 }
