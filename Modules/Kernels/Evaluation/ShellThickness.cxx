@@ -50,7 +50,7 @@ ShellThickness MeasureShell(std::span<const MeshSample> samples, std::span<const
     shares.Add(mm, samples[n].areaMm2);
     places.push_back({ mm, samples[n].areaMm2, samples[n].point - 0.5 * chords[n].mm * normal });
   }
-  const ThinPlace least = ThinnestPlace(std::move(places));
+  const ThinPlace least = ThinnestPlace(std::move(places), 1);
   shell.leastMm = least.mm;
   shell.leastAt = least.at;
   shares.Sort();

@@ -45,7 +45,7 @@ WallThickness MeasureWalls(std::span<const MeshSample> samples, std::span<const 
     places.push_back({ chords[n].mm, samples[n].areaMm2,
       samples[n].point - 0.5 * chords[n].mm * samples[n].normal });
   }
-  const ThinPlace least = ThinnestPlace(std::move(places));
+  const ThinPlace least = ThinnestPlace(std::move(places), 2);
   walls.leastMm = least.mm;
   walls.leastAt = least.at;
   shares.Sort();
