@@ -1,9 +1,10 @@
 #include "Failure.h"
 #include "Files.h"
-#include "GuideCertificate.h"
+#include "GuideClaims.h"
+#include "PartCertificate.h"
+#include "RecipeInput.h"
 #include "Session.h"
 #include "Verbs.h"
-#include "Version.h"
 #include "VolumeInput.h"
 #include "VtkMessages.h"
 #include "vtkHaspFileNames.h"
@@ -11,17 +12,18 @@
 #include "vtkHaspOutputFile.h"
 
 #include "Planning/GuideRecipe.h"
-#include "Planning/GuideRecipeFile.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
-#include <iostream>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 namespace hasp
 {
@@ -32,25 +34,17 @@ struct GuideOptions
 {
   VolumeChoices volume;
   std::string recipe, output;
-  bool check = false;
+  bool check = false, force = false;
   double leastShare = 0.95;
 };
 
-GuideRecipe ReadRecipe(const std::string& path)
+struct Guide
 {
-  RequireInput(path);
-  try
-  {
-    return ReadGuideRecipe(path);
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::BadInput, FileLabel(path) + ": " + SafeText(error));
-  }
-}
+  vtkSmartPointer<vtkPolyData> surface;
+  glm::dvec3 insertionAxis;
+};
 
-vtkSmartPointer<vtkPolyData> MakeGuide(
-  vtkImageData* volume, const GuideRecipe& recipe, Session& session)
+Guide MakeGuide(vtkImageData* volume, const GuideRecipe& recipe, Session& session)
 {
   session.progress.Step("making the guide");
   vtkNew<vtkHaspGuideFilter> filter;
@@ -61,68 +55,65 @@ vtkSmartPointer<vtkPolyData> MakeGuide(
   filter->Update();
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::BadInput, "no guide can be made of this recipe and volume");
-  vtkSmartPointer<vtkPolyData> guide = filter->GetOutput();
-  session.resources.push_back(
-    { "guide", 1024 * guide->GetActualMemorySize(), spent.count(), "made from the recipe" });
+  Guide guide{ filter->GetOutput(), {} };
+  filter->GetInsertionAxis(&guide.insertionAxis.x);
+  session.resources.push_back({ "guide", 1024 * guide.surface->GetActualMemorySize(), spent.count(),
+    "made from the recipe" });
+  const glm::dvec3& axis = guide.insertionAxis;
+  session.result["insertion_axis"] = { axis.x, axis.y, axis.z };
   return guide;
 }
 
-GuideCertificate Certify(const std::string& stl, vtkImageData* volume, const GuideRecipe& recipe)
+/// Says in the head of a binary STL file, 80 bytes of text, that it does not hold.
+void MarkAsFailed(const std::string& stl)
 {
-  try
-  {
-    return CertifyGuide(stl, volume, recipe);
-  }
-  catch (const std::exception& error) // what cannot be measured does not hold
-  {
-    throw Failure(ExitCode::FailedCheck, SafeText(error));
-  }
+  constexpr std::string_view words = " DOES NOT HOLD";
+  std::string head(80, '\0');
+  std::fstream file(stl, std::ios::in | std::ios::out | std::ios::binary);
+  file.read(head.data(), 80);
+  const std::size_t end = std::min(head.find_last_not_of(std::string_view("\0 ", 2)) + 1,
+    head.size() - words.size()); // npos + 1 is 0
+  head.replace(end, words.size(), words);
+  file.seekp(0);
+  file.write(head.data(), 80);
+  if (!file.flush())
+    throw Failure(ExitCode::WrongUse, "the guide does not hold, and its file cannot say so");
 }
 
-/// Prints the certificate; throws Failure: FailedCheck if it does not hold.
-void Check(const std::string& stl, vtkImageData* volume, const GuideRecipe& recipe,
-  double leastShare, Session& session)
+/// Prints the certificate; throws Failure: FailedCheck if it does not hold and is not forced.
+void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& options,
+  const PartClaims& claims, Session& session)
 {
-  session.progress.Step("measuring the guide as written");
-  const auto start = std::chrono::steady_clock::now();
-  const GuideCertificate certificate = Certify(stl, volume, recipe);
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  session.resources.push_back({ "certificate", 0, spent.count(), "--check; released again" });
-  const std::vector<std::string> faults = FaultsOf(certificate, leastShare);
-  session.progress.Wipe();
-  if (!session.json)
-    std::cout << CertificateText(certificate) << "verdict             "
-              << (faults.empty() ? "holds" : "DOES NOT HOLD") << "; at least " << 100.0 * leastShare
-              << " % of the inner wall must be within\n";
-  nlohmann::ordered_json& json = session.result["certificate"];
-  json = { { "passed", faults.empty() }, { "least_share", leastShare },
-    { "isovalue", recipe.isovalue } };
-  json.update(CertificateJson(certificate));
-  json["faults"] = faults;
-  json["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
-  json["intended_use"] = "research use only, not a medical device";
-  if (faults.empty())
+  const FitCertificate certificate = CertifyPart(ReadBackStl(stl), volume, claims, session);
+  if (certificate.Holds())
     return;
-  throw FailedCheck("the guide does not hold and was not kept", faults);
+  if (!options.force)
+    ThrowFaults(certificate, "the guide does not hold and was not kept");
+  MarkAsFailed(stl);
+  session.result["certificate"]["forced"] = true;
+  SayWarning(session, "the guide does not hold; it is kept, and its file says so (--force)");
 }
 
 void Run(const GuideOptions& options, Session& session)
 {
   RequireWritable(options.output, { ".stl" });
+  if (options.force && !options.check)
+    throw Failure(ExitCode::WrongUse, "--force is for guides that --check finds not to hold");
   const GuideRecipe recipe = ReadRecipe(options.recipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
-  const auto guide = MakeGuide(volume.image, recipe, session);
+  const Guide guide = MakeGuide(volume.image, recipe, session);
   const auto inspect = [&](const std::string& pendingFile)
   {
     if (options.check)
-      Check(pendingFile, volume.image, recipe, options.leastShare, session);
+      Check(pendingFile, volume.image, options,
+        ClaimsOf(recipe, options.leastShare, guide.insertionAxis), session);
     else
       session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
   };
   try
   {
-    WriteSurface(guide, options.output, inspect);
+    WriteSurface(guide.surface, options.output, inspect);
   }
   catch (const Failure&)
   {
@@ -147,6 +138,8 @@ void AddGuideVerb(CLI::App& app, Session& session)
   verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
   verb->add_flag("--check", options->check,
     "Read the file back, print its certificate, and keep it only if that holds");
+  verb->add_flag("--force", options->force,
+    "Keep a guide that does not hold all the same; the head of its file says so");
   verb
     ->add_option("--least-share", options->leastShare,
       "Of the inner wall that must be within 0.2 mm of the gap")

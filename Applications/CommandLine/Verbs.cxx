@@ -14,7 +14,9 @@ void AddVerbs(CLI::App& app, Session& session)
   AddCalibrateVerb(app, session);
 #endif
 #if HASP_WITH_GUIDES
+  AddCutVerb(app, session);
   AddGuideVerb(app, session);
+  AddCertifyVerb(app, session);
   AddPlateVerb(app, session);
 #endif
   AddPhantomVerb(app, session);

@@ -22,7 +22,9 @@ void AddRenderVerb(CLI::App& app, Session& session);
 void AddViewVerb(CLI::App& app, Session& session);
 void AddCalibrateVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
+void AddCutVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
+void AddCertifyVerb(CLI::App& app, Session& session);
 void AddPlateVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 

@@ -77,13 +77,18 @@ auto Reading(const VolumeChoices& choices, Session& session, const Read& read)
 
 } // namespace
 
-void AddVolumeOptions(CLI::App& verb, VolumeChoices& choices)
+void AddSeriesOptions(CLI::App& verb, VolumeChoices& choices)
 {
-  verb.add_option("IN", choices.input, "Volume: a file, or a folder of slices")->required();
   verb.add_option(
     "--series", choices.series, "Which DICOM series, from 1, where there are several");
   verb.add_flag("--resample", choices.resample,
     "Make a regular volume of a tilted, gappy or uneven DICOM series, and say its error in mm");
+}
+
+void AddVolumeOptions(CLI::App& verb, VolumeChoices& choices)
+{
+  verb.add_option("IN", choices.input, "Volume: a file, or a folder of slices")->required();
+  AddSeriesOptions(verb, choices);
 }
 
 LoadedVolume ReadVolume(const VolumeChoices& choices, Session& session)

@@ -24,7 +24,10 @@ struct VolumeChoices
   bool hash = false;     ///< likewise; no option, the verb decides
 };
 
-/// Adds IN, --series and --resample to a verb.
+/// Adds --series and --resample to a verb.
+void AddSeriesOptions(CLI::App& verb, VolumeChoices& choices);
+
+/// Adds these, and IN.
 void AddVolumeOptions(CLI::App& verb, VolumeChoices& choices);
 
 /// Reads a file or a folder of slices, with progress, and lists the "volume" among the resources.

@@ -109,11 +109,14 @@ TEST_F(Canary, RecipesGiveNothingAway)
 #if HASP_WITH_GUIDES
   this->Phantom();
   for (const std::string& recipe : Damaged(this->Recipe()))
+  {
     this->ExpectNone({ "guide", this->Path("head.mha"), "--recipe", recipe, "--output",
       this->OutFile("x.stl"), "--check" });
-  for (const std::string& recipe : Damaged(this->Recipe())) // of another kind, too
+    this->ExpectNone(
+      { "cut", this->Path("head.mha"), "--cuts", recipe, "--output", this->OutFile("x") });
     this->ExpectNone(
       { "plate", this->Path("head.mha"), "--recipe", recipe, "--output", this->OutFile("x.stl") });
+  }
 #endif
 }
 

@@ -1,9 +1,4 @@
-#include "HaspProcess.h"
-
-#include "Grid/Phantom.h"
-
-#include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
+#include "GuideRecipeFixture.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -19,43 +14,7 @@ namespace
 
 using nlohmann::json;
 
-class HaspGuide : public HaspTest
-{
-protected:
-  /// A band over the phantom's left frontal bone.
-  static json Recipe()
-  {
-    const hasp::PhantomSettings settings;
-    json landmarks = json::array();
-    glm::dvec3 outward(0.0);
-    for (const double left : { 0.25, 0.40, 0.55 })
-    {
-      const glm::dvec3 direction = glm::normalize(glm::dvec3(left, -1.0, 0.6));
-      const glm::dvec3 p = hasp::PhantomOuterTable(settings, direction);
-      landmarks.push_back({ p.x, p.y, p.z });
-      outward += direction;
-    }
-    outward = glm::normalize(outward);
-    return { { "format", "hasp-guide-recipe-1" }, { "note", "" }, { "isovalue", 226 },
-      { "landmarks", landmarks }, { "outline", "open" },
-      { "withdrawal", { outward.x, outward.y, outward.z } }, { "gapMm", 0.4 },
-      { "thicknessMm", 3.0 }, { "widthMm", 14.0 }, { "spacingMm", 0.7 },
-      { "ignoreBelowMm3", 100.0 }, { "slots", json::array() }, { "holes", json::array() } };
-  }
-  HaspRun Guide(const json& recipe, const std::vector<std::string>& more = {})
-  {
-    this->WriteText("recipe.json", recipe.dump());
-    std::vector<std::string> words{ "guide", this->Path("head.mha"), "--recipe",
-      this->Path("recipe.json"), "--output", this->Path("guide.stl") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
-  void FinePhantom()
-  {
-    ASSERT_EQ(
-      RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
-  }
-};
+using HaspGuide = GuideRecipeTest;
 
 TEST_F(HaspGuide, BadRecipesAreTwoAndLeaveNothing)
 {
@@ -85,14 +44,15 @@ TEST_F(HaspGuide, TheCertificateIsOfTheFileAsWritten)
   ASSERT_EQ(run.exitCode, 0) << run.err << run.out;
   const json document = json::parse(run.out);
   const json& certificate = document.at("certificate");
-  EXPECT_EQ(certificate.at("closed"), true);
-  EXPECT_EQ(certificate.at("manifold"), true);
-  EXPECT_EQ(certificate.at("self_intersections"), 0);
-  EXPECT_GE(certificate.at("share_within"), 0.95);
+  const json& mesh = certificate.at("mesh");
+  EXPECT_EQ(mesh.at("closed"), true);
+  EXPECT_EQ(mesh.at("manifold"), true);
+  EXPECT_EQ(mesh.at("self_intersections"), 0);
+  EXPECT_GE(certificate.at("gap").at("share_within"), 0.95);
   EXPECT_TRUE(certificate.at("faults").empty());
   // 80 bytes, a count, and 50 bytes a triangle.
-  EXPECT_EQ(ReadBytes(this->Path("guide.stl")).size(),
-    84u + 50u * certificate.at("triangles").get<std::size_t>());
+  EXPECT_EQ(
+    ReadBytes(this->Path("guide.stl")).size(), 84u + 50u * mesh.at("triangles").get<std::size_t>());
 }
 #else
 TEST_F(HaspGuide, WithoutCGALNoGuideIsCertified)
@@ -107,13 +67,30 @@ TEST_F(HaspGuide, AGuideThatDoesNotHoldIsThreeAndNotKept)
 {
   this->FinePhantom();
   this->WriteText("guide.stl", "old");
-  // Nothing on a grid of 0.7 mm is within 0.2 mm everywhere.
-  const HaspRun run = this->Guide(Recipe(), { "--check", "--json", "--least-share", "1" });
+  // Nothing on a grid of 1.5 mm is within 0.2 mm everywhere.
+  json recipe = Recipe();
+  recipe["spacingMm"] = 1.5;
+  const HaspRun run = this->Guide(recipe, { "--check", "--json", "--least-share", "1" });
   ExpectFailure(run, 3, "was not kept");
   // Without CGAL there is another fault: that self-intersections were not looked for.
   EXPECT_EQ(json::parse(run.out).at("certificate").at("faults").size(), HASP_WITH_CGAL ? 1u : 2u);
   EXPECT_EQ(ReadBytes(this->Path("guide.stl")), "old");
   EXPECT_EQ(this->Names().size(), 3u);
+}
+
+TEST_F(HaspGuide, AGuideThatIsForcedSaysSoInItsFile)
+{
+  this->FinePhantom();
+  ExpectFailure(this->Guide(Recipe(), { "--force" }), 1, "--force is for guides that --check");
+  const HaspRun run =
+    this->Guide(Recipe(), { "--check", "--force", "--json", "--least-share", "1" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json certificate = json::parse(run.out).at("certificate");
+  EXPECT_EQ(certificate.at("passed"), false);
+  EXPECT_EQ(certificate.at("forced"), true);
+  const std::string stl = ReadBytes(this->Path("guide.stl"));
+  EXPECT_NE(stl.substr(0, 80).find("SPACE=LPS; UNIT=mm DOES NOT HOLD"), std::string::npos);
+  EXPECT_EQ(stl.size(), 84u + 50u * certificate.at("mesh").at("triangles").get<std::size_t>());
 }
 
 TEST_F(HaspGuide, AnInterruptedCheckLeavesNothing)

@@ -1,11 +1,16 @@
 #include "GuideBuilder.h"
 
 #include "Distance/Coverage.h"
-#include "Distance/CoverageDistance.h"
+#include "Distance/Csg.h"
+#include "Distance/GridSolid.h"
+#include "Distance/SharpContour.h"
 #include "Distance/TetrahedraContour.h"
 #include "Grid/Trilinear.h"
-#include "GuideField.h"
+#include "GuideBone.h"
 #include "GuideFrame.h"
+#include "GuideLabels.h"
+#include "GuideParts.h"
+#include "InsertionAxis.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,6 +18,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace hasp
 {
@@ -29,43 +35,126 @@ ProgressFunction Part(const ProgressFunction& progress, double from, double to)
   { return !progress || progress(from + share * (to - from)); };
 }
 
-/// Directions are unit within 1e-3 only, as people write them. A hole's axis that long off would
-/// narrow the hole far from its point.
+std::runtime_error NothingLeft()
+{
+  return std::runtime_error(
+    "guide: nothing is left: no bone faces the withdrawal direction around the landmarks");
+}
+
+/// Directions are unit within 1e-3 only, as people write them.
 GuideRecipe WithUnitDirections(GuideRecipe recipe)
 {
   recipe.withdrawal = glm::normalize(recipe.withdrawal);
   for (GuideSlot& slot : recipe.slots)
     slot.normal = glm::normalize(slot.normal);
+  for (GuideFlange& flange : recipe.flanges)
+    flange.normal = glm::normalize(flange.normal);
   for (GuideHole& hole : recipe.holes)
     hole.axis = glm::normalize(hole.axis);
   return recipe;
 }
 
-void CheckLandmarksInVolume(const GridGeometry& volume, const GuideRecipe& recipe)
+/// Calls check(name, place) with all places that must be on the bone.
+template <typename Check>
+void ForEachLandmark(const GuideRecipe& recipe, const Check& check)
 {
   for (std::size_t n = 0; n < recipe.landmarks.size(); ++n)
-    if (!LocateCell(volume, volume.WorldToIndex(recipe.landmarks[n])))
+    check("landmarks[" + std::to_string(n) + "]", recipe.landmarks[n]);
+  for (std::size_t n = 0; n < recipe.strokes.size(); ++n)
+    for (std::size_t p = 0; p < recipe.strokes[n].points.size(); ++p)
+      if (!recipe.strokes[n].erased)
+        check("strokes[" + std::to_string(n) + "].points[" + std::to_string(p) + "]",
+          recipe.strokes[n].points[p]);
+}
+
+void CheckLandmarksInVolume(const GridGeometry& volume, const GuideRecipe& recipe)
+{
+  ForEachLandmark(recipe,
+    [&](const std::string& name, const glm::dvec3& p)
     {
-      const glm::dvec3& p = recipe.landmarks[n];
+      if (LocateCell(volume, volume.WorldToIndex(p)))
+        return;
       std::ostringstream text;
-      text << "guide: landmarks[" << n << "] (" << p.x << ", " << p.y << ", " << p.z
+      text << "guide: " << name << " (" << p.x << ", " << p.y << ", " << p.z
            << ") is outside the volume";
       throw std::runtime_error(text.str());
-    }
+    });
 }
 
 void CheckLandmarksOnBone(const GridView<const float>& bone, const GuideRecipe& recipe)
 {
-  for (std::size_t n = 0; n < recipe.landmarks.size(); ++n)
-  {
-    const auto d = SampleTrilinear(bone, bone.geometry.WorldToIndex(recipe.landmarks[n]));
-    if (d && std::abs(*d) <= FarthestLandmarkMm)
-      continue;
-    std::ostringstream text;
-    text << "guide: landmarks[" << n << "] is " << (d ? *d : 0.0) << " mm from bone (isovalue "
-         << recipe.isovalue << "), must be within " << FarthestLandmarkMm << " mm";
-    throw std::runtime_error(text.str());
-  }
+  ForEachLandmark(recipe,
+    [&](const std::string& name, const glm::dvec3& p)
+    {
+      const auto d = SampleTrilinear(bone, bone.geometry.WorldToIndex(p));
+      if (d && std::abs(*d) <= FarthestLandmarkMm)
+        return;
+      std::ostringstream text;
+      text << "guide: " << name << " is " << (d ? *d : 0.0) << " mm from bone (isovalue "
+           << recipe.isovalue << "), must be within " << FarthestLandmarkMm << " mm";
+      throw std::runtime_error(text.str());
+    });
+}
+
+/// The withdrawal direction found takes the place of the recipe's, which must suit it then.
+InsertionAxis SearchAxis(
+  const AnyGridView& ct, const std::vector<std::uint8_t>& keep, GuideRecipe& recipe)
+{
+  if (recipe.axisSearchDeg == 0.0)
+    return { recipe.withdrawal, -1.0 };
+  const SolidPointer band = MakeGuideBand(recipe);
+  const InsertionAxis found =
+    FindInsertionAxis(ct, keep, *band, recipe.withdrawal, recipe.axisSearchDeg);
+  recipe.withdrawal = found.direction;
+  ValidateGuideRecipe(recipe);
+  return found;
+}
+
+/// Solids of one list of parts.
+std::vector<SolidPointer> SolidsOf(const std::vector<GuidePart>& parts)
+{
+  std::vector<SolidPointer> solids;
+  for (const GuidePart& part : parts)
+    solids.push_back(part.solid);
+  return solids;
+}
+
+SolidPointer Without(SolidPointer body, std::vector<SolidPointer> tools)
+{
+  return tools.empty() ? body : MakeDifference(std::move(body), MakeUnion(std::move(tools)));
+}
+
+/// Joins the shell, the parts and the letters; names what does not meet the shell.
+SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const GuideParts& parts,
+  const SolidPointer& bone, const SolidPointer& blocked)
+{
+  const SolidPointer outer = MakeOffset(bone, recipe.gapMm + recipe.thicknessMm);
+  const SolidPointer shell = recipe.edgeRadiusMm > 0.0
+                               ? MakeSmoothIntersection(outer, frame.region, recipe.edgeRadiusMm)
+                               : MakeIntersection({ outer, frame.region });
+  const SolidPointer clearance = MakeOffset(blocked, recipe.gapMm);
+  const SolidPointer bare = MakeDifference(shell, clearance);
+  const glm::dvec3 half = 0.5 * glm::dvec3(frame.grid.Cells());
+  const GuidePart all{ "", bare, frame.grid.IndexToWorld(half), frame.grid.direction,
+    half * frame.grid.spacing };
+  const ImplicitSolid::Box where = bare->Bounds();
+  if (!PartMeets(all, *bare, frame.grid.spacing.x, where))
+    throw NothingLeft();
+  for (const GuidePart& part : parts.taken)
+    if (!PartMeets(part, *bare, frame.grid.spacing.x, where))
+      throw std::runtime_error("guide: " + part.name + " does not meet the guide");
+  for (const GuidePart& part : parts.added)
+    if (!PartMeets(part, *bare, frame.grid.spacing.x, where))
+      throw std::runtime_error("guide: " + part.name + " does not stand on the guide");
+
+  std::vector<SolidPointer> added = SolidsOf(parts.added), taken = SolidsOf(parts.taken);
+  std::vector<SolidPointer> covered = added;
+  covered.insert(covered.end(), taken.begin(), taken.end());
+  const SolidPointer free = Without(bare, covered);
+  for (std::size_t n = 0; n < recipe.labels.size(); ++n)
+    (recipe.labels[n].engraved ? taken : added).push_back(MakeGuideLabel(recipe, n, bone, *free));
+  added.push_back(shell);
+  return Without(MakeDifference(MakeUnion(std::move(added)), clearance), std::move(taken));
 }
 
 /// One piece without hollows, or an error that says what is wrong.
@@ -93,30 +182,38 @@ TriangleMesh OnePiece(const TriangleMesh& mesh)
 }
 } // namespace
 
-TriangleMesh BuildGuide(
+GuideSolid MakeGuideSolid(
   const AnyGridView& ct, const GuideRecipe& given, const ProgressFunction& progress)
 {
   ValidateGuideRecipe(given);
-  const GuideRecipe recipe = WithUnitDirections(given);
-  GeometryOf(ct).Validate();
-  CheckLandmarksInVolume(GeometryOf(ct), recipe);
+  GuideRecipe recipe = WithUnitDirections(given);
+  const GridGeometry& volume = GeometryOf(ct);
+  volume.Validate();
+  CheckLandmarksInVolume(volume, recipe);
   const std::vector<std::uint8_t> keep =
-    KeepLargePieces(ct, recipe.isovalue, recipe.ignoreBelowMm3, Part(progress, 0.0, 0.2));
-  const GuideFrame frame(recipe, GeometryOf(ct), keep);
-  std::vector<float> field;
-  {
-    CoverageSettings settings;
-    settings.isovalue = recipe.isovalue;
-    settings.keep = keep;
-    const std::vector<float> coverage =
-      Coverage(ct, frame.Grid(), settings, Part(progress, 0.2, 0.5));
-    field = CoverageDistance(frame.Grid(), coverage, Part(progress, 0.5, 0.8));
-  }
-  CheckLandmarksOnBone({ field.data(), frame.Grid() }, recipe);
-  ComposeGuideField(field, ct, keep, frame, recipe, Part(progress, 0.8, 0.9));
+    KeepLargePieces(ct, recipe.isovalue, recipe.ignoreBelowMm3, Part(progress, 0.0, 0.1));
+  const InsertionAxis axis = SearchAxis(ct, keep, recipe);
+  ReportProgress(progress, 0.15);
+  const GuideParts parts = MakeGuideParts(recipe);
+  const GuideFrame frame = MakeGuideFrame(recipe, volume, keep, parts.added);
+  const GuideDistances distances =
+    DistanceToBone(ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.2, 0.85));
+  CheckLandmarksOnBone({ distances->data(), frame.grid }, recipe);
+  const GuideDistances blocked =
+    BlockUndercuts(*distances, ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.85, 0.95));
+  SolidPointer solid = Compose(
+    recipe, frame, parts, MakeGridSolid(distances, frame.grid), MakeGridSolid(blocked, frame.grid));
+  ReportProgress(progress, 1.0);
+  return { std::move(solid), frame.grid, axis.direction, axis.undercut };
+}
+
+BuiltGuide BuildGuide(
+  const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress)
+{
+  GuideSolid made = MakeGuideSolid(ct, recipe, Part(progress, 0.0, 0.7));
   const TriangleMesh mesh =
-    ContourTetrahedra({ field.data(), frame.Grid() }, Part(progress, 0.9, 1.0));
-  return OnePiece(mesh);
+    SharpContour(*made.solid, made.grid, {}, nullptr, Part(progress, 0.7, 1.0));
+  return { OnePiece(mesh), std::move(made) };
 }
 
 } // namespace hasp

@@ -1,4 +1,5 @@
 #pragma once
+#include "Distance/ImplicitSolid.h"
 #include "Grid/GridView.h"
 #include "Grid/Progress.h"
 #include "Grid/TriangleMesh.h"
@@ -7,10 +8,36 @@
 namespace hasp
 {
 
-/// The guide of vtkHaspGuideFilter, free of VTK: see there for what is made.
+/// What a guide is made of: everything but its mesh, which SharpContour makes of the solid on the
+/// grid.
+struct GuideSolid
+{
+  SolidPointer solid;
+  GridGeometry grid;      ///< its z is the withdrawal direction
+  glm::dvec3 withdrawal;  ///< unit: that of the recipe, or the one found
+  double undercut = -1.0; ///< share of the bone's area that it does not reach, if it was searched
+};
+
+/// The tree of vtkHaspGuideFilter, free of VTK: see there for what is made.
+///
+///   ((shell + boxes + flanges + sleeves + letters) - bone and gap) - slots - holes - letters
+///
+/// Bone is distances on the grid, undercuts blocked out (GuideBone.h); the shell is what is nearer
+/// to bone than the outer wall, in the region, with a round edge between the two.
 /// Throws std::invalid_argument (recipe, volume) and std::runtime_error (no such guide can be
-/// made), naming the landmark, slot or hole; Cancelled. Any thread; all cores.
-TriangleMesh BuildGuide(
+/// made), naming the landmark, slot, hole or label; Cancelled. Any thread; all cores.
+GuideSolid MakeGuideSolid(
+  const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress = {});
+
+/// A guide ready to be written. All of `made` but its surface is in `solid`.
+struct BuiltGuide
+{
+  TriangleMesh mesh;
+  GuideSolid made;
+};
+
+/// The same, contoured: one closed piece. Errors and threads as above.
+BuiltGuide BuildGuide(
   const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress = {});
 
 } // namespace hasp

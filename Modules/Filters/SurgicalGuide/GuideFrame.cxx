@@ -1,6 +1,10 @@
 #include "GuideFrame.h"
 
+#include "Distance/Csg.h"
 #include "Distance/ImplicitShapes.h"
+#include "Distance/SolidPrisms.h"
+#include "Distance/SolidShapes.h"
+#include "Distance/SolidSweeps.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,6 +15,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace hasp
 {
@@ -46,60 +51,100 @@ double Highest(const GridGeometry& ct, std::span<const std::uint8_t> marked, con
             low = p.z;
   return low;
 }
+
+/// Low and high along the axes.
+struct Span
+{
+  glm::dvec3 low{ std::numeric_limits<double>::infinity() };
+  glm::dvec3 high{ -std::numeric_limits<double>::infinity() };
+
+  void Add(const glm::dvec3& local, double around)
+  {
+    this->low = glm::min(this->low, local - around);
+    this->high = glm::max(this->high, local + around);
+  }
+};
+
+/// Strokes over what the outline gives, one after the other; null if nothing is left of both.
+SolidPointer WithStrokes(SolidPointer region, const GuideRecipe& recipe)
+{
+  for (const GuideStroke& stroke : recipe.strokes)
+  {
+    // What is wiped off is so wide at the outer wall: a ball on the bone is narrower up there.
+    const double radius = stroke.erased
+                            ? std::hypot(stroke.radiusMm, recipe.gapMm + recipe.thicknessMm)
+                            : stroke.radiusMm;
+    SolidPointer brush = MakeTube(stroke.points, false, radius);
+    if (!stroke.erased)
+      region = region ? MakeUnion({ region, brush }) : brush;
+    else if (region)
+      region = MakeDifference(region, brush);
+  }
+  return region;
+}
+
+GridGeometry GridOf(const Span& span, const glm::dmat3& axes, double spacing)
+{
+  const glm::dvec3 count = glm::ceil((span.high - span.low) / spacing) + 1.0;
+  if (!(count.x * count.y * count.z <= MostVoxels))
+    throw std::invalid_argument(
+      "guide: the working grid would have " + std::to_string(count.x * count.y * count.z) +
+      " voxels, at most 2e8 are allowed; raise spacingMm (now " + std::to_string(spacing) + " mm)");
+  return { glm::ivec3(count), axes * span.low, glm::dvec3(spacing), axes };
+}
 } // namespace
 
-GuideFrame::GuideFrame(
-  const GuideRecipe& recipe, const GridGeometry& ct, std::span<const std::uint8_t> keep)
-  : Recipe(recipe)
+SolidPointer MakeGuideBand(const GuideRecipe& recipe)
+{
+  SolidPointer band;
+  if (!recipe.landmarks.empty())
+    band = MakeTube(recipe.landmarks, recipe.outline != GuideOutline::Open, 0.5 * recipe.widthMm);
+  return WithStrokes(std::move(band), recipe);
+}
+
+GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
+  std::span<const std::uint8_t> keep, std::span<const GuidePart> parts)
 {
   const glm::dmat3 axes = AxesAlong(recipe.withdrawal);
-  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  const double reach = 0.5 * recipe.widthMm;
+  Span span;
+  std::vector<glm::dvec2> polygon; // landmarks across the withdrawal direction
   for (const glm::dvec3& p : recipe.landmarks)
   {
     const glm::dvec3 local = p * axes; // transpose(axes) * p
-    this->Polygon.emplace_back(local.x, local.y);
-    low = glm::min(low, local);
-    high = glm::max(high, local);
+    polygon.emplace_back(local.x, local.y);
+    span.Add(local, reach);
   }
-  this->Deepest = low.z - 0.5 * recipe.widthMm;
-  // Everything the guide's distance to bone can depend on, and a rim that stays outside.
-  const double margin =
-    0.5 * recipe.widthMm + recipe.gapMm + recipe.thicknessMm + 3.0 * recipe.spacingMm;
-  if (recipe.outline == GuideOutline::Filled) // bone may bulge between the landmarks
-    high.z = Highest(ct, keep, axes, this->Polygon, 0.5 * recipe.widthMm, high.z) +
-             glm::length(ct.spacing); // its surface is less than a cell beyond its samples
-  low -= margin;
-  high += margin;
-  const glm::dvec3 count = glm::ceil((high - low) / recipe.spacingMm) + 1.0;
-  if (!(count.x * count.y * count.z <= MostVoxels))
-    throw std::invalid_argument("guide: the working grid would have " +
-                                std::to_string(count.x * count.y * count.z) +
-                                " voxels, at most 2e8 are allowed; raise spacingMm (now " +
-                                std::to_string(recipe.spacingMm) + " mm)");
-  this->Working = { glm::ivec3(count), axes * low, glm::dvec3(recipe.spacingMm), axes };
-}
-
-double GuideFrame::Region(const glm::dvec3& world) const
-{
-  const double reach = 0.5 * this->Recipe.widthMm;
-  if (this->Recipe.outline != GuideOutline::Filled)
-    return TubeDistance(
-      world, this->Recipe.landmarks, this->Recipe.outline == GuideOutline::Closed, reach);
-  const glm::dvec3 local = world * this->Working.direction;
-  return std::max(
-    PolygonDistance(glm::dvec2(local), this->Polygon) - reach, this->Deepest - local.z);
-}
-
-double GuideFrame::Slot(const GuideSlot& slot, const glm::dvec3& world) const
-{
-  const glm::dvec3 across = glm::normalize(glm::cross(slot.normal, this->Recipe.withdrawal));
-  return std::max(SlabDistance(world, slot.point, slot.normal, slot.widthMm),
-    SlabDistance(world, slot.point, across, slot.lengthMm));
-}
-
-double GuideFrame::Hole(const GuideHole& hole, const glm::dvec3& world)
-{
-  return CylinderDistance(world, hole.point, hole.axis, 0.5 * hole.diameterMm);
+  SolidPointer region;
+  if (recipe.outline == GuideOutline::Filled)
+  {
+    region = MakeIntersection({ MakePrism(polygon, axes, reach),
+      MakePlane(axes * glm::dvec3(0.0, 0.0, span.low.z), -recipe.withdrawal) });
+    // Bone may bulge between the landmarks; its surface is less than a cell beyond its samples.
+    const double top = span.high.z - reach;
+    span.high.z = Highest(ct, keep, axes, polygon, reach, top) + glm::length(ct.spacing) + reach;
+    region = WithStrokes(std::move(region), recipe);
+  }
+  else
+    region = MakeGuideBand(recipe);
+  for (const GuideStroke& stroke : recipe.strokes)
+    for (const glm::dvec3& p : stroke.points)
+      if (!stroke.erased)
+        span.Add(p * axes, stroke.radiusMm);
+  // Everything the guide's distance to bone can depend on, letters on it, and a rim outside.
+  double margin = recipe.gapMm + recipe.thicknessMm + 3.0 * recipe.spacingMm;
+  for (const GuideLabel& label : recipe.labels)
+    margin =
+      std::max(margin, recipe.gapMm + recipe.thicknessMm + label.depthMm + 3.0 * recipe.spacingMm);
+  span.low -= margin;
+  span.high += margin;
+  for (const GuidePart& part : parts)
+    for (int c = 0; c < 8; ++c)
+    {
+      const glm::dvec3 side(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1);
+      span.Add((part.center + part.axes * (side * part.half)) * axes, 3.0 * recipe.spacingMm);
+    }
+  return { GridOf(span, axes, recipe.spacingMm), std::move(region) };
 }
 
 } // namespace hasp

@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <exception>
 
 vtkStandardNewMacro(vtkHaspGuideFilter);
@@ -63,9 +64,12 @@ int vtkHaspGuideFilter::RequestData(
   };
   try
   {
-    const hasp::TriangleMesh guide =
+    const hasp::BuiltGuide guide =
       hasp::BuildGuide(hasp::ViewImage(image), *this->Recipe, progress);
-    output->ShallowCopy(hasp::MakePolyData(guide));
+    output->ShallowCopy(hasp::MakePolyData(guide.mesh));
+    for (int a = 0; a < 3; ++a)
+      this->InsertionAxis[a] = guide.made.withdrawal[a];
+    this->UndercutShare = guide.made.undercut;
     return 1;
   }
   catch (const hasp::Cancelled&)
@@ -79,6 +83,16 @@ int vtkHaspGuideFilter::RequestData(
   }
 }
 
+void vtkHaspGuideFilter::GetInsertionAxis(double direction[3]) const
+{
+  std::copy_n(this->InsertionAxis, 3, direction);
+}
+
+double vtkHaspGuideFilter::GetUndercutShare() const
+{
+  return this->UndercutShare;
+}
+
 void vtkHaspGuideFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -87,4 +101,7 @@ void vtkHaspGuideFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Thickness: " << this->Recipe->thicknessMm << " mm\n";
   os << indent << "Slots: " << this->Recipe->slots.size() << "\n";
   os << indent << "Holes: " << this->Recipe->holes.size() << "\n";
+  os << indent << "InsertionAxis: " << this->InsertionAxis[0] << ", " << this->InsertionAxis[1]
+     << ", " << this->InsertionAxis[2] << "\n";
+  os << indent << "UndercutShare: " << this->UndercutShare << "\n";
 }

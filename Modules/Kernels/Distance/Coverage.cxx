@@ -65,8 +65,10 @@ public:
         }
     if (noneInside || (allInside && allKept))
       return noneInside ? 0.0F : 1.0F;
-    if (const auto uniform = this->FarFromSurface(center); uniform && (allKept || *uniform == 0.0F))
-      return *uniform;
+    if (within)
+      if (const auto uniform = this->FarFromSurface(center, first, last);
+          uniform && (allKept || *uniform == 0.0F))
+        return *uniform;
     return this->Supersample(center, !allKept);
   }
 
@@ -80,23 +82,36 @@ private:
     return this->Settings.keep.empty() || this->Settings.keep[this->Source.Offset(i, j, k)];
   }
 
-  /// A voxel within one source cell, whose centre value is farther from the isovalue than the
-  /// field can change over half its size (each partial derivative of a trilinear polynomial is
-  /// bounded by its differences along edges).
-  std::optional<float> FarFromSurface(const glm::dvec3& center) const
+  /// A voxel whose centre value is farther from the isovalue than the field can change over half
+  /// its size: each partial derivative of a trilinear polynomial is bounded by its differences
+  /// along edges, here those of all cells that the voxel reaches into, of samples [first, last].
+  /// NaN and infinity bound nothing.
+  std::optional<float> FarFromSurface(
+    const glm::dvec3& center, const glm::ivec3& first, const glm::ivec3& last) const
   {
-    const glm::dvec3 low = center - this->Half, high = center + this->Half;
-    const auto at = LocateCell(this->Source.geometry, center);
-    if (!at || glm::any(glm::lessThan(low, glm::dvec3(at->cell))) ||
-        glm::any(glm::greaterThan(high, glm::dvec3(at->cell + 1))))
-      return std::nullopt;
-    const auto c = CellCorners(this->Source, at->cell);
+    const std::size_t row = this->Source.geometry.dims.x;
+    const std::size_t steps[] = { 1, row, row * this->Source.geometry.dims.y };
     glm::dvec3 steepest(0.0);
-    for (int n = 0; n < 8; ++n)
-      for (int a = 0; a < 3; ++a)
-        if (!(n >> a & 1))
-          steepest[a] = std::max(steepest[a], std::abs(c[n | 1 << a] - c[n]));
-    const double beyond = TrilinearValue(c, at->local) - this->Settings.isovalue;
+    double all = 0.0; // finite if each is
+    for (int k = first.z; k <= last.z; ++k)
+      for (int j = first.y; j <= last.y; ++j)
+        for (int i = first.x; i <= last.x; ++i)
+        {
+          const glm::ivec3 at(i, j, k);
+          const T* sample = &this->Source(i, j, k);
+          for (int a = 0; a < 3; ++a)
+            if (at[a] < last[a])
+            {
+              const double change = std::abs(double(sample[steps[a]]) - double(*sample));
+              steepest[a] = std::max(steepest[a], change);
+              all += change;
+            }
+        }
+    if (!std::isfinite(all))
+      return std::nullopt;
+    const auto at = LocateCell(this->Source.geometry, center);
+    const double beyond =
+      TrilinearValue(CellCorners(this->Source, at->cell), at->local) - this->Settings.isovalue;
     if (!(std::abs(beyond) > glm::dot(steepest, this->Half)))
       return std::nullopt;
     return beyond > 0 ? 1.0F : 0.0F;

@@ -51,4 +51,8 @@ SolidPointer MakeBevelledIntersection(SolidPointer a, SolidPointer b, double bev
 /// (n), of b (m), then n m fillets, one for each pair, m consecutive ones for a face of a.
 SolidPointer MakeSmoothUnion(SolidPointer a, SolidPointer b, double radiusMm);
 
+/// An intersection whose edges are rounded, from radiusMm before them on either surface:
+/// max(a, b) + h^2 r / 4, which takes away at most r / 4. Faces as of a smooth union.
+SolidPointer MakeSmoothIntersection(SolidPointer a, SolidPointer b, double radiusMm);
+
 } // namespace hasp

@@ -184,6 +184,57 @@ private:
   double Radius;
   std::uint32_t FacesOfA, FacesOfB, AllFaces;
 };
+/// Everything but the part.
+class Complement : public ImplicitSolid
+{
+public:
+  explicit Complement(SolidPointer part) : Part(std::move(part)) {}
+  double At(const glm::dvec3& x) const noexcept override { return -this->Part->At(x); }
+  Sample SampleAt(const glm::dvec3& x) const noexcept override
+  {
+    return Turned(this->Part->SampleAt(x));
+  }
+  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
+  {
+    return Turned(this->Part->FaceAt(face, x));
+  }
+  std::uint32_t Faces() const noexcept override { return this->Part->Faces(); }
+  Box Bounds() const noexcept override { return {}; }
+  double Steepness() const noexcept override { return this->Part->Steepness(); }
+
+  static Sample Turned(const Sample& s) noexcept { return { -s.value, -s.gradient, s.face }; }
+
+private:
+  SolidPointer Part;
+};
+
+/// Everything but the smooth union of the complements.
+class SmoothIntersection : public ImplicitSolid
+{
+public:
+  SmoothIntersection(const SolidPointer& a, const SolidPointer& b, double radius)
+    : Rest(std::make_shared<Complement>(a), std::make_shared<Complement>(b), radius)
+  {
+    const Box boxOfA = a->Bounds(), boxOfB = b->Bounds();
+    this->Hull = { glm::max(boxOfA.low, boxOfB.low), glm::min(boxOfA.high, boxOfB.high) };
+  }
+  double At(const glm::dvec3& x) const noexcept override { return -this->Rest.At(x); }
+  Sample SampleAt(const glm::dvec3& x) const noexcept override
+  {
+    return Complement::Turned(this->Rest.SampleAt(x));
+  }
+  Sample FaceAt(std::uint32_t face, const glm::dvec3& x) const noexcept override
+  {
+    return Complement::Turned(this->Rest.FaceAt(face, x));
+  }
+  std::uint32_t Faces() const noexcept override { return this->Rest.Faces(); }
+  Box Bounds() const noexcept override { return this->Hull; }
+  double Steepness() const noexcept override { return this->Rest.Steepness(); }
+
+private:
+  SmoothUnion Rest;
+  Box Hull;
+};
 } // namespace
 
 SolidPointer MakeOffset(SolidPointer part, double mm)
@@ -210,6 +261,14 @@ SolidPointer MakeSmoothUnion(SolidPointer a, SolidPointer b, double radiusMm)
   RequirePart("smooth union", b);
   RequirePositive("smooth union", "radius", radiusMm);
   return std::make_shared<SmoothUnion>(std::move(a), std::move(b), radiusMm);
+}
+
+SolidPointer MakeSmoothIntersection(SolidPointer a, SolidPointer b, double radiusMm)
+{
+  RequirePart("smooth intersection", a);
+  RequirePart("smooth intersection", b);
+  RequirePositive("smooth intersection", "radius", radiusMm);
+  return std::make_shared<SmoothIntersection>(a, b, radiusMm);
 }
 
 } // namespace hasp

@@ -1,6 +1,6 @@
 #include "Evaluation/GuideGap.h"
 
-#include "Evaluation/SurfaceDistance.h"
+#include "Evaluation/AreaShares.h"
 
 #include <glm/geometric.hpp>
 
@@ -9,75 +9,85 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace hasp
 {
 
 namespace
 {
-/// Distance below which the given share of the area lies; `walls` sorted by distance.
-double Percentile(const std::vector<std::pair<double, double>>& walls, double area, double share)
+void Validate(const GuideGapSettings& s)
 {
-  double sum = 0.0;
-  for (const auto& [distance, part] : walls)
-    if ((sum += part) >= share * area)
-      return distance;
-  return walls.back().first;
+  if (!(s.gapMm >= 0.0 && s.toleranceMm > 0.0 && s.nearMm > s.gapMm && s.facing > 0.0 &&
+        s.facing < 1.0 && s.nearMm <= 100.0))
+    throw std::invalid_argument(
+      "guide gap: needs gapMm >= 0, toleranceMm > 0, gapMm < nearMm <= 100, facing in (0, 1)");
 }
 } // namespace
 
-GuideGap MeasureGuideGap(const AnyGridView& volume, const TriangleMesh& guide,
-  const GuideGapSettings& s, const ProgressFunction& progress)
+GuideGap MeasureGuideGap(std::span<const MeshSample> samples,
+  std::span<const std::optional<NearestSurface>> nearest, const GuideGapSettings& s,
+  const CountsAsBone& counts)
 {
-  if (!(s.gapMm >= 0.0 && s.toleranceMm > 0.0 && s.nearMm > s.gapMm && s.facing > 0.0 &&
-        s.facing < 1.0))
-    throw std::invalid_argument(
-      "guide gap: needs gapMm >= 0, toleranceMm > 0, nearMm > gapMm, facing in (0, 1)");
-  std::vector<glm::dvec3> centers;
-  centers.reserve(guide.triangles.size());
-  for (const glm::uvec3& t : guide.triangles)
-  {
-    if (std::max({ t.x, t.y, t.z }) >= guide.points.size())
-      throw std::invalid_argument("guide gap: a triangle names point " +
-                                  std::to_string(std::max({ t.x, t.y, t.z })) + " of " +
-                                  std::to_string(guide.points.size()));
-    centers.push_back((guide.points[t.x] + guide.points[t.y] + guide.points[t.z]) / 3.0);
-  }
-  const auto nearest = DistanceToIsosurface(volume, s.isovalue, centers, s.nearMm, progress);
-
+  Validate(s);
+  if (samples.size() != nearest.size())
+    throw std::invalid_argument("guide gap: " + std::to_string(samples.size()) + " samples and " +
+                                std::to_string(nearest.size()) + " distances");
   GuideGap gap;
   gap.leastAnywhere = std::numeric_limits<double>::infinity();
-  std::vector<std::pair<double, double>> walls; // distance, area
+  gap.histogramMm2.assign(std::size_t(std::ceil(2.0 * s.nearMm / GuideGap::BinMm)), 0.0);
+  AreaShares walls;
+  double within = 0.0, closer = 0.0, worst = -1.0;
   for (std::size_t n = 0; n < nearest.size(); ++n)
   {
     if (!nearest[n])
       continue;
-    const double distance = nearest[n]->distance;
-    gap.leastAnywhere = std::min(gap.leastAnywhere, distance);
-    const glm::uvec3& t = guide.triangles[n];
-    const glm::dvec3 normal =
-      glm::cross(guide.points[t.y] - guide.points[t.x], guide.points[t.z] - guide.points[t.x]);
-    const double twiceArea = glm::length(normal);
-    if (!(glm::dot(normal, nearest[n]->outward) < -s.facing * twiceArea))
+    const double distance = nearest[n]->distance, area = samples[n].areaMm2;
+    if (distance < s.gapMm - s.toleranceMm && counts && !counts(nearest[n]->closest))
       continue;
-    const double area = 0.5 * twiceArea;
-    walls.emplace_back(distance, area);
-    gap.innerWallMm2 += area;
-    gap.share += std::abs(distance - s.gapMm) <= s.toleranceMm ? area : 0.0;
-    gap.closer += distance < s.gapMm - s.toleranceMm ? area : 0.0;
+    if (distance < gap.leastAnywhere)
+    {
+      gap.leastAnywhere = distance;
+      gap.leastAnywhereAt = samples[n].point;
+    }
+    if (!(glm::dot(samples[n].normal, nearest[n]->outward) < -s.facing))
+      continue;
+    walls.Add(distance, area);
+    within += std::abs(distance - s.gapMm) <= s.toleranceMm ? area : 0.0;
+    closer += distance < s.gapMm - s.toleranceMm ? area : 0.0;
+    if (std::abs(distance - s.gapMm) > worst)
+    {
+      worst = std::abs(distance - s.gapMm);
+      gap.worstAt = samples[n].point;
+    }
+    const auto bin = static_cast<std::size_t>((distance + s.nearMm) / GuideGap::BinMm);
+    gap.histogramMm2[std::min(bin, gap.histogramMm2.size() - 1)] += area;
   }
-  if (walls.empty())
+  if (walls.Empty())
     return gap;
-  gap.share /= gap.innerWallMm2;
-  gap.closer /= gap.innerWallMm2;
-  std::sort(walls.begin(), walls.end());
-  gap.least = walls.front().first;
-  gap.p5 = Percentile(walls, gap.innerWallMm2, 0.05);
-  gap.p50 = Percentile(walls, gap.innerWallMm2, 0.50);
-  gap.p95 = Percentile(walls, gap.innerWallMm2, 0.95);
-  gap.most = walls.back().first;
+  walls.Sort();
+  gap.innerWallMm2 = walls.Area();
+  gap.share = within / walls.Area();
+  gap.closer = closer / walls.Area();
+  gap.least = walls.Below(0.0);
+  gap.p5 = walls.Below(0.05);
+  gap.p50 = walls.Below(0.50);
+  gap.p95 = walls.Below(0.95);
+  gap.most = walls.Most();
   return gap;
+}
+
+GuideGap MeasureGuideGap(const AnyGridView& volume, const TriangleMesh& guide,
+  const GuideGapSettings& settings, const ProgressFunction& progress)
+{
+  Validate(settings);
+  const std::vector<MeshSample> samples = SampleMesh(guide, GapSampleMm);
+  std::vector<glm::dvec3> places;
+  places.reserve(samples.size());
+  for (const MeshSample& sample : samples)
+    places.push_back(sample.point);
+  const auto nearest =
+    DistanceToIsosurface(volume, settings.isovalue, places, settings.nearMm, progress);
+  return MeasureGuideGap(samples, nearest, settings);
 }
 
 } // namespace hasp

@@ -1,5 +1,7 @@
 #include "Evaluation/MeshCheck.h"
 
+#include "Evaluation/DisjointSets.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -26,23 +28,6 @@ struct HalfEdge
   bool SameEdge(const HalfEdge& o) const { return low == o.low && high == o.high; }
 };
 
-/// Disjoint sets of 0..n-1.
-class Sets
-{
-public:
-  explicit Sets(std::size_t n) : Parent(n) { std::iota(Parent.begin(), Parent.end(), 0U); }
-  std::uint32_t Root(std::uint32_t n)
-  {
-    while (this->Parent[n] != n)
-      n = this->Parent[n] = this->Parent[this->Parent[n]];
-    return n;
-  }
-  void Join(std::uint32_t a, std::uint32_t b) { this->Parent[this->Root(a)] = this->Root(b); }
-
-private:
-  std::vector<std::uint32_t> Parent;
-};
-
 std::vector<HalfEdge> SortedHalfEdges(const TriangleMesh& mesh)
 {
   std::vector<HalfEdge> edges;
@@ -63,22 +48,32 @@ std::uint32_t CornerOf(const TriangleMesh& mesh, std::uint32_t triangle, std::ui
   return 3 * triangle + (t.x == point ? 0 : t.y == point ? 1 : 2);
 }
 
+void Count(std::size_t& number, std::optional<glm::dvec3>& first, const glm::dvec3& place)
+{
+  if (number++ == 0)
+    first = place;
+}
+
 /// Counts faults of edges, and joins pieces (triangles) and fans (corners) across sound edges.
-void CheckEdges(const TriangleMesh& mesh, MeshCheck& check, Sets& pieces, Sets& fans)
+void CheckEdges(
+  const TriangleMesh& mesh, MeshCheck& check, DisjointSets& pieces, DisjointSets& fans)
 {
   const std::vector<HalfEdge> edges = SortedHalfEdges(mesh);
   for (std::size_t first = 0, last; first < edges.size(); first = last)
   {
     for (last = first + 1; last < edges.size() && edges[last].SameEdge(edges[first]); ++last)
       pieces.Join(edges[first].triangle, edges[last].triangle);
+    const glm::dvec3 middle =
+      0.5 * (mesh.points[edges[first].low] + mesh.points[edges[first].high]);
     if (last - first == 1)
-      ++check.borderEdges;
+      Count(check.borderEdges, check.borderAt, middle);
     else if (last - first > 2)
-      ++check.crowdedEdges;
+      Count(check.crowdedEdges, check.crowdedAt, middle);
     else
     {
       const HalfEdge &a = edges[first], &b = edges[first + 1];
-      check.turnedEdges += a.up == b.up;
+      if (a.up == b.up)
+        Count(check.turnedEdges, check.turnedAt, middle);
       for (const std::uint32_t p : { a.low, a.high })
         fans.Join(CornerOf(mesh, a.triangle, p), CornerOf(mesh, b.triangle, p));
     }
@@ -102,9 +97,10 @@ MeshCheck CheckMesh(const TriangleMesh& mesh)
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
     check.areaMm2 += area;
     check.volumeMm3 += glm::dot(a - o, glm::cross(b - o, c - o)) / 6.0;
-    check.degenerate += t.x == t.y || t.y == t.z || t.z == t.x || !(area > 0.0);
+    if (t.x == t.y || t.y == t.z || t.z == t.x || !(area > 0.0))
+      Count(check.degenerate, check.degenerateAt, a);
   }
-  Sets pieces(mesh.triangles.size()), fans(3 * mesh.triangles.size());
+  DisjointSets pieces(mesh.triangles.size()), fans(3 * mesh.triangles.size());
   CheckEdges(mesh, check, pieces, fans);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     check.pieces += pieces.Root(t) == t;
@@ -113,8 +109,9 @@ MeshCheck CheckMesh(const TriangleMesh& mesh)
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner)
     if (fans.Root(corner) == corner)
       ++fansAt[mesh.triangles[corner / 3][static_cast<int>(corner % 3)]];
-  check.pinchedPoints =
-    std::count_if(fansAt.begin(), fansAt.end(), [](std::uint32_t n) { return n > 1; });
+  for (std::size_t p = 0; p < fansAt.size(); ++p)
+    if (fansAt[p] > 1)
+      Count(check.pinchedPoints, check.pinchedAt, mesh.points[p]);
   return check;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 #include "Grid/TriangleMesh.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
+#include <optional>
 
 namespace hasp
 {
@@ -18,6 +21,10 @@ struct MeshCheck
   std::size_t pieces = 0;        ///< connected through edges
   double volumeMm3 = 0.0;        ///< signed; positive if triangles face outward
   double areaMm2 = 0.0;
+  ///@{
+  /// Where the first of each is, mm; nothing if there is none.
+  std::optional<glm::dvec3> borderAt, crowdedAt, turnedAt, pinchedAt, degenerateAt;
+  ///@}
 
   /// No border.
   bool Closed() const { return this->triangles > 0 && this->borderEdges == 0; }

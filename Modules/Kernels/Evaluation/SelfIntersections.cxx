@@ -12,7 +12,7 @@
 namespace hasp
 {
 
-std::size_t CountSelfIntersections(const TriangleMesh& mesh)
+std::vector<std::array<std::uint32_t, 2>> FindSelfIntersections(const TriangleMesh& mesh)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -34,7 +34,15 @@ std::size_t CountSelfIntersections(const TriangleMesh& mesh)
   }
   std::vector<std::pair<Surface::Face_index, Surface::Face_index>> pairs;
   CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
-  return pairs.size();
+  std::vector<std::array<std::uint32_t, 2>> found;
+  for (const auto& [a, b] : pairs) // faces are numbered in the order they were added
+    found.push_back({ static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b) });
+  return found;
+}
+
+std::size_t CountSelfIntersections(const TriangleMesh& mesh)
+{
+  return FindSelfIntersections(mesh).size();
 }
 
 } // namespace hasp

@@ -1,7 +1,10 @@
 #pragma once
 #include "Grid/TriangleMesh.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace hasp
 {
@@ -12,6 +15,9 @@ namespace hasp
 /// 2-manifold: CheckMesh counts them. A library of its own
 /// (Hasp::KernelSelfIntersections, HASP_ENABLE_CGAL), since CGAL's mesh processing is GPL.
 /// Any thread; O(triangles log triangles) where few meet.
+std::vector<std::array<std::uint32_t, 2>> FindSelfIntersections(const TriangleMesh& mesh);
+
+/// How many there are.
 std::size_t CountSelfIntersections(const TriangleMesh& mesh);
 
 } // namespace hasp

@@ -64,9 +64,11 @@ public:
       return std::nullopt; // so far away that cells have no int
     std::vector<Candidate> candidates;
     const double least = this->FindCandidates(p, reach, candidates);
+    std::sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
     Candidate best{ std::numeric_limits<double>::infinity(), {}, {} };
     for (const Candidate& c : candidates)
-      if (c.distance <= least + this->Cover())
+      if (c.distance <= least + this->Cover() && this->BoxDistance(c.cell, p) < best.distance)
         if (const Candidate foot = this->Descend(c, p); foot.distance < best.distance)
           best = foot;
     if (!(best.distance <= reach))
@@ -140,6 +142,8 @@ private:
         for (int j = low.y; j <= high.y; ++j)
         {
           const bool face = std::abs(k - home.z) == ring || std::abs(j - home.y) == ring;
+          if (low.x > high.x || this->Empty(low.x, high.x, j, k))
+            continue;
           for (int i = low.x; i <= high.x; ++i)
             if (face || std::abs(i - home.x) == ring)
               this->BestOfCell({ i, j, k }, p, reach, candidates, least);
@@ -148,15 +152,31 @@ private:
     return least;
   }
 
+  std::size_t Number(const glm::ivec3& cell) const
+  {
+    const glm::ivec3 at = cell - this->First;
+    return (std::size_t(at.z) * this->Count.y + at.y) * this->Count.x + at.x;
+  }
+  double BoxDistance(const glm::ivec3& cell, const glm::dvec3& p) const
+  {
+    const glm::dvec3 spacing = this->Volume.geometry.spacing, low = glm::dvec3(cell) * spacing;
+    return glm::length(glm::max(glm::max(low - p, p - low - spacing), glm::dvec3(0.0)));
+  }
+  /// No surface in a row of cells.
+  bool Empty(int low, int high, int j, int k) const
+  {
+    return this->Start[this->Number({ low, j, k })] ==
+           this->Start[this->Number({ high, j, k }) + 1];
+  }
+
   void BestOfCell(const glm::ivec3& cell, const glm::dvec3& p, double reach,
     std::vector<Candidate>& candidates, double& least) const
   {
-    const glm::dvec3 spacing = this->Volume.geometry.spacing, low = glm::dvec3(cell) * spacing;
-    const glm::dvec3 outside = glm::max(glm::max(low - p, p - low - spacing), glm::dvec3(0.0));
-    if (glm::length(outside) > std::min(reach, least + this->Cover()))
+    const std::size_t n = this->Number(cell);
+    if (this->Start[n] == this->Start[n + 1])
+      return;
+    if (this->BoxDistance(cell, p) > std::min(reach, least + this->Cover()))
       return; // even its box is too far
-    const glm::ivec3 at = cell - this->First;
-    const std::size_t n = (std::size_t(at.z) * this->Count.y + at.y) * this->Count.x + at.x;
     Candidate best{ std::numeric_limits<double>::infinity(), {}, cell };
     for (std::size_t s = this->Start[n]; s < this->Start[n + 1]; ++s)
       if (const double d = glm::length(this->Samples[s] - p); d < best.distance)
@@ -177,7 +197,7 @@ private:
     const auto corners = this->Corners(at.cell);
     const glm::dvec3 low = glm::dvec3(at.cell) * spacing, high = low + spacing;
     double share = 1.0;
-    for (int n = 0; n < 100 && share > 1e-4; ++n)
+    for (int n = 0; n < 100 && share > 0.02; ++n)
     {
       const glm::dvec3 g =
         TrilinearGradient(corners, at.point / spacing - glm::dvec3(at.cell)) / spacing;
@@ -190,7 +210,7 @@ private:
       const double distance = glm::length(next - p);
       if (onSurface && distance < at.distance)
       {
-        const bool settled = at.distance - distance < 1e-9;
+        const bool settled = at.distance - distance < 1e-7;
         at.point = next;
         at.distance = distance;
         if (settled)

@@ -8,11 +8,25 @@ namespace hasp
 
 /// Guide recipes as JSON, readable by people:
 ///
-///   { "format": "hasp-guide-recipe-1", "note": "…", "isovalue": 226,
-///     "landmarks": [[x,y,z], …], "outline": "open" | "closed" | "filled", "withdrawal": [x,y,z],
-///     "gapMm": 0.3, "thicknessMm": 2.5, "widthMm": 14, "spacingMm": 0.4, "ignoreBelowMm3": 100,
-///     "slots": [{ "point": [x,y,z], "normal": [x,y,z], "widthMm": 1, "lengthMm": 20 }, …],
-///     "holes": [{ "point": [x,y,z], "axis": [x,y,z], "diameterMm": 2 }, …] }
+///   { "format": "hasp-guide-recipe-2", "note": "…", "isovalue": 226,
+///     "landmarks": [[x,y,z], …], "outline": "open" | "closed" | "filled",
+///     "strokes": [{ "points": [[x,y,z], …], "radiusMm": 5, "erased": false }, …],
+///     "withdrawal": [x,y,z], "axisSearchDeg": 0, "gapMm": 0.3, "thicknessMm": 4, "widthMm": 14,
+///     "edgeRadiusMm": 0.5, "clearanceMm": 0.25, "wallMm": 3, "sleeveWallMm": 2,
+///     "spacingMm": 0.4, "ignoreBelowMm3": 100,
+///     "slots": [{ "point": [x,y,z], "normal": [x,y,z], "kerfMm": 1, "lengthMm": 20,
+///                 "depthMm": 20, "guidingHeightMm": 15 }, …],
+///     "flanges": [{ "point": [x,y,z], "normal": [x,y,z], "kerfMm": 1, "lengthMm": 20,
+///                   "heightMm": 15, "depthMm": 20, "freeMm": 10 }, …],
+///     "holes": [{ "point": [x,y,z], "axis": [x,y,z], "diameterMm": 3, "depthMm": 20,
+///                 "sleeveHeightMm": 6 }, …],
+///     "labels": [{ "text": "CASE 7 L", "point": [x,y,z], "right": [x,y,z], "heightMm": 5,
+///                  "depthMm": 1, "engraved": false }, …] }
+///
+/// "hasp-guide-recipe-1" is read, too: it has no strokes, axisSearchDeg, edgeRadiusMm, clearanceMm,
+/// walls, flanges and labels, its slots are { point, normal, widthMm, lengthMm } and its holes
+/// { point, axis, diameterMm }. The guide is as it was: slots of that width, and holes, 500 mm
+/// deep, without boxes, sleeves and round edges.
 ///
 /// Strict: every key but "note" must be there, and no other; what ValidateGuideRecipe refuses is
 /// refused here, too. Errors are std::runtime_error (file, syntax) or std::invalid_argument

@@ -1,5 +1,7 @@
 #include "Planning/StrictJson.h"
 
+#include "Planning/ValueChecks.h"
+
 #include <algorithm>
 #include <set>
 #include <stdexcept>
@@ -85,12 +87,17 @@ double StrictJson::Number(const char* key) const
 
 std::uint64_t StrictJson::Count(const char* key, std::uint64_t least, std::uint64_t most) const
 {
-  const Json& value = this->Get(key);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least ||
-      value.get<std::uint64_t>() > most)
-    this->Fail(key,
-      "must be a whole number in [" + std::to_string(least) + ", " + std::to_string(most) + "]");
-  return value.get<std::uint64_t>();
+  return this->AsCount(key, this->Get(key), least, most);
+}
+
+std::vector<std::uint32_t> StrictJson::Counts(
+  const char* key, std::uint32_t least, std::uint32_t most) const
+{
+  std::vector<std::uint32_t> counts;
+  for (const Json& value : this->List(key))
+    counts.push_back(
+      static_cast<std::uint32_t>(this->AsCount(ListKey(key, counts.size()), value, least, most)));
+  return counts;
 }
 
 bool StrictJson::Flag(const char* key) const
@@ -109,6 +116,16 @@ std::string StrictJson::Text(const char* key) const
   return value.get<std::string>();
 }
 
+std::vector<double> StrictJson::Numbers(const char* key, std::size_t count) const
+{
+  std::vector<double> numbers;
+  for (const Json& value : this->List(key))
+    numbers.push_back(this->AsNumber(ListKey(key, numbers.size()), value));
+  if (numbers.size() != count)
+    this->Fail(key, "must be " + std::to_string(count) + " numbers");
+  return numbers;
+}
+
 glm::dvec3 StrictJson::Vector(const char* key) const
 {
   return this->AsVector(key, this->Get(key));
@@ -118,8 +135,7 @@ std::vector<glm::dvec3> StrictJson::Vectors(const char* key) const
 {
   std::vector<glm::dvec3> vectors;
   for (const Json& value : this->List(key))
-    vectors.push_back(
-      this->AsVector(std::string(key) + "[" + std::to_string(vectors.size()) + "]", value));
+    vectors.push_back(this->AsVector(ListKey(key, vectors.size()), value));
   return vectors;
 }
 
@@ -144,6 +160,16 @@ void StrictJson::Fail(const std::string& key, const std::string& text) const
 std::string StrictJson::Path(const std::string& key) const
 {
   return this->Name + (this->Name.empty() || key.empty() ? "" : ".") + key;
+}
+
+std::uint64_t StrictJson::AsCount(
+  const std::string& key, const Json& value, std::uint64_t least, std::uint64_t most) const
+{
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least ||
+      value.get<std::uint64_t>() > most)
+    this->Fail(key,
+      "must be a whole number in [" + std::to_string(least) + ", " + std::to_string(most) + "]");
+  return value.get<std::uint64_t>();
 }
 
 double StrictJson::AsNumber(const std::string& key, const Json& value) const

@@ -39,8 +39,11 @@ public:
   double Number(const char* key) const;
   /// A whole number in [least, most], at most 2^53.
   std::uint64_t Count(const char* key, std::uint64_t least, std::uint64_t most) const;
+  /// An array of such numbers.
+  std::vector<std::uint32_t> Counts(const char* key, std::uint32_t least, std::uint32_t most) const;
   bool Flag(const char* key) const;
   std::string Text(const char* key) const;
+  std::vector<double> Numbers(const char* key, std::size_t count) const;
   glm::dvec3 Vector(const char* key) const;
   std::vector<glm::dvec3> Vectors(const char* key) const;
   /// An array of at most `most` entries.
@@ -54,6 +57,8 @@ public:
 
 private:
   std::string Path(const std::string& key) const;
+  std::uint64_t AsCount(
+    const std::string& key, const Json& value, std::uint64_t least, std::uint64_t most) const;
   double AsNumber(const std::string& key, const Json& value) const;
   glm::dvec3 AsVector(const std::string& key, const Json& value) const;
 

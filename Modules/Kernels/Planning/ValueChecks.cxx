@@ -11,6 +11,29 @@ namespace hasp
 
 namespace
 {
+/// How many bytes the character that begins at `at` has; 0 if it is none: overlong, a surrogate,
+/// above U+10FFFF, cut off, or a control character.
+std::size_t CharacterBytes(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t n) -> unsigned
+  { return at + n < text.size() ? static_cast<unsigned char>(text[at + n]) : 0U; };
+  const unsigned first = byte(0);
+  if (first < 0x80)
+    return first < 0x20 || first == 0x7F ? 0 : 1;
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  unsigned code = first & (0x7FU >> bytes);
+  for (std::size_t n = 1; n < bytes; ++n)
+  {
+    if ((byte(n) & 0xC0U) != 0x80)
+      return 0;
+    code = code << 6U | (byte(n) & 0x3FU);
+  }
+  constexpr unsigned least[] = { 0, 0, 0xA0, 0x800, 0x10000 }; // U+0080 to U+009F are controls
+  const bool sound =
+    first >= 0xC0 && code >= least[bytes] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
+  return sound ? bytes : 0;
+}
+
 std::string Range(char bracket, double low, double high)
 {
   std::ostringstream range;
@@ -42,6 +65,21 @@ void ValueChecks::Unit(const std::string& key, const glm::dvec3& direction) cons
 {
   if (const double length = glm::length(direction); !(std::abs(length - 1.0) <= 1e-3))
     this->Refuse(key + "'s length", length, "1 within 0.001");
+}
+
+void ValueChecks::Text(const std::string& key, const std::string& text) const
+{
+  if (text.size() > 200)
+    this->Refuse(key, "is longer than 200 bytes");
+  for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes)
+    if (bytes = CharacterBytes(text, at); bytes == 0)
+      this->Refuse(key, "holds a control character or is not UTF-8");
+}
+
+void ValueChecks::Hash(const std::string& key, const std::string& hash) const
+{
+  if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+    this->Refuse(key, "must be 64 hexadecimal digits in lower case, a SHA-256");
 }
 
 void ValueChecks::Refuse(const std::string& key, double value, const std::string& must) const

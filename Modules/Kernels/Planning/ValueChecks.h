@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace hasp
 {
@@ -22,6 +23,10 @@ public:
   void Point(const std::string& key, const glm::dvec3& point) const;
   /// Length 1 within 1e-3.
   void Unit(const std::string& key, const glm::dvec3& direction) const;
+  /// UTF-8, at most 200 bytes, no control characters. The message does not quote the text.
+  void Text(const std::string& key, const std::string& text) const;
+  /// 64 hexadecimal digits in lower case.
+  void Hash(const std::string& key, const std::string& hash) const;
 
   /// "SUBJECT: KEY is VALUE, must be MUST", and "SUBJECT: KEY MUST".
   [[noreturn]] void Refuse(const std::string& key, double value, const std::string& must) const;

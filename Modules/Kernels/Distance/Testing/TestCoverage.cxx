@@ -172,6 +172,39 @@ TEST(Coverage, DiagonalNeighboursAreOnePiece)
   EXPECT_EQ(std::accumulate(keep.begin(), keep.end(), 0), 3);
 }
 
+TEST(Coverage, OneNaNTakesAwayWhatItsCellsHoldAndNoMore)
+{
+  // Voxels finer than the source's cells, as guides have them: many reach into a cell of the NaN
+  // while their middle lies in another.
+  const auto grid = Slices();
+  auto samples = hasp::SampleAnalytic<float>(hasp::AnalyticSphere({}, 6), grid, 100, 226);
+  const hasp::GridView<const float> ct{ samples.data(), grid };
+  samples[ct.Offset(10, 9, 7)] = std::numeric_limits<float>::quiet_NaN();
+  const hasp::GridGeometry target{ glm::ivec3(20), glm::dvec3(-3.8), glm::dvec3(0.4),
+    glm::dmat3(1) };
+  hasp::CoverageSettings settings;
+  settings.samplesPerAxis = 2;
+  const auto coverage = hasp::Coverage(ct, target, settings);
+  std::size_t v = 0, partial = 0;
+  for (int k = 0; k < 20; ++k)
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 20; ++i, ++v)
+      {
+        int count = 0;
+        for (int s = 0; s < 8; ++s)
+        {
+          const glm::dvec3 sub(
+            0.5 * (s & 1) - 0.25, 0.5 * (s >> 1 & 1) - 0.25, 0.5 * (s >> 2) - 0.25);
+          const auto value =
+            SampleTrilinear(ct, grid.WorldToIndex(target.IndexToWorld(glm::dvec3(i, j, k) + sub)));
+          count += value && *value >= 226.0;
+        }
+        ASSERT_EQ(coverage[v], count / 8.0F) << i << " " << j << " " << k;
+        partial += count > 0 && count < 8;
+      }
+  EXPECT_GT(partial, 100U);
+}
+
 TEST(Coverage, NaNIsOutsideAndFaultsAreNamed)
 {
   const hasp::GridGeometry grid{ glm::ivec3(5), {}, glm::dvec3(1), glm::dmat3(1) };

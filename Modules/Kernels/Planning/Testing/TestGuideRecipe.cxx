@@ -1,6 +1,7 @@
 #include "Planning/GuideRecipeFile.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -21,8 +22,12 @@ hasp::GuideRecipe Good()
   r.landmarks = { { 1, 2, 3 }, { 0.1, 20, 3 }, { -5, 7, 1.0 / 3.0 } };
   r.outline = hasp::GuideOutline::Closed;
   r.withdrawal = glm::normalize(glm::dvec3(1, 2, 2));
+  r.strokes = { { { { 1, 2, 3 }, { 4, 5, 6 } }, 4, false }, { { { 1, 2, 3.5 } }, 2, true } };
+  r.axisSearchDeg = 20;
   r.slots = { { { 1, 1, 1 }, { 0, 1, -0.0 }, 1.2, 20 } };
-  r.holes = { { { 0, 0, 1 }, { 0, 0, 1 }, 2 }, { { 3, 0, 1 }, { 1, 0, 0 }, 2.7 } };
+  r.flanges = { { { 1, 1, 2 }, { 1, 0, 0 }, 0.8, 21, 13, 9, 7 } };
+  r.holes = { { { 0, 0, 1 }, { 0, 0, 1 }, 2 }, { { 3, 0, 1 }, { 1, 0, 0 }, 2.7, 12, 0 } };
+  r.labels = { { "CASE 7", { 1, 1, 1 }, { 0, 1, 0 }, 6, 0.9, true } };
   return r;
 }
 
@@ -68,16 +73,34 @@ std::string Replaced(const std::string& from, const std::string& to)
 TEST(GuideRecipe, SurvivesTheRoundTripBitForBit)
 {
   const auto r = Good(), back = hasp::ParseGuideRecipe(hasp::FormatGuideRecipe(r));
-  EXPECT_EQ(back.note, r.note);
-  EXPECT_EQ(back.landmarks, r.landmarks);
-  EXPECT_EQ(back.outline, r.outline);
-  EXPECT_EQ(back.withdrawal, r.withdrawal);
-  EXPECT_EQ(back.gapMm, r.gapMm);
-  ASSERT_EQ(back.slots.size(), 1U);
-  EXPECT_EQ(back.slots[0].normal, r.slots[0].normal);
-  ASSERT_EQ(back.holes.size(), 2U);
-  EXPECT_EQ(back.holes[1].diameterMm, 2.7);
+  EXPECT_EQ(back, r);
   EXPECT_EQ(hasp::FormatGuideRecipe(back), hasp::FormatGuideRecipe(r));
+}
+
+TEST(GuideRecipe, TheFirstFormatIsTheSameGuideAsItWas)
+{
+  const auto r = hasp::ParseGuideRecipe(R"({ "format": "hasp-guide-recipe-1", "isovalue": 300,
+    "landmarks": [[1, 2, 3], [4, 5, 6]], "outline": "open", "withdrawal": [0, 0, 1],
+    "gapMm": 0.4, "thicknessMm": 2.5, "widthMm": 12, "spacingMm": 0.5, "ignoreBelowMm3": 50,
+    "slots": [{ "point": [1, 1, 1], "normal": [0, 1, 0], "widthMm": 1.2, "lengthMm": 18 }],
+    "holes": [{ "point": [3, 0, 1], "axis": [1, 0, 0], "diameterMm": 2.7 }] })");
+  hasp::GuideRecipe same;
+  same.isovalue = 300;
+  same.landmarks = { { 1, 2, 3 }, { 4, 5, 6 } };
+  same.gapMm = 0.4;
+  same.thicknessMm = 2.5;
+  same.widthMm = 12;
+  same.edgeRadiusMm = 0;
+  same.clearanceMm = 0;
+  same.spacingMm = 0.5;
+  same.ignoreBelowMm3 = 50;
+  same.slots = { { { 1, 1, 1 }, { 0, 1, 0 }, 1.2, 18, 500, 0 } };
+  same.holes = { { { 3, 0, 1 }, { 1, 0, 0 }, 2.7, 500, 0 } };
+  EXPECT_EQ(r, same);
+  EXPECT_EQ(hasp::SlotWidthMm(r, r.slots[0].kerfMm), 1.2);
+  EXPECT_EQ(hasp::ParseGuideRecipe(hasp::FormatGuideRecipe(r)), same);
+  // Strict, too: what came later is no key of it.
+  EXPECT_NAMES(Refusal(Replaced("recipe-2", "recipe-1")), "is unknown");
 }
 
 TEST(GuideRecipe, FilesAreStrict)
@@ -85,10 +108,11 @@ TEST(GuideRecipe, FilesAreStrict)
   EXPECT_NAMES(Refusal("{"), "no JSON");
   EXPECT_NAMES(Refusal("[]"), "must be an object");
   EXPECT_NAMES(Refusal("{}"), "format is missing");
-  EXPECT_NAMES(Refusal(Replaced("\"gapMm\"", "\"gap\"")), "key 7 is unknown");
+  EXPECT_NAMES(Refusal(Replaced("\"gapMm\"", "\"gap\"")), "key 9 is unknown");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3,", "")), "gapMm is missing");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": \"0.3\"")), "gapMm must be a number");
-  EXPECT_NAMES(Refusal(Replaced("recipe-1", "recipe-2")), "must be 'hasp-guide-recipe-1'");
+  EXPECT_NAMES(Refusal(Replaced("recipe-2", "recipe-3")),
+    "must be 'hasp-guide-recipe-2' or 'hasp-guide-recipe-1'");
   EXPECT_NAMES(Refusal(Replaced("closed", "round")), "open, closed or filled");
   EXPECT_NAMES(
     Refusal(Replaced("\"diameterMm\": 2.0", "\"radius\": 2.0")), "holes[0].key 3 is unknown");
@@ -99,9 +123,10 @@ TEST(GuideRecipe, FilesAreStrict)
 
 TEST(GuideRecipe, ErrorsSayNothingOfTheFilesText)
 {
-  for (const std::string& bad : { std::string("{ \"Erika"), std::string("Erika"),
-         Replaced("\"gapMm\"", "\"Erika\""), Replaced("closed", "Erika"),
-         Replaced("hasp-guide-recipe-1", "Erika"), Replaced("\"gapMm\": 0.3", "\"gapMm\": Erika") })
+  for (const std::string& bad :
+    { std::string("{ \"Erika"), std::string("Erika"), Replaced("\"gapMm\"", "\"Erika\""),
+      Replaced("closed", "Erika"), Replaced("hasp-guide-recipe-2", "Erika"),
+      Replaced("CASE 7", "Erika"), Replaced("\"gapMm\": 0.3", "\"gapMm\": Erika") })
   {
     EXPECT_NE(Refusal(bad), "");
     EXPECT_EQ(Refusal(bad).find("rika"), std::string::npos) << Refusal(bad);
@@ -127,10 +152,68 @@ TEST(GuideRecipe, RangesAreNamed)
   EXPECT_NAMES(
     Refusal([](R& r) { r.landmarks[1] = r.landmarks[0]; }), "landmarks[0] and landmarks[1]");
   EXPECT_NAMES(Refusal([=](R& r) { r.landmarks[2].y = nan; }), "landmarks[2][1] is nan");
-  EXPECT_NAMES(Refusal([](R& r) { r.slots[0].widthMm = 0.5; }), "slots[0].widthMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.slots[0].kerfMm = 0.2; }), "slots[0].kerfMm and clearance");
+  EXPECT_NAMES(Refusal([](R& r) { r.slots[0].depthMm = 0; }), "slots[0].depthMm");
+  EXPECT_NAMES(
+    Refusal([](R& r) { r.slots[0].guidingHeightMm = 4; }), "above gapMm + thicknessMm (4.3)");
+  EXPECT_EQ(Refusal([](R& r) { r.slots[0].guidingHeightMm = 0; }), "");
   EXPECT_NAMES(Refusal([](R& r) { r.slots[0].normal = r.withdrawal; }), "slots[0].normal");
   EXPECT_NAMES(Refusal([](R& r) { r.holes[1].diameterMm = 0; }), "holes[1].diameterMm");
   EXPECT_NAMES(Refusal([=](R& r) { r.holes[0].axis = glm::dvec3(nan); }), "holes[0].axis");
+  EXPECT_NAMES(Refusal([](R& r) { r.holes[0].sleeveHeightMm = 4; }), "holes[0].sleeveHeightMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.axisSearchDeg = 61; }), "axisSearchDeg");
+  EXPECT_NAMES(Refusal([](R& r) { r.clearanceMm = -0.1; }), "clearanceMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.edgeRadiusMm = 2.1; }), "edgeRadiusMm is 2.1");
+  EXPECT_NAMES(Refusal([](R& r) { r.edgeRadiusMm = 1.6; }), "at most half of wallMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.wallMm = 0.7; }), "wallMm is 0.7");
+  EXPECT_NAMES(Refusal([](R& r) { r.sleeveWallMm = 0.5; }), "sleeveWallMm is 0.5");
+  EXPECT_NAMES(Refusal([](R& r) { r.strokes[0].points.clear(); }), "strokes[0].points");
+  EXPECT_NAMES(Refusal([=](R& r) { r.strokes[1].points[0].z = nan; }), "strokes[1].points[0][2]");
+  EXPECT_NAMES(Refusal([](R& r) { r.strokes[0].radiusMm = 0.1; }), "strokes[0].radiusMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.flanges[0].normal = r.withdrawal; }), "flanges[0].normal");
+  EXPECT_NAMES(Refusal([](R& r) { r.flanges[0].heightMm = 4; }), "flanges[0].heightMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.flanges[0].freeMm = 0; }), "flanges[0].freeMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.labels[0].text = "Case"; }), "labels[0].text must be of A to");
+  EXPECT_NAMES(Refusal([](R& r) { r.labels[0].text = "  "; }), "must have a letter");
+  EXPECT_NAMES(Refusal([](R& r) { r.labels[0].text.assign(41, 'A'); }), "labels[0].text is 41");
+  EXPECT_NAMES(Refusal([](R& r) { r.labels[0].heightMm = 4; }), "a sixth of labels[0].heightMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.labels[0].depthMm = 2.1; }), "at most half of thicknessMm");
+  EXPECT_NAMES(Refusal([](R& r) { r.labels[0].right *= 1.1; }), "labels[0].right");
+  EXPECT_NAMES(Refusal([](R& r) { r.slots.resize(101, r.slots[0]); }), "number of slots is 101");
+}
+
+TEST(GuideRecipe, APaintedAreaNeedsNoLandmarks)
+{
+  auto r = Good();
+  r.landmarks.clear();
+  r.outline = hasp::GuideOutline::Open;
+  EXPECT_NO_THROW(hasp::ValidateGuideRecipe(r));
+  r.strokes[0].erased = true; // nothing is painted
+  EXPECT_THROW(hasp::ValidateGuideRecipe(r), std::invalid_argument);
+}
+
+TEST(GuideRecipe, SawAxesAreUprightInTheSawPlane)
+{
+  const glm::dvec3 n = glm::normalize(glm::dvec3(1, 2, 0.3)),
+                   w = glm::normalize(glm::dvec3(0, 1, 2));
+  const glm::dmat3 axes = hasp::SawAxes(1.0005 * n, w);
+  EXPECT_NEAR(glm::determinant(axes), 1.0, 1e-12);
+  EXPECT_NEAR(glm::distance(axes[0], n), 0.0, 1e-12);
+  EXPECT_NEAR(glm::dot(axes[1], w), 0.0, 1e-12);
+  EXPECT_GT(glm::dot(axes[2], w), 0.4);
+}
+
+TEST(GuideRecipe, LabelsAreOfLettersThatCanBeWritten)
+{
+  using hasp::BodySide;
+  EXPECT_EQ(hasp::GuideLabelText("Case 7", BodySide::Left, "3fa41b2c99"), "CASE 7 L 3FA41B2C");
+  EXPECT_EQ(hasp::GuideLabelText("", BodySide::Right, ""), "R");
+  EXPECT_EQ(hasp::GuideLabelText("a_b", BodySide::None, ""), "A-B");
+  auto r = Good();
+  r.labels[0].text =
+    hasp::GuideLabelText(std::string(60, 'x') + "\n", BodySide::Left, std::string(64, 'f'));
+  EXPECT_NO_THROW(hasp::ValidateGuideRecipe(r));
+  EXPECT_EQ(r.labels[0].text.substr(28), "X L FFFFFFFF"); // these are not cut off
 }
 
 TEST(GuideRecipe, AFileIsReplacedWholeOrNotAtAll)

@@ -59,7 +59,7 @@ inline glm::dvec3 OnSkull(double x, double y)
   return { x, y, 22 * std::sqrt(1 - x * x / 900 - y * y / 676) };
 }
 
-/// A band over the top of the ellipsoid with a slot and two holes.
+/// A band over the top of the ellipsoid with a slot and two holes, right through, with sharp edges.
 inline hasp::GuideRecipe Band()
 {
   hasp::GuideRecipe r;
@@ -67,8 +67,12 @@ inline hasp::GuideRecipe Band()
   r.withdrawal = { 0, 0, 1 };
   r.spacingMm = 0.5;
   r.widthMm = 12;
-  r.slots = { { OnSkull(0, 3), { 0, 1, 0 }, 1.2, 12 } };
-  r.holes = { { OnSkull(-9, 2), { 0, 0, 1 }, 2.0 }, { OnSkull(9, 0), { 0, 0, 1 }, 2.0 } };
+  r.thicknessMm = 2.5;
+  r.edgeRadiusMm = 0;
+  r.clearanceMm = 0;
+  r.slots = { { OnSkull(0, 3), { 0, 1, 0 }, 1.2, 12, 500, 0 } };
+  r.holes = { { OnSkull(-9, 2), { 0, 0, 1 }, 2.0, 500, 0 },
+    { OnSkull(9, 0), { 0, 0, 1 }, 2.0, 500, 0 } };
   return r;
 }
 

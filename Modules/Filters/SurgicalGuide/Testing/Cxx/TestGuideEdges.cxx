@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Recipes, GuideOddities,
   testing::Values([](R& r) { r.slots.push_back(r.slots[0]); },             // the same slot twice
     [](R& r) { r.holes[0].point = r.slots[0].point; },                     // a hole in the slot
     [](R& r) { r.holes[0].diameterMm = 20; },                              // wider than the band
-    [](R& r) { r.slots[0].widthMm = 20; },                                 // as wide
+    [](R& r) { r.slots[0].kerfMm = 20; },                                  // as wide
     [](R& r) { r.slots[0].normal = glm::normalize(glm::dvec3(0, 1, 2)); }, // steep: cosine 0.894
     [](R& r) {
       r.holes[0].axis = { 1, 0, 0 };

@@ -61,6 +61,8 @@ TEST(GuideFilter, RandomRecipesOnNoisyBoneAreSoundOrNamed)
   for (int n = 0; n < 6; ++n)
   {
     hasp::GuideRecipe r;
+    r.edgeRadiusMm = 0.4 * (n % 2);
+    r.clearanceMm = 0;
     r.spacingMm = 0.6 + 0.1 * any(random);
     for (int p = 0; p < 2 + n % 3; ++p)
       r.landmarks.push_back(OnSkull(x(random), y(random)));
@@ -70,9 +72,9 @@ TEST(GuideFilter, RandomRecipesOnNoisyBoneAreSoundOrNamed)
     r.gapMm = 0.2 * size(random);
     if (n % 2)
       r.slots = { { r.landmarks[0], glm::normalize(glm::dvec3(any(random), any(random), 0.1)), 1.5,
-        3 * size(random) } };
+        3 * size(random), 10, n % 4 == 1 ? 10.0 : 0.0 } };
     if (n % 3)
-      r.holes = { { r.landmarks[1], r.withdrawal, 1.5 } };
+      r.holes = { { r.landmarks[1], r.withdrawal, 1.5, 10, n % 2 ? 9.0 : 0.0 } };
     Answer answer(ct, r);
     EXPECT_NE(answer.error.empty(), answer.Guide()->GetNumberOfPolys() == 0);
     if (!answer.error.empty())

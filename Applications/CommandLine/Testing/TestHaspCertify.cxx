@@ -1,0 +1,91 @@
+#include "GuideRecipeFixture.h"
+
+#include <cstring>
+#include <filesystem>
+
+namespace
+{
+
+using nlohmann::json;
+
+class HaspCertify : public GuideRecipeTest
+{
+protected:
+  void SetUp() override
+  {
+    this->FinePhantom();
+    ASSERT_EQ(this->Guide(Recipe()).exitCode, 0);
+  }
+  HaspRun Certify(const std::string& part, const std::vector<std::string>& more = {}) const
+  {
+    std::vector<std::string> words{ "certify", this->Path(part), "--bone", this->Path("head.mha"),
+      "--recipe", this->Path("recipe.json") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+  /// The guide's bytes with every coordinate of its corners times a factor.
+  void WriteScaled(const std::string& name, float factor) const
+  {
+    std::string bytes = ReadBytes(this->Path("guide.stl"));
+    for (std::size_t triangle = 84; triangle < bytes.size(); triangle += 50)
+      for (std::size_t n = 3; n < 12; ++n)
+      {
+        float value;
+        std::memcpy(&value, &bytes[triangle + 4 * n], 4);
+        value *= factor;
+        std::memcpy(&bytes[triangle + 4 * n], &value, 4);
+      }
+    this->WriteText(name, bytes);
+  }
+};
+
+TEST_F(HaspCertify, WhatIsNoPartIsRefused)
+{
+  ExpectFailure(this->Certify("recipe.json"), 1, "PART must be a surface");
+  ExpectFailure(this->Certify("none.stl"), 2, "the .stl file: no such file");
+  this->WriteText("cut.stl", ReadBytes(this->Path("guide.stl")).substr(0, 5000));
+  ExpectFailure(this->Certify("cut.stl"), 2, "the .stl file");
+  this->WriteText("recipe.json", "{");
+  ExpectFailure(this->Certify("guide.stl"), 2, "guide recipe: no JSON");
+}
+
+#if HASP_WITH_CGAL
+TEST_F(HaspCertify, AGuideAsItsRecipeHasItHolds)
+{
+  const HaspRun run = this->Certify("guide.stl", { "--json" });
+  ASSERT_EQ(run.exitCode, 0) << run.err << run.out;
+  const json certificate = json::parse(run.out).at("certificate");
+  EXPECT_EQ(certificate.at("format"), "hasp-certificate-1");
+  EXPECT_EQ(certificate.at("passed"), true);
+  EXPECT_TRUE(certificate.at("faults").empty());
+  EXPECT_EQ(certificate.at("mesh").at("self_intersections"), 0);
+  EXPECT_NEAR(certificate.at("gap").at("p50_mm").get<double>(), 0.4, 0.05);
+  EXPECT_NEAR(certificate.at("shell").at("p50_mm").get<double>(), 3.0, 0.1);
+  EXPECT_EQ(certificate.at("insertion").at("blocked"), 0);
+  // All that a page with pictures needs: areas of the histogram are those of the inner wall.
+  double area = 0.0;
+  for (const double mm2 : certificate.at("gap").at("histogram").at("area_mm2"))
+    area += mm2;
+  EXPECT_NEAR(area, certificate.at("gap").at("inner_wall_mm2").get<double>(), 1e-6);
+  EXPECT_NE(this->Certify("guide.stl").out.find("verdict             holds"), std::string::npos);
+}
+#endif
+
+TEST_F(HaspCertify, APartThatDoesNotHoldIsThreeAndSaysWhy)
+{
+  this->WriteScaled("inch.stl", 1.0F / 25.4F);
+  const HaspRun inch = this->Certify("inch.stl", { "--json" });
+  ExpectFailure(inch, 3, "it is in inches, and fits in millimetres");
+  EXPECT_EQ(json::parse(inch.out).at("certificate").at("faults").at(0).at("kind"), "units");
+  json recipe = Recipe();
+  recipe["gapMm"] = 0.9;
+  recipe["holes"] = { { { "point", recipe["landmarks"][1] }, { "axis", recipe["withdrawal"] },
+    { "diameterMm", 2.0 } } };
+  this->WriteText("recipe.json", recipe.dump());
+  const HaspRun run = this->Certify("guide.stl");
+  ExpectFailure(run, 3, "of the gap of 0.90");
+  ExpectFailure(run, 3, "holes[0] is blocked, at (");
+  EXPECT_NE(run.out.find("DOES NOT HOLD"), std::string::npos);
+}
+
+} // namespace

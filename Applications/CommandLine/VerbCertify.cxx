@@ -1,0 +1,97 @@
+#include "Failure.h"
+#include "GuideClaims.h"
+#include "PartCertificate.h"
+#include "RecipeInput.h"
+#include "Session.h"
+#include "Verbs.h"
+#include "VolumeInput.h"
+#include "vtkHaspSurfaceFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hasp
+{
+namespace
+{
+
+struct CertifyOptions
+{
+  std::string part, recipe;
+  VolumeChoices bone;
+  std::vector<double> axis; ///< none, or L, P, S
+  double leastShare = 0.95;
+};
+
+PartClaims ReadClaims(const CertifyOptions& options)
+{
+  const GuideRecipe recipe = ReadRecipe(options.recipe);
+  std::optional<glm::dvec3> axis;
+  if (!options.axis.empty())
+    axis = glm::dvec3(options.axis[0], options.axis[1], options.axis[2]);
+  if (axis && !(glm::length(*axis) > 0.0))
+    throw Failure(ExitCode::WrongUse, "--insertion-axis must not be 0, 0, 0");
+  if (!axis && recipe.axisSearchDeg > 0.0)
+    throw Failure(ExitCode::WrongUse,
+      "the recipe searches its insertion axis: give the one that `hasp guide --json` names, with "
+      "--insertion-axis");
+  return ClaimsOf(recipe, options.leastShare, axis);
+}
+
+void Run(const CertifyOptions& options, Session& session)
+{
+  if (!IsSurfaceName(options.part))
+    throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .ply, .obj or .vtp");
+  PartClaims claims;
+  if (options.recipe.empty())
+    SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");
+  else
+    claims = ReadClaims(options);
+  const TriangleMesh part = ReadPart(options.part, session);
+  const LoadedVolume bone = ReadVolume(options.bone, session);
+  SayWarnings(bone.passport, session);
+  const FitCertificate certificate = CertifyPart(part, bone.image, claims, session);
+  if (!certificate.Holds())
+    ThrowFaults(certificate, "the part does not hold");
+}
+
+} // namespace
+
+void AddCertifyVerb(CLI::App& app, Session& session)
+{
+  auto options = std::make_shared<CertifyOptions>();
+  CLI::App* verb =
+    app.add_subcommand("certify", "Measure a part as it was written, and hold it to its recipe");
+  verb->add_option("PART", options->part, "The surface, as it will be printed")->required();
+  verb->add_option("--bone", options->bone.input, "The volume: a file, or a folder of slices")
+    ->required();
+  AddSeriesOptions(*verb, options->bone);
+  verb->add_option("--recipe", options->recipe, "The .json file that says what the part must be");
+  verb
+    ->add_option("--insertion-axis", options->axis,
+      "The direction it lifts off along, L,P,S: of a recipe that searches it")
+    ->delimiter(',')
+    ->expected(3);
+  verb
+    ->add_option("--least-share", options->leastShare,
+      "Of the inner wall that must be within 0.2 mm of the gap")
+    ->check(Within(0.0, 1.0))
+    ->capture_default_str();
+  AddCommonOptions(*verb, session);
+  verb->footer(
+    "Measured on the file alone: closed, 2-manifold, self-intersections, pieces, walls, gap to "
+    "the\n"
+    "bone, slots, holes, and whether it can be put on along its axis. In other units, mirrored or\n"
+    "in RAS it is told so.\n"
+    "Example: hasp certify guide.stl --bone head.mha --recipe guide.json --json\n"
+    "Exit codes: 0 it holds, 1 wrong use, 2 bad input, 3 it does not hold.");
+  verb->callback(
+    [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
+}
+
+} // namespace hasp

@@ -1,0 +1,118 @@
+#include "BoneSolid.h"
+
+#include "Distance/Coverage.h"
+#include "Distance/CoverageDistance.h"
+#include "Distance/GridSolid.h"
+
+#include <glm/common.hpp>
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr double MostPoints = 2e8;
+constexpr double MarginSteps = 4.0;
+
+/// First and last index of what is kept; first > last if nothing is.
+std::pair<glm::ivec3, glm::ivec3> KeptRange(
+  const glm::ivec3& dims, std::span<const std::uint8_t> keep)
+{
+  glm::ivec3 low(dims), high(-1);
+  std::size_t at = 0;
+  for (int k = 0; k < dims.z; ++k)
+    for (int j = 0; j < dims.y; ++j)
+      for (int i = 0; i < dims.x; ++i, ++at)
+        if (keep[at])
+        {
+          low = glm::min(low, glm::ivec3(i, j, k));
+          high = glm::max(high, glm::ivec3(i, j, k));
+        }
+  return { low, high };
+}
+} // namespace
+
+ProgressFunction ShareOf(const ProgressFunction& progress, double from, double to)
+{
+  return [&progress, from, to](double share)
+  { return !progress || progress(from + share * (to - from)); };
+}
+
+GridGeometry WithSpacing(const GridGeometry& grid, double spacingMm)
+{
+  GridGeometry finer = grid;
+  finer.dims = glm::ivec3(glm::ceil(glm::dvec3(grid.Cells()) * grid.spacing / spacingMm)) + 1;
+  finer.spacing = glm::dvec3(spacingMm);
+  return finer;
+}
+
+void CheckGridSize(const char* who, const GridGeometry& grid)
+{
+  const double points = double(grid.dims.x) * grid.dims.y * grid.dims.z;
+  if (points <= MostPoints)
+    return;
+  std::ostringstream text;
+  text << who << ": a grid of " << grid.spacing.x << " mm around this bone has " << points
+       << " points, at most " << MostPoints
+       << ": choose a larger spacingMm or kerf, or a label of this bone alone";
+  throw std::invalid_argument(text.str());
+}
+
+std::vector<std::uint8_t> MarkBone(const char* who, const BoneImage& bone, double isovalue,
+  double ignoreBelowMm3, const ProgressFunction& progress)
+{
+  GeometryOf(bone.grey).Validate();
+  if (!bone.labels)
+    return KeepLargePieces(bone.grey, isovalue, ignoreBelowMm3, progress);
+  const glm::ivec3 a = GeometryOf(bone.grey).dims, b = GeometryOf(*bone.labels).dims;
+  if (a != b)
+    throw std::invalid_argument(std::string(who) + ": the labels have " + std::to_string(b.x) +
+                                " x " + std::to_string(b.y) + " x " + std::to_string(b.z) +
+                                " samples, must be as many as the volume's");
+  std::vector<std::uint8_t> mark = KeepLabel(*bone.labels, bone.label);
+  std::visit(
+    [&](const auto& grey)
+    {
+      for (std::size_t n = 0; n < mark.size(); ++n)
+        mark[n] = mark[n] && double(grey.data[n]) >= isovalue;
+    },
+    bone.grey);
+  return mark;
+}
+
+SolidPointer BoneDistance::Solid() const
+{
+  return MakeGridSolid(this->distance, this->grid);
+}
+
+BoneDistance DistanceOfBone(const char* who, const AnyGridView& grey, double isovalue,
+  std::span<const std::uint8_t> keep, double spacingMm, const ProgressFunction& progress)
+{
+  const GridGeometry& ct = GeometryOf(grey);
+  const auto [first, last] = KeptRange(ct.dims, keep);
+  if (first.x > last.x)
+    throw std::invalid_argument(std::string(who) + ": there is no bone");
+  BoneDistance bone;
+  GridGeometry& grid = bone.grid;
+  grid.direction = ct.direction;
+  const glm::dvec3 margin =
+    ct.spacing + MarginSteps * spacingMm; // an isosurface reaches out a step
+  grid.origin = ct.IndexToWorld(glm::dvec3(first)) - ct.direction * margin;
+  const glm::dvec3 size = glm::dvec3(last - first) * ct.spacing + 2.0 * margin;
+  grid.spacing = glm::dvec3(spacingMm);
+  grid.dims = glm::ivec3(glm::ceil(size / spacingMm)) + 1;
+  CheckGridSize(who, grid);
+  CoverageSettings settings;
+  settings.isovalue = isovalue;
+  settings.keep = keep;
+  const std::vector<float> coverage = Coverage(grey, grid, settings, ShareOf(progress, 0.0, 0.5));
+  bone.distance = std::make_shared<const std::vector<float>>(
+    CoverageDistanceBand(grid, coverage, ShareOf(progress, 0.5, 1.0)));
+  return bone;
+}
+
+} // namespace hasp

@@ -1,0 +1,42 @@
+#include "GuideClaims.h"
+
+#include "Planning/GuideRecipe.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace hasp
+{
+
+PartClaims ClaimsOf(
+  const GuideRecipe& recipe, double leastGapShare, const std::optional<glm::dvec3>& insertionAxis)
+{
+  ValidateGuideRecipe(recipe);
+  if (recipe.axisSearchDeg > 0.0 && !insertionAxis)
+    throw std::invalid_argument("guide claims: axisSearchDeg asks for a search of the insertion "
+                                "axis; say the axis that the guide was made with");
+  PartClaims claims;
+  claims.isovalue = recipe.isovalue;
+  claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
+  claims.withdrawal = glm::normalize(insertionAxis.value_or(recipe.withdrawal));
+  ClaimedShell shell;
+  shell.gapMm = recipe.gapMm;
+  shell.leastGapShare = leastGapShare;
+  shell.thicknessMm = recipe.thicknessMm;
+  claims.leastWallMm = std::min(claims.leastWallMm, recipe.thicknessMm - recipe.spacingMm);
+  shell.thicknessToleranceMm = recipe.thicknessMm - claims.leastWallMm;
+  claims.shell = shell;
+  for (const GuideSlot& slot : recipe.slots)
+  {
+    const glm::dmat3 axes = SawAxes(slot.normal, *claims.withdrawal);
+    claims.slots.push_back(
+      { slot.point, axes[0], axes[1], SlotWidthMm(recipe, slot.kerfMm), slot.lengthMm, 0.1 });
+  }
+  for (const GuideHole& hole : recipe.holes)
+    claims.holes.push_back({ hole.point, glm::normalize(hole.axis), hole.diameterMm, 0.1 });
+  return claims;
+}
+
+} // namespace hasp

@@ -1,0 +1,37 @@
+#pragma once
+#include "Evaluation/PartClaims.h"
+#include "Evaluation/TriangleTree.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <optional>
+
+namespace hasp
+{
+
+/// A round hole as it is in a mesh. mm.
+struct HoleFit
+{
+  std::size_t sections = 0;  ///< along the axis, each with a wall around it; 0: no hole
+  double touchedShare = 0.0; ///< of the wall there is around the axis, at best, in [0, 1]
+  double guideMm = 0.0;      ///< the height of the sections: what guides a drill or pin
+  double diameterMm = 0.0;   ///< of the cylinder fitted to its wall
+  double leastMm = 0.0;      ///< twice the way from that cylinder's axis to the nearest wall
+  double roundnessMm = 0.0;  ///< 95 % of the wall lie within that of the cylinder
+  double tiltDegrees = 0.0;  ///< between the fitted axis and the claimed one
+  double offsetMm = 0.0;     ///< of the fitted axis from the claimed one, in the middle of the hole
+  glm::dvec3 middle{ 0.0 };  ///< on the fitted axis
+  std::optional<glm::dvec3> blockedAt; ///< material on the axis, if there is any
+};
+
+/// Looks for the hole where it is claimed to be, by rays from its axis.
+///
+/// Sections are 0.25 mm apart, wherever the axis, which has no ends, is within the mesh's box; each
+/// has 48 rays. A wall faces the axis within 60 degrees, and lies within 0.75 diameters + 0.5 mm; a
+/// section counts if 36 rays meet one. The cylinder is fitted by least squares (Gauss-Newton on its
+/// axis and radius; its axis' direction only where the hole is at least half as high as wide).
+/// The mesh should be closed: see FitSlot. Any thread; one core; about 50 us a section.
+HoleFit FitHole(const TriangleTree& tree, const ClaimedHole& hole);
+
+} // namespace hasp

@@ -1,0 +1,160 @@
+#include "Evaluation/Misfit.h"
+
+#include "Evaluation/FitFaults.h"
+#include "Evaluation/TriangleTree.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hasp
+{
+
+namespace
+{
+/// new = about + factor * (old - about), an axis at a time.
+struct Guess
+{
+  FitFaultKind kind;
+  std::string text;
+  glm::dvec3 factor;
+  glm::dvec3 about{ 0.0 };
+
+  glm::dvec3 Place(const glm::dvec3& p) const
+  {
+    return this->about + this->factor * (p - this->about);
+  }
+  bool Mirrors() const { return this->factor.x * this->factor.y * this->factor.z < 0.0; }
+  double Scale() const { return std::abs(this->factor.x); }
+};
+
+glm::dvec3 MiddleOf(const GridGeometry& g)
+{
+  return g.IndexToWorld(0.5 * glm::dvec3(g.dims - 1));
+}
+
+std::vector<Guess> Guesses(const glm::dvec3& middleOfPart, const glm::dvec3& middleOfBone)
+{
+  std::vector<Guess> guesses;
+  const std::pair<const char*, double> units[] = { { "inches", 25.4 }, { "centimetres", 10.0 },
+    { "metres", 1000.0 } };
+  for (const auto& [name, mm] : units)
+  {
+    guesses.push_back({ FitFaultKind::Units,
+      std::string("it is in ") + name + ", and fits in millimetres", glm::dvec3(mm) });
+    guesses.push_back({ FitFaultKind::Units,
+      std::string("its millimetres were taken for ") + name + "; turned back, it fits",
+      glm::dvec3(1.0 / mm) });
+  }
+  guesses.push_back(
+    { FitFaultKind::Space, "it is in RAS coordinates, and fits in LPS", { -1.0, -1.0, 1.0 } });
+  const std::pair<const char*, glm::dvec3> places[] = { { "0", glm::dvec3(0.0) },
+    { "the middle of its box", middleOfPart }, { "the middle of the volume", middleOfBone } };
+  for (int axis = 0; axis < 3; ++axis)
+    for (const auto& [name, place] : places)
+    {
+      glm::dvec3 factor(1.0);
+      factor[axis] = -1.0;
+      guesses.push_back({ FitFaultKind::Mirrored,
+        std::string("it is mirrored, and fits with ") + "xyz"[axis] + " turned about " + name,
+        factor, place });
+    }
+  return guesses;
+}
+
+/// The samples as the guess would have them.
+std::vector<MeshSample> Moved(
+  std::span<const MeshSample> samples, const Guess& guess, bool insideOut)
+{
+  const std::size_t step = 1 + samples.size() / 1000;
+  std::vector<MeshSample> moved;
+  for (std::size_t n = 0; n < samples.size(); n += step)
+  {
+    MeshSample sample = samples[n];
+    sample.point = guess.Place(sample.point);
+    sample.normal = glm::normalize(sample.normal * guess.factor) * (insideOut ? -1.0 : 1.0);
+    sample.areaMm2 *= double(step) * guess.Scale() * guess.Scale();
+    moved.push_back(sample);
+  }
+  return moved;
+}
+
+/// Are nine of ten of them in the volume? What is not is not worth measuring.
+bool MostlyWithin(const GridGeometry& g, const std::vector<MeshSample>& samples)
+{
+  std::size_t within = 0;
+  for (const MeshSample& sample : samples)
+  {
+    const glm::dvec3 index = g.WorldToIndex(sample.point);
+    within += glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
+              glm::all(glm::lessThanEqual(index, glm::dvec3(g.dims - 1)));
+  }
+  return 10 * within >= 9 * samples.size();
+}
+
+bool GapFits(const std::vector<MeshSample>& samples, const AnyGridView& bone,
+  const PartClaims& claims, double volumeMm3)
+{
+  if (!MostlyWithin(GeometryOf(bone), samples))
+    return false;
+  const GuideGapSettings settings = GapSettingsOf(claims);
+  std::vector<glm::dvec3> places;
+  for (const MeshSample& sample : samples)
+    places.push_back(sample.point);
+  const auto nearest = DistanceToIsosurface(bone, claims.isovalue, places, settings.nearMm);
+  ClaimedShell shell = *claims.shell;
+  shell.leastGapShare *= 0.95; // of a thousand places: two or three standard deviations
+  FitFaults faults;
+  JudgeGap(MeasureGuideGap(samples, nearest, settings), shell, volumeMm3, faults);
+  return faults.empty();
+}
+
+bool CutsFit(TriangleMesh mesh, const Guess& guess, bool insideOut, const PartClaims& claims)
+{
+  for (glm::dvec3& p : mesh.points)
+    p = guess.Place(p);
+  if (guess.Mirrors() != insideOut)
+    for (glm::uvec3& t : mesh.triangles)
+      std::swap(t.y, t.z);
+  const TriangleTree tree(mesh);
+  FitFaults faults;
+  for (std::size_t n = 0; n < claims.slots.size() && faults.empty(); ++n)
+    JudgeSlot(FitSlot(tree, claims.slots[n]), claims.slots[n], n, faults);
+  for (std::size_t n = 0; n < claims.holes.size() && faults.empty(); ++n)
+    JudgeHole(FitHole(tree, claims.holes[n]), claims.holes[n], n, faults);
+  return faults.empty();
+}
+} // namespace
+
+std::optional<FitFault> ExplainMisfit(const TriangleMesh& mesh, std::span<const MeshSample> samples,
+  const AnyGridView& bone, const PartClaims& claims, double volumeMm3)
+{
+  const bool cuts = !claims.slots.empty() || !claims.holes.empty();
+  if (samples.empty() || !(cuts || claims.shell))
+    return std::nullopt;
+  glm::dvec3 low = samples.front().point, high = low;
+  for (const glm::dvec3& p : mesh.points)
+  {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const bool insideOut = volumeMm3 < 0.0;
+  for (const Guess& guess : Guesses(0.5 * (low + high), MiddleOf(GeometryOf(bone))))
+  {
+    const double volume = std::abs(volumeMm3) * std::pow(guess.Scale(), 3.0);
+    if (claims.shell && !GapFits(Moved(samples, guess, insideOut), bone, claims, volume))
+      continue;
+    if (cuts && !CutsFit(mesh, guess, insideOut, claims))
+      continue;
+    return FitFault{ guess.kind, guess.text, std::nullopt };
+  }
+  return std::nullopt;
+}
+
+} // namespace hasp

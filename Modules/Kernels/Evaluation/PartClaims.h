@@ -1,0 +1,62 @@
+#pragma once
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace hasp
+{
+
+/// A saw slot: two flat walls that face each other, and nothing between them all through the part.
+struct ClaimedSlot
+{
+  glm::dvec3 point{ 0.0 };            ///< middle of the slot, world mm
+  glm::dvec3 normal{ 1.0, 0.0, 0.0 }; ///< of the saw plane; unit
+  glm::dvec3 along{ 0.0, 1.0, 0.0 };  ///< in the saw plane, of its length; unit
+  double widthMm = 1.0;               ///< (0, 20]
+  double lengthMm = 20.0;             ///< (0, 500]
+  double toleranceMm = 0.1;           ///< of width, flatness and place; (0, 10]
+};
+
+/// A round hole all through the part.
+struct ClaimedHole
+{
+  glm::dvec3 point{ 0.0 };          ///< on the axis, world mm
+  glm::dvec3 axis{ 0.0, 0.0, 1.0 }; ///< unit
+  double diameterMm = 2.0;          ///< (0, 50]
+  double toleranceMm = 0.1;         ///< of diameter and place; (0, 10]
+};
+
+/// A shell that lies on bone: its inner wall `gapMm` off, its outer wall `thicknessMm` more.
+struct ClaimedShell
+{
+  double gapMm = 0.3;                ///< [0, 10]
+  double gapToleranceMm = 0.2;       ///< (0, 10]
+  double leastGapShare = 0.95;       ///< of the inner wall that must be within it; [0, 1]
+  double thicknessMm = 2.5;          ///< (0, 50]
+  double thicknessToleranceMm = 0.4; ///< (0, 50]
+};
+
+/// What a part promises, whoever made it: what a certificate holds it to. Plain values; world =
+/// patient LPS, mm.
+struct PartClaims
+{
+  double isovalue = 226.0;       ///< bone is value >= isovalue
+  double ignoreBelowMm3 = 100.0; ///< pieces of "bone" smaller than this are none; [0, 1e6]
+  std::optional<ClaimedShell> shell;
+  std::vector<ClaimedSlot> slots;
+  std::vector<ClaimedHole> holes;
+  std::optional<glm::dvec3> withdrawal; ///< unit: the part lifts off along it, and goes on against
+  std::size_t pieces = 1;
+  /// No wall may be thinner, whatever else is claimed; [0, 50]. 0.6: what a resin printer makes of
+  /// a wall that stands free (Formlabs' design guide).
+  double leastWallMm = 0.6;
+};
+
+/// Throws std::invalid_argument, with the claim, its value and the legal range, unless all numbers
+/// are finite and in their ranges and directions unit within 1e-3 (a slot's two upright on each
+/// other within that).
+void ValidateClaims(const PartClaims& claims);
+
+} // namespace hasp

@@ -1,0 +1,60 @@
+#pragma once
+#include "Planning/Plan.h"
+
+#include <string>
+#include <vector>
+
+namespace hasp
+{
+
+/// What of an object a part is made from.
+enum class PartFacet
+{
+  Shape, ///< all but names, colours and the reduction
+  Place  ///< a fragment's pose and whether it is resected
+};
+
+struct PartInput
+{
+  PlanId id = 0;
+  PartFacet facet = PartFacet::Shape;
+  std::string hash; ///< SHA-256 of it as it was when the part was made
+
+  bool operator==(const PartInput&) const noexcept = default;
+};
+
+enum class PartFormat
+{
+  Stl,
+  ThreeMf,
+  Ply,
+  Obj
+};
+
+/// Something made from a plan, such as a guide's mesh. Kept beside the plan and not in it: undo
+/// takes back decisions and not files, and a part that was made before an undo is in date after the
+/// redo.
+struct DerivedPart
+{
+  PlanId object =
+    0; ///< what it is the mesh of: a fragment, a group (its kept fragments as planned), a guide
+  PartFormat format = PartFormat::Stl;
+  std::vector<PartInput> inputs; ///< PartInputs when it was made
+  std::string bytes;             ///< the blob that holds it: its SHA-256
+
+  bool operator==(const DerivedPart&) const noexcept = default;
+};
+
+/// What the mesh of `object` depends on, with the hashes of now: itself, and all that its shape
+/// comes from, in the order of their ids. Needs HASP_ENABLE_JSON and HASP_ENABLE_OPENSSL, as all
+/// below. Throws std::invalid_argument if nothing is made from such an object.
+std::vector<PartInput> PartInputs(const Plan& plan, PlanId object);
+
+/// Why a part must be made anew before it is exported: "guide 8 is out of date: cut 6 has changed".
+/// Empty if it is in date.
+std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part);
+
+/// SHA-256 of all a plan says: equal plans have equal hashes on every machine.
+std::string PlanHash(const Plan& plan);
+
+} // namespace hasp

@@ -1,0 +1,199 @@
+#pragma once
+#include "Planning/GuideRecipe.h"
+#include "Planning/Osteotomy.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What a surgeon decides, as plain values: no sample, triangle or path of a file. World = patient
+/// LPS of the scan, mm; "planned" is the same space after the reduction. Everything else is made of
+/// this (DerivedPart.h). Changed by edits alone (PlanEdits.h); kept by PlanFile.h.
+namespace hasp
+{
+
+/// Names one object of a plan, of whatever kind: 1, 2, … in the order in which they were made, and
+/// never used again. 0 names none.
+using PlanId = std::uint32_t;
+constexpr PlanId MaxPlanId = 1'000'000'000;
+
+/// Where a rigid body stands: p goes to position + orientation * p. As Grid's RigidPose.
+struct PlanPose
+{
+  glm::dvec3 position{ 0.0 };                   ///< mm
+  glm::dquat orientation{ 1.0, 0.0, 0.0, 0.0 }; ///< (w, x, y, z), unit within 1e-6
+
+  bool operator==(const PlanPose&) const noexcept = default;
+};
+
+/// A scan. By what it holds, not by where it lies: paths name patients.
+struct PlanVolume
+{
+  PlanId id = 0;
+  std::string name; ///< the user's
+  std::string hash; ///< VolumeHash: 64 hexadecimal digits, lower case
+
+  bool operator==(const PlanVolume&) const noexcept = default;
+};
+
+/// A volume's voxels sorted into labels.
+struct PlanSegmentation
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId volume = 0;  ///< whose voxels
+  std::string labels; ///< the blob that holds the label map: its SHA-256
+
+  bool operator==(const PlanSegmentation&) const noexcept = default;
+};
+
+/// A fragment that is a label of a segmentation.
+struct LabelSource
+{
+  PlanId segmentation = 0;
+  std::uint32_t label = 1; ///< [1, 65535]
+
+  bool operator==(const LabelSource&) const noexcept = default;
+};
+
+/// A fragment that is all bone connected with a seed.
+struct ComponentSource
+{
+  PlanId volume = 0;
+  double isovalue = 226.0; ///< bone is value >= isovalue, [-1e6, 1e6]
+  glm::dvec3 seed{ 0.0 };  ///< in that bone
+
+  bool operator==(const ComponentSource&) const noexcept = default;
+};
+
+/// A fragment that is what the cuts through another leave around a seed. By a point and not by a
+/// number: it stays the same piece when the cuts move.
+struct PieceSource
+{
+  PlanId fragment = 0; ///< older than the piece
+  glm::dvec3 seed{ 0.0 };
+
+  bool operator==(const PieceSource&) const noexcept = default;
+};
+
+enum class FragmentState
+{
+  Kept,
+  Resected ///< taken out of the patient
+};
+
+/// A piece of bone.
+struct PlanFragment
+{
+  PlanId id = 0;
+  std::string name;
+  std::variant<LabelSource, ComponentSource, PieceSource> source;
+  std::array<std::uint8_t, 3> colour{ 227, 218, 201 }; ///< red, green, blue
+  FragmentState state = FragmentState::Kept;
+  PlanPose scanToPlanned; ///< the reduction
+  bool locked = false;    ///< the reference, as the cranium: PoseFragments leaves it where it is
+
+  bool operator==(const PlanFragment&) const noexcept = default;
+};
+
+/// Fragments that are moved as one. Each keeps a pose of its own, so that nothing jumps when the
+/// group is taken apart.
+struct PlanGroup
+{
+  PlanId id = 0;
+  std::string name;
+  std::vector<PlanId> fragments; ///< each once
+
+  bool operator==(const PlanGroup&) const noexcept = default;
+};
+
+/// A saw's cut through fragments, where they lie in the scan.
+struct PlanCut
+{
+  PlanId id = 0;
+  std::string name;
+  Osteotomy blade;
+  std::vector<PlanId> fragments; ///< that it cuts; all others are left alone
+
+  bool operator==(const PlanCut&) const noexcept = default;
+};
+
+/// A cutting guide, where its bone lies in the scan. The planes of `cuts` become slots besides
+/// those of the recipe, so that a guide follows the cuts it is for.
+struct PlanGuide
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId bone = 0; ///< the volume or the fragment that it sits on
+  GuideRecipe recipe;
+  std::vector<PlanId> cuts; ///< each once
+
+  bool operator==(const PlanGuide&) const noexcept = default;
+};
+
+/// A point that goes where its fragment goes.
+struct MeasurePoint
+{
+  PlanId fragment = 0;     ///< 0: does not move
+  glm::dvec3 point{ 0.0 }; ///< in the scan
+
+  bool operator==(const MeasurePoint&) const noexcept = default;
+};
+
+enum class MeasureKind
+{
+  Distance, ///< of two points, mm
+  Angle     ///< at the second of three points, degrees in [0, 180]
+};
+
+struct PlanMeasure
+{
+  PlanId id = 0;
+  std::string name;
+  MeasureKind kind = MeasureKind::Distance;
+  std::vector<MeasurePoint> points; ///< 2 or 3
+
+  bool operator==(const PlanMeasure&) const noexcept = default;
+};
+
+/// Each list is in the order of its ids, which is the order in which the objects were made.
+struct Plan
+{
+  std::string caseLabel; ///< a pseudonym: it is written on parts and into reports
+  PlanId nextId = 1;     ///< all ids below have been given
+  std::vector<PlanVolume> volumes;
+  std::vector<PlanSegmentation> segmentations;
+  std::vector<PlanFragment> fragments;
+  std::vector<PlanGroup> groups;
+  std::vector<PlanCut> cuts;
+  std::vector<PlanGuide> guides;
+  std::vector<PlanMeasure> measures;
+
+  bool operator==(const Plan&) const noexcept = default;
+};
+
+/// Throws std::invalid_argument unless ids are given once, ascend in each list and are below
+/// nextId, what objects name is there and of the right kind, texts are UTF-8 of at most 200 bytes
+/// without control characters, hashes are 64 lower-case hexadecimal digits, a list has at most
+/// 10,000 entries, and each number is in its range. Names the key as it stands in the file, never a
+/// text of the plan. O(objects log objects).
+void ValidatePlan(const Plan& plan);
+
+/// The fragment has been cut: there are pieces of it.
+bool IsDivided(const Plan& plan, PlanId fragment);
+/// The cuts that go through a fragment; those whose planes are a guide's slots. In the plan's order
+/// and in the guide's. Of a guide of the plan.
+std::vector<PlanId> CutsThrough(const Plan& plan, PlanId fragment);
+std::vector<Osteotomy> BladesOf(const Plan& plan, const PlanGuide& guide);
+
+/// Where a point of the scan is after the reduction. Of a valid plan.
+glm::dvec3 PlannedPlace(const Plan& plan, const MeasurePoint& point);
+/// mm or degrees, of the planned places. 0 for an angle at a point that is one with a neighbour.
+double MeasureValue(const Plan& plan, const PlanMeasure& measure);
+
+} // namespace hasp

@@ -1,0 +1,259 @@
+#include "Planning/PlanJson.h"
+
+#include "Planning/GuideRecipeJson.h"
+#include "Planning/PlanLists.h"
+#include "Planning/ValueChecks.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr std::pair<MeasureKind, const char*> MeasureKinds[] = {
+  { MeasureKind::Distance, "distance" }, { MeasureKind::Angle, "angle" }
+};
+
+StrictJson Read(const Json& json, const std::string& name, std::initializer_list<const char*> keys)
+{
+  return StrictJson(json, "plan", name, keys);
+}
+
+PlanId ReadId(const StrictJson& object, const char* key, PlanId least = 1)
+{
+  return static_cast<PlanId>(object.Count(key, least, MaxPlanId));
+}
+
+std::vector<PlanId> ReadIds(const StrictJson& object, const char* key)
+{
+  return object.Counts(key, 1, MaxPlanId);
+}
+
+struct SourceToJson
+{
+  Json operator()(const LabelSource& source) const
+  {
+    return { { "segmentation", source.segmentation }, { "label", source.label } };
+  }
+  Json operator()(const ComponentSource& source) const
+  {
+    return { { "volume", source.volume }, { "isovalue", source.isovalue },
+      { "seed", ToJson(source.seed) } };
+  }
+  Json operator()(const PieceSource& source) const
+  {
+    return { { "fragment", source.fragment }, { "seed", ToJson(source.seed) } };
+  }
+};
+
+std::variant<LabelSource, ComponentSource, PieceSource> ReadSource(
+  const Json& json, const std::string& name)
+{
+  if (json.contains("segmentation"))
+  {
+    const StrictJson source = Read(json, name, { "segmentation", "label" });
+    return LabelSource{ ReadId(source, "segmentation"),
+      static_cast<std::uint32_t>(source.Count("label", 1, 65535)) };
+  }
+  if (json.contains("fragment"))
+  {
+    const StrictJson source = Read(json, name, { "fragment", "seed" });
+    return PieceSource{ ReadId(source, "fragment"), source.Vector("seed") };
+  }
+  const StrictJson source = Read(json, name, { "volume", "isovalue", "seed" });
+  return ComponentSource{ ReadId(source, "volume"), source.Number("isovalue"),
+    source.Vector("seed") };
+}
+
+std::string ColourToText(const std::array<std::uint8_t, 3>& colour)
+{
+  char text[8];
+  std::snprintf(text, sizeof(text), "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+  return text;
+}
+
+std::array<std::uint8_t, 3> ReadColour(const StrictJson& object, const char* key)
+{
+  const std::string text = object.Text(key);
+  if (text.size() != 7 || text[0] != '#' ||
+      text.find_first_not_of("0123456789abcdef", 1) != std::string::npos)
+    object.Fail(key, "must be # and six hexadecimal digits in lower case");
+  const unsigned long value = std::stoul(text.substr(1), nullptr, 16);
+  return { static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
+    static_cast<std::uint8_t>(value) };
+}
+
+Osteotomy ReadBlade(const Json& json, const std::string& name)
+{
+  const StrictJson blade =
+    Read(json, name, { "point", "normal", "along", "widthMm", "depthMm", "kerfMm" });
+  return { blade.Vector("point"), blade.Vector("normal"), blade.Vector("along"),
+    blade.Number("widthMm"), blade.Number("depthMm"), blade.Number("kerfMm") };
+}
+} // namespace
+
+Json PoseToJson(const PlanPose& pose)
+{
+  const glm::dquat& q = pose.orientation;
+  return { { "position", ToJson(pose.position) }, { "orientation", { q.w, q.x, q.y, q.z } } };
+}
+
+PlanPose PoseFromJson(const Json& json, const std::string& name)
+{
+  const StrictJson pose = Read(json, name, { "position", "orientation" });
+  const std::vector<double> q = pose.Numbers("orientation", 4);
+  return { pose.Vector("position"), { q[0], q[1], q[2], q[3] } };
+}
+
+Json ObjectToJson(const PlanVolume& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "hash", object.hash } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanVolume& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "hash" });
+  object = { ReadId(read, "id"), read.Text("name"), read.Text("hash") };
+}
+
+Json ObjectToJson(const PlanSegmentation& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "volume", object.volume },
+    { "labels", object.labels } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanSegmentation& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "volume", "labels" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume"), read.Text("labels") };
+}
+
+Json ObjectToJson(const PlanFragment& object)
+{
+  return { { "id", object.id }, { "name", object.name },
+    { "source", std::visit(SourceToJson{}, object.source) },
+    { "colour", ColourToText(object.colour) }, { "state", NameOf(object.state, FragmentStates) },
+    { "scanToPlanned", PoseToJson(object.scanToPlanned) }, { "locked", object.locked } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanFragment& object)
+{
+  const StrictJson read =
+    Read(json, name, { "id", "name", "source", "colour", "state", "scanToPlanned", "locked" });
+  object = { ReadId(read, "id"), read.Text("name"),
+    ReadSource(read.Get("source"), Below(name, "source")), ReadColour(read, "colour"),
+    read.Named("state", FragmentStates),
+    PoseFromJson(read.Get("scanToPlanned"), Below(name, "scanToPlanned")), read.Flag("locked") };
+}
+
+Json ObjectToJson(const PlanGroup& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "fragments", object.fragments } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanGroup& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "fragments" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadIds(read, "fragments") };
+}
+
+Json ObjectToJson(const PlanCut& object)
+{
+  const Osteotomy& blade = object.blade;
+  return { { "id", object.id }, { "name", object.name },
+    { "blade", { { "point", ToJson(blade.point) }, { "normal", ToJson(blade.normal) },
+                 { "along", ToJson(blade.along) }, { "widthMm", blade.widthMm },
+                 { "depthMm", blade.depthMm }, { "kerfMm", blade.kerfMm } } },
+    { "fragments", object.fragments } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanCut& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "blade", "fragments" });
+  object = { ReadId(read, "id"), read.Text("name"),
+    ReadBlade(read.Get("blade"), Below(name, "blade")), ReadIds(read, "fragments") };
+}
+
+Json ObjectToJson(const PlanGuide& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "bone", object.bone },
+    { "recipe", GuideRecipeToJson(object.recipe) }, { "cuts", object.cuts } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanGuide& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "bone", "recipe", "cuts" });
+  object.id = ReadId(read, "id");
+  object.name = read.Text("name");
+  object.bone = ReadId(read, "bone");
+  try
+  {
+    object.recipe = GuideRecipeFromJson(read.Get("recipe"));
+  }
+  catch (const std::invalid_argument& error) // says the recipe's key, not where the recipe is
+  {
+    read.Fail("recipe", std::string("is refused: ") + error.what());
+  }
+  object.cuts = ReadIds(read, "cuts");
+}
+
+Json ObjectToJson(const PlanMeasure& object)
+{
+  Json points = Json::array();
+  for (const MeasurePoint& point : object.points)
+    points.push_back({ { "fragment", point.fragment }, { "point", ToJson(point.point) } });
+  return { { "id", object.id }, { "name", object.name },
+    { "kind", NameOf(object.kind, MeasureKinds) }, { "points", std::move(points) } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanMeasure& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "kind", "points" });
+  object = { ReadId(read, "id"), read.Text("name"), read.Named("kind", MeasureKinds), {} };
+  for (const Json& value : read.List("points"))
+  {
+    const StrictJson point =
+      Read(value, Below(name, ListKey("points", object.points.size())), { "fragment", "point" });
+    object.points.push_back({ ReadId(point, "fragment", 0), point.Vector("point") });
+  }
+}
+
+Json PlanToJson(const Plan& plan)
+{
+  Json json = { { "caseLabel", plan.caseLabel }, { "nextId", plan.nextId } };
+  ForEachPlanList(
+    [&](const auto& list)
+    {
+      Json& objects = json[list.key] = Json::array();
+      for (const auto& object : plan.*list.objects)
+        objects.push_back(ObjectToJson(object));
+    });
+  return json;
+}
+
+Plan PlanFromJson(const Json& json, const std::string& name)
+{
+  const StrictJson read = std::apply(
+    [&](const auto&... list) {
+      return Read(json, name, { "caseLabel", "nextId", list.key... });
+    },
+    PlanLists);
+  Plan plan;
+  plan.caseLabel = read.Text("caseLabel");
+  plan.nextId = static_cast<PlanId>(read.Count("nextId", 1, std::uint64_t(MaxPlanId) + 1));
+  ForEachPlanList(
+    [&](const auto& list)
+    {
+      auto& objects = plan.*list.objects;
+      for (const Json& value : read.List(list.key, MaxPlanObjects))
+      {
+        const std::string place = Below(name, ListKey(list.key, objects.size()));
+        ReadObject(value, place, objects.emplace_back());
+      }
+    });
+  return plan;
+}
+
+} // namespace hasp

@@ -1,0 +1,215 @@
+#include "Planning/PlanObjects.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace hasp
+{
+
+namespace
+{
+template <typename... Ts>
+bool IsAny(const Plan& plan, PlanId id)
+{
+  return ((FindPlanObject<Ts>(plan, id) != nullptr) || ...);
+}
+
+PlanReference ToVolume(const char* key, PlanId id)
+{
+  return { id, IsAny<PlanVolume>, "the id of a volume of the plan", key };
+}
+
+PlanReference ToFragment(
+  PlanId id, const char* key, std::size_t entry = PlanReference::NoEntry, const char* member = "")
+{
+  return { id, IsAny<PlanFragment>, "the id of a fragment of the plan", key, entry, member };
+}
+
+std::vector<PlanReference> ToFragments(const std::vector<PlanId>& fragments)
+{
+  std::vector<PlanReference> references;
+  references.reserve(fragments.size());
+  for (std::size_t n = 0; n < fragments.size(); ++n)
+    references.push_back(ToFragment(fragments[n], "fragments", n));
+  return references;
+}
+
+void CheckIds(const ValueChecks& check, const char* list, const std::vector<PlanId>& ids)
+{
+  if (ids.size() > MaxPlanObjects)
+    check.Refuse(list, "has more than " + std::to_string(MaxPlanObjects) + " entries");
+  if (std::set<PlanId>(ids.begin(), ids.end()).size() != ids.size())
+    check.Refuse(list, "must name each once");
+}
+
+struct CheckSource
+{
+  const ValueChecks& check;
+  PlanId self;
+
+  void operator()(const LabelSource& source) const
+  {
+    this->check.Closed("source.label", source.label, 1, 65535);
+  }
+  void operator()(const ComponentSource& source) const
+  {
+    this->check.Closed("source.isovalue", source.isovalue, -1e6, 1e6);
+    this->check.Point("source.seed", source.seed);
+  }
+  void operator()(const PieceSource& source) const
+  {
+    if (source.fragment >= this->self) // so that no fragment is a piece of itself
+      this->check.Refuse("source.fragment", source.fragment, "older than the piece's id");
+    this->check.Point("source.seed", source.seed);
+  }
+};
+
+struct SourceReferences
+{
+  std::vector<PlanReference> operator()(const LabelSource& source) const
+  {
+    return { { source.segmentation, IsAny<PlanSegmentation>, "the id of a segmentation of the plan",
+      "source.segmentation" } };
+  }
+  std::vector<PlanReference> operator()(const ComponentSource& source) const
+  {
+    return { ToVolume("source.volume", source.volume) };
+  }
+  std::vector<PlanReference> operator()(const PieceSource& source) const
+  {
+    return { ToFragment(source.fragment, "source.fragment") };
+  }
+};
+} // namespace
+
+std::string PlanReference::Key() const
+{
+  return this->entry == NoEntry              ? this->key
+         : std::string(this->member).empty() ? ListKey(this->key, this->entry)
+                                             : ListKey(this->key, this->entry, this->member);
+}
+
+std::vector<PlanReference> References(const PlanVolume&)
+{
+  return {};
+}
+
+std::vector<PlanReference> References(const PlanSegmentation& object)
+{
+  return { ToVolume("volume", object.volume) };
+}
+
+std::vector<PlanReference> References(const PlanFragment& object)
+{
+  return std::visit(SourceReferences{}, object.source);
+}
+
+std::vector<PlanReference> References(const PlanGroup& object)
+{
+  return ToFragments(object.fragments);
+}
+
+std::vector<PlanReference> References(const PlanCut& object)
+{
+  return ToFragments(object.fragments);
+}
+
+std::vector<PlanReference> References(const PlanGuide& object)
+{
+  std::vector<PlanReference> references = { { object.bone, IsAny<PlanVolume, PlanFragment>,
+    "the id of a volume or fragment of the plan", "bone" } };
+  for (std::size_t n = 0; n < object.cuts.size(); ++n)
+    references.push_back(
+      { object.cuts[n], IsAny<PlanCut>, "the id of a cut of the plan", "cuts", n });
+  return references;
+}
+
+std::vector<PlanReference> References(const PlanMeasure& object)
+{
+  std::vector<PlanReference> references;
+  for (std::size_t n = 0; n < object.points.size(); ++n)
+    if (object.points[n].fragment != 0)
+      references.push_back(ToFragment(object.points[n].fragment, "points", n, "fragment"));
+  return references;
+}
+
+void CheckObject(const PlanVolume& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  check.Hash("hash", object.hash);
+}
+
+void CheckObject(const PlanSegmentation& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  check.Hash("labels", object.labels);
+}
+
+void CheckObject(const PlanFragment& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  std::visit(CheckSource{ check, object.id }, object.source);
+  CheckPlanPose(object.scanToPlanned, check);
+}
+
+void CheckObject(const PlanGroup& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckIds(check, "fragments", object.fragments);
+}
+
+void CheckObject(const PlanCut& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckIds(check, "fragments", object.fragments);
+  ValidateOsteotomy(object.blade, subject + ".blade");
+}
+
+void CheckObject(const PlanGuide& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckIds(check, "cuts", object.cuts);
+  try
+  {
+    ValidateGuideRecipe(object.recipe);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    check.Refuse("recipe:", error.what());
+  }
+}
+
+void CheckObject(const PlanMeasure& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  const std::size_t needed = object.kind == MeasureKind::Distance ? 2 : 3;
+  if (object.points.size() != needed)
+    check.Refuse("the number of points", double(object.points.size()), std::to_string(needed));
+  for (std::size_t n = 0; n < needed; ++n)
+    check.Point(ListKey("points", n, "point"), object.points[n].point);
+}
+
+void CheckPlanPose(const PlanPose& pose, const ValueChecks& check)
+{
+  check.Point("scanToPlanned.position", pose.position);
+  if (const double length = glm::length(pose.orientation); !(std::abs(length - 1.0) <= 1e-6))
+    check.Refuse("scanToPlanned.orientation's length", length, "1 within 1e-6");
+}
+
+void CheckCaseLabel(const std::string& label)
+{
+  ValueChecks("plan").Text("caseLabel", label);
+}
+
+} // namespace hasp

@@ -1,0 +1,207 @@
+#include "RandomEdits.h"
+
+#include "Planning/PlanLists.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+using namespace hasp;
+
+double RandomEdits::Number(double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(this->Random);
+}
+
+int RandomEdits::Below(std::size_t count)
+{
+  return std::uniform_int_distribution<int>(0, int(count) - 1)(this->Random);
+}
+
+std::string RandomEdits::Hash()
+{
+  std::string hash;
+  for (int n = 0; n < 64; ++n)
+    hash += "0123456789abcdef"[this->Below(16)];
+  return hash;
+}
+
+std::string RandomEdits::Text()
+{
+  static const char* const parts[] = { "left ", "ramus", "\"", "\\", "/", "\xc3\xa4",
+    "\xe9\xaa\xa8", "\xf0\x9f\xa6\xb4", " ", "{}", "\xc2\xa0" };
+  std::string text;
+  for (int n = this->Below(8); n > 0; --n)
+    text += parts[this->Below(std::size(parts))];
+  return text;
+}
+
+glm::dvec3 RandomEdits::Point()
+{
+  return { this->Number(-4000, 4000), this->Number(-1, 1), this->Number(-1e-9, 1e-9) };
+}
+
+glm::dvec3 RandomEdits::Direction()
+{
+  const double z = this->Number(-1, 1), angle = this->Number(0, 6.28), r = std::sqrt(1 - z * z);
+  return { r * std::cos(angle), r * std::sin(angle), z };
+}
+
+PlanPose RandomEdits::Pose()
+{
+  return { this->Point(), glm::angleAxis(this->Number(-3, 3), this->Direction()) };
+}
+
+template <typename T>
+PlanId RandomEdits::AnyOf(const std::vector<T>& objects)
+{
+  return objects[std::size_t(this->Below(objects.size()))].id;
+}
+
+template <typename T>
+std::vector<PlanId> RandomEdits::SomeOf(const std::vector<T>& objects)
+{
+  std::vector<PlanId> ids;
+  for (const T& object : objects)
+    if (this->Below(2) == 1)
+      ids.push_back(object.id);
+  std::shuffle(ids.begin(), ids.end(), this->Random);
+  return ids;
+}
+
+PlanVolume RandomEdits::MakeVolume()
+{
+  return { 0, this->Text(), this->Hash() };
+}
+
+PlanSegmentation RandomEdits::MakeSegmentation(const Plan& plan)
+{
+  return { 0, this->Text(), this->AnyOf(plan.volumes), this->Hash() };
+}
+
+PlanFragment RandomEdits::MakeFragment(const Plan& plan, PlanId id)
+{
+  PlanFragment fragment;
+  fragment.name = this->Text();
+  const int kind = this->Below(3);
+  const bool older = !plan.fragments.empty() && plan.fragments[0].id < id;
+  if (kind == 0 && !plan.segmentations.empty())
+    fragment.source =
+      LabelSource{ this->AnyOf(plan.segmentations), std::uint32_t(1 + this->Below(65535)) };
+  else if (kind == 1 && older)
+    fragment.source = PieceSource{ plan.fragments[0].id, this->Point() };
+  else
+    fragment.source =
+      ComponentSource{ this->AnyOf(plan.volumes), this->Number(-1000, 3000), this->Point() };
+  for (std::uint8_t& part : fragment.colour)
+    part = std::uint8_t(this->Below(256));
+  fragment.state = this->Below(2) == 0 ? FragmentState::Kept : FragmentState::Resected;
+  fragment.scanToPlanned = this->Pose();
+  fragment.locked = this->Below(4) == 0;
+  return fragment;
+}
+
+PlanCut RandomEdits::MakeCut(const Plan& plan)
+{
+  const glm::dvec3 normal = this->Direction();
+  const glm::dvec3 along = glm::normalize(
+    glm::cross(normal, std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  return { 0, this->Text(),
+    { this->Point(), normal, along, this->Number(0.01, 500), this->Number(0.01, 500),
+      this->Number(0.01, 5) },
+    this->SomeOf(plan.fragments) };
+}
+
+PlanGuide RandomEdits::MakeGuide(const Plan& plan)
+{
+  PlanGuide guide;
+  guide.name = this->Text();
+  guide.bone = plan.fragments.empty() || this->Below(2) == 0 ? this->AnyOf(plan.volumes)
+                                                             : this->AnyOf(plan.fragments);
+  guide.recipe.note = this->Text();
+  for (int n = 2 + this->Below(5); n > 0; --n)
+    guide.recipe.landmarks.push_back(this->Point());
+  guide.recipe.withdrawal = this->Direction();
+  guide.cuts = this->SomeOf(plan.cuts);
+  return guide;
+}
+
+PlanMeasure RandomEdits::MakeMeasure(const Plan& plan)
+{
+  PlanMeasure measure;
+  measure.name = this->Text();
+  measure.kind = this->Below(2) == 0 ? MeasureKind::Distance : MeasureKind::Angle;
+  for (int n = measure.kind == MeasureKind::Distance ? 2 : 3; n > 0; --n)
+    measure.points.push_back(
+      { plan.fragments.empty() || this->Below(3) == 0 ? 0 : this->AnyOf(plan.fragments),
+        this->Point() });
+  return measure;
+}
+
+template <typename T, typename Make>
+PlanEdit RandomEdits::AddOrChange(const std::vector<T>& objects, PlanId newId, Make make)
+{
+  const bool change = !objects.empty() && this->Below(3) == 0;
+  const PlanId id = change ? this->AnyOf(objects) : newId;
+  T object = make(id);
+  object.id = id;
+  return change ? PlanEdit(ChangeObject<T>{ object }) : PlanEdit(AddObject<T>{ object });
+}
+
+PlanEdit RandomEdits::OfFragments(const Plan& plan)
+{
+  std::vector<PlanFragment> loose;
+  std::copy_if(plan.fragments.begin(), plan.fragments.end(), std::back_inserter(loose),
+    [](const PlanFragment& f) { return !f.locked; });
+  PoseFragments poses;
+  for (const PlanId id : this->SomeOf(loose))
+    poses.poses.push_back({ id, this->Pose() });
+  if (!poses.poses.empty() && this->Below(2) == 0)
+    return poses;
+  const SetFragmentState state{ this->SomeOf(plan.fragments), FragmentState(this->Below(2)) };
+  return state.fragments.empty() ? PlanEdit(SetCaseLabel{ this->Text() }) : PlanEdit(state);
+}
+
+PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
+{
+  const int kind = this->Below(10);
+  if (plan.volumes.empty() || kind == 0)
+    return this->AddOrChange(plan.volumes, newId, [&](PlanId) { return this->MakeVolume(); });
+  if (kind == 1)
+    return this->AddOrChange(
+      plan.segmentations, newId, [&](PlanId) { return this->MakeSegmentation(plan); });
+  if (kind <= 3)
+    return this->AddOrChange(
+      plan.fragments, newId, [&](PlanId id) { return this->MakeFragment(plan, id); });
+  if (kind == 4)
+    return this->AddOrChange(plan.groups, newId,
+      [&](PlanId) {
+        return PlanGroup{ 0, this->Text(), this->SomeOf(plan.fragments) };
+      });
+  if (kind == 5)
+    return this->AddOrChange(plan.cuts, newId, [&](PlanId) { return this->MakeCut(plan); });
+  if (kind == 6)
+    return this->AddOrChange(plan.guides, newId, [&](PlanId) { return this->MakeGuide(plan); });
+  if (kind == 7)
+    return this->AddOrChange(plan.measures, newId, [&](PlanId) { return this->MakeMeasure(plan); });
+  if (kind == 8)
+    return this->OfFragments(plan);
+  std::vector<PlanId> all, unused;
+  ForEachPlanObject(plan, [&](const auto& object) { all.push_back(object.id); });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(unused),
+    [&](PlanId id) { return UsersOf(plan, id).empty(); });
+  if (this->Below(2) == 0 && !unused.empty())
+    return RemoveObject{ unused[std::size_t(this->Below(unused.size()))] };
+  return RenameObject{ all[std::size_t(this->Below(all.size()))], this->Text() };
+}
+
+Plan RandomEdits::MakePlan(int edits)
+{
+  Plan plan;
+  for (; edits > 0; --edits)
+  {
+    const PlanEdit edit = this->Next(plan, plan.nextId + PlanId(this->Below(3)));
+    plan = Apply(std::move(plan), edit);
+  }
+  return plan;
+}

@@ -1,0 +1,117 @@
+#include "Planning/DerivedPart.h"
+#include "Planning/PlanEdits.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace
+{
+using namespace hasp;
+
+/// volume 1, segmentation 2, fragment 3, its pieces 4 and 5, cut 6 through 3, guide 7 on 3 for cut
+/// 6, group 8 of both pieces, and what nothing hangs on: volume 9, cut 10.
+Plan Case()
+{
+  Plan plan;
+  const auto add = [&]<typename T>(T object)
+  {
+    object.id = plan.nextId;
+    plan = Apply(plan, AddObject<T>{ object });
+  };
+  add(PlanVolume{ 0, "", std::string(64, 'a') });
+  add(PlanSegmentation{ 0, "", 1, std::string(64, 'b') });
+  PlanFragment fragment;
+  fragment.source = LabelSource{ 2, 1 };
+  add(fragment);
+  fragment.source = PieceSource{ 3, { -10, 0, 0 } };
+  add(fragment);
+  fragment.source = PieceSource{ 3, { 10, 0, 0 } };
+  add(fragment);
+  add(PlanCut{ 0, "", {}, { 3 } });
+  PlanGuide guide;
+  guide.bone = 3;
+  guide.recipe.landmarks = { { 0, 0, 0 }, { 10, 0, 0 } };
+  guide.cuts = { 6 };
+  add(guide);
+  add(PlanGroup{ 0, "", { 4, 5 } });
+  add(PlanVolume{ 0, "", std::string(64, 'c') });
+  add(PlanCut{ 0, "", {}, {} });
+  return plan;
+}
+
+/// Why the mesh of `object`, made before the edit, is out of date after it.
+std::string Why(PlanId object, const PlanEdit& edit)
+{
+  const Plan before = Case();
+  const DerivedPart part{ object, PartFormat::Stl, PartInputs(before, object), "" };
+  EXPECT_EQ(WhyOutOfDate(before, part), "");
+  return WhyOutOfDate(Apply(before, edit), part);
+}
+
+ChangeObject<PlanCut> Cut(PlanId id, double kerfMm, std::vector<PlanId> fragments)
+{
+  PlanCut cut{ id, "", {}, std::move(fragments) };
+  cut.blade.kerfMm = kerfMm;
+  return { cut };
+}
+
+TEST(DerivedPart, IsOutOfDateWhenWhatItIsMadeFromChanges)
+{
+  const std::string guide = "guide 7 is out of date: ", piece = "fragment 4 is out of date: ",
+                    group = "group 8 is out of date: ";
+  EXPECT_EQ(Why(7, Cut(6, 0.5, { 3 })), guide + "cut 6 has changed");
+  EXPECT_EQ(Why(4, Cut(6, 0.5, { 3 })), piece + "cut 6 has changed");
+  EXPECT_EQ(Why(8, Cut(6, 0.5, { 3 })), group + "cut 6 has changed");
+  EXPECT_EQ(Why(4, Cut(6, 1.0, {})), piece + "it is not made from cut 6 any more");
+  EXPECT_EQ(Why(4, Cut(10, 1.0, { 3 })), piece + "it is now made from cut 10, too");
+  EXPECT_EQ(Why(7, ChangeObject<PlanSegmentation>{ { 2, "", 1, std::string(64, 'd') } }),
+    guide + "segmentation 2 has changed");
+  EXPECT_EQ(Why(3, ChangeObject<PlanVolume>{ { 1, "", std::string(64, 'd') } }),
+    "fragment 3 is out of date: volume 1 has changed");
+  EXPECT_EQ(
+    Why(7, RemoveObject{ 7 }), "object 7 is out of date: the plan has no such object any more");
+  const PoseFragments move{ { { 5, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
+  EXPECT_EQ(Why(8, move), group + "fragment 5 has been moved, resected or kept");
+  EXPECT_EQ(
+    Why(8, SetFragmentState{ { 4 } }), group + "fragment 4 has been moved, resected or kept");
+  EXPECT_EQ(Why(8, ChangeObject<PlanGroup>{ { 8, "", { 5 } } }),
+    group + "it is not made from fragment 4 any more");
+}
+
+TEST(DerivedPart, IsInDateAfterWhatItDoesNotHangOn)
+{
+  const PoseFragments move{ { { 3, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
+  for (const PlanId object : { 3U, 4U, 7U, 8U })
+  {
+    EXPECT_EQ(Why(object, move), ""); // made where the bone lies in the scan; 3 is in no group
+    EXPECT_EQ(Why(object, RenameObject{ object, "x" }), "");
+    EXPECT_EQ(Why(object, RenameObject{ 6, "x" }), "");
+    EXPECT_EQ(Why(object, SetFragmentState{ { 3 } }), "");
+    EXPECT_EQ(Why(object, SetCaseLabel{ "x" }), "");
+    EXPECT_EQ(Why(object, Cut(10, 2.0, {})), "");
+    EXPECT_EQ(Why(object, ChangeObject<PlanVolume>{ { 9, "", std::string(64, 'e') } }), "");
+    EXPECT_EQ(Why(object, RemoveObject{ 9 }), "");
+  }
+}
+
+TEST(DerivedPart, AnUndoneChangeIsNone)
+{
+  const Plan before = Case();
+  const DerivedPart part{ 7, PartFormat::Stl, PartInputs(before, 7), "" };
+  const Plan after = Apply(before, Cut(6, 0.5, { 3 }));
+  EXPECT_NE(WhyOutOfDate(after, part), "");
+  EXPECT_EQ(WhyOutOfDate(Apply(after, Cut(6, 1.0, { 3 })), part), "");
+}
+
+TEST(DerivedPart, InputsAreAllThatAShapeComesFrom)
+{
+  std::vector<PlanId> ids;
+  for (const PartInput& input : PartInputs(Case(), 8))
+    ids.push_back(input.id);
+  EXPECT_EQ(ids, (std::vector<PlanId>{ 1, 2, 3, 4, 4, 5, 5, 6, 8 })); // pieces: shape and place
+  EXPECT_THROW(PartInputs(Case(), 6), std::invalid_argument);         // a cut is no part
+  EXPECT_THROW(PartInputs(Case(), 11), std::invalid_argument);
+}
+
+} // namespace
