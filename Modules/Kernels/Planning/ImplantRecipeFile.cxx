@@ -1,0 +1,83 @@
+#include "Planning/ImplantRecipeFile.h"
+
+#include "Planning/StrictJson.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr const char* Subject = "implant recipe";
+constexpr const char* Format = "hasp-implant-recipe-1";
+
+struct NumberKey
+{
+  const char* key;
+  double ImplantRecipe::*member;
+};
+constexpr NumberKey Numbers[] = { { "isovalue", &ImplantRecipe::isovalue },
+  { "ignoreBelowMm3", &ImplantRecipe::ignoreBelowMm3 },
+  { "clearanceMm", &ImplantRecipe::clearanceMm }, { "thicknessMm", &ImplantRecipe::thicknessMm },
+  { "spacingMm", &ImplantRecipe::spacingMm }, { "holeDiameterMm", &ImplantRecipe::holeDiameterMm },
+  { "holePitchMm", &ImplantRecipe::holePitchMm }, { "holeEdgeMm", &ImplantRecipe::holeEdgeMm } };
+} // namespace
+
+ImplantRecipe ParseImplantRecipe(const std::string& text)
+{
+  const Json json = ParseJson(text, Subject);
+  const StrictJson top(json, Subject, "",
+    { "format", "note", "isovalue", "ignoreBelowMm3", "mirror", "outline", "axis", "clearanceMm",
+      "thicknessMm", "spacingMm", "holeDiameterMm", "holePitchMm", "holeEdgeMm" });
+  if (top.Text("format") != Format)
+    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
+  ImplantRecipe r;
+  if (top.Has("note"))
+    r.note = top.Text("note");
+  if (top.Has("mirror"))
+  {
+    const StrictJson mirror(top.Get("mirror"), Subject, "mirror", { "point", "normal" });
+    r.mirror = MirrorPlane{ mirror.Vector("point"), mirror.Vector("normal") };
+  }
+  if (top.Has("axis"))
+    r.axis = top.Vector("axis");
+  r.outline = top.Vectors("outline");
+  for (const NumberKey& number : Numbers)
+    r.*number.member = top.Number(number.key);
+  ValidateImplantRecipe(r);
+  return r;
+}
+
+std::string FormatImplantRecipe(const ImplantRecipe& r)
+{
+  ValidateImplantRecipe(r);
+  Json json = { { "format", Format } };
+  if (!r.note.empty())
+    json["note"] = r.note;
+  if (r.mirror)
+    json["mirror"] = { { "point", ToJson(r.mirror->point) },
+      { "normal", ToJson(r.mirror->normal) } };
+  json["outline"] = Json::array();
+  for (const glm::dvec3& p : r.outline)
+    json["outline"].push_back(ToJson(p));
+  if (r.axis)
+    json["axis"] = ToJson(*r.axis);
+  for (const NumberKey& number : Numbers)
+    json[number.key] = r.*number.member;
+  return FormatJson(json, Subject);
+}
+
+ImplantRecipe ReadImplantRecipe(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+    throw std::runtime_error("implant recipe: the file cannot be read");
+  return ParseImplantRecipe(text.str());
+}
+
+} // namespace hasp
