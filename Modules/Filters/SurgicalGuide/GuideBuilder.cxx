@@ -4,13 +4,14 @@
 #include "Distance/Csg.h"
 #include "Distance/GridSolid.h"
 #include "Distance/SharpContour.h"
-#include "Distance/TetrahedraContour.h"
 #include "Grid/Trilinear.h"
 #include "GuideBone.h"
 #include "GuideFrame.h"
 #include "GuideLabels.h"
 #include "GuideParts.h"
+#include "GuideWalls.h"
 #include "InsertionAxis.h"
+#include "OnePiece.h"
 
 #include <glm/geometric.hpp>
 
@@ -26,7 +27,11 @@ namespace hasp
 namespace
 {
 constexpr double FarthestLandmarkMm = 3.0;
-constexpr double CrumbShare = 0.01; // of the guide's volume
+// Twice the wall that a printer makes (0.6 mm, PartClaims), for what samples may miss.
+constexpr double LeastBallMm = 0.6, BallCells = 1.25;
+constexpr double OpenMm = 0.03; // of the balls': so that smooth bone alone tells where its gap ends
+constexpr double EdgeShare = 0.45; // of a ball: edges of 90 degrees stay sharp
+constexpr double EndlessMm = 1000.0;
 
 /// Part [from, to] of the whole.
 ProgressFunction Part(const ProgressFunction& progress, double from, double to)
@@ -124,16 +129,42 @@ SolidPointer Without(SolidPointer body, std::vector<SolidPointer> tools)
   return tools.empty() ? body : MakeDifference(std::move(body), MakeUnion(std::move(tools)));
 }
 
-/// Joins the shell, the parts and the letters; names what does not meet the shell.
-SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const GuideParts& parts,
-  const SolidPointer& bone, const SolidPointer& blocked)
+/// Balls of this radius fit in what is printed, and in what is left open between it and bone.
+double BallMm(const GuideRecipe& recipe)
+{
+  return std::max(LeastBallMm, BallCells * recipe.spacingMm);
+}
+
+/// What is farther from bone than the gap, and not in its pores.
+SolidPointer Room(const GuideRecipe& recipe, const GridGeometry& grid, const SolidPointer& blocked,
+  const ProgressFunction& progress)
+{
+  SolidPointer room =
+    ThickParts(MakeShell(blocked, recipe.gapMm, EndlessMm), grid, BallMm(recipe), OpenMm, progress);
+  return room ? room : throw NothingLeft();
+}
+
+/// The shell where nothing is on it or through it.
+SolidPointer BareShell(const GuideRecipe& recipe, const GuideFrame& frame, const SolidPointer& bone,
+  const SolidPointer& room, const ProgressFunction& progress)
 {
   const SolidPointer outer = MakeOffset(bone, recipe.gapMm + recipe.thicknessMm);
-  const SolidPointer shell = recipe.edgeRadiusMm > 0.0
-                               ? MakeSmoothIntersection(outer, frame.region, recipe.edgeRadiusMm)
-                               : MakeIntersection({ outer, frame.region });
-  const SolidPointer clearance = MakeOffset(blocked, recipe.gapMm);
-  const SolidPointer bare = MakeDifference(shell, clearance);
+  SolidPointer shell = recipe.edgeRadiusMm > 0.0
+                         ? MakeSmoothIntersection(outer, frame.region, recipe.edgeRadiusMm)
+                         : MakeIntersection({ outer, frame.region });
+  shell = MakeIntersection({ shell, room });
+  const double ball = std::min(BallMm(recipe), 0.5 * recipe.thicknessMm - recipe.spacingMm);
+  if (ball >= BallCells * recipe.spacingMm)
+    shell = ThickParts(shell, frame.grid, ball, EdgeShare * ball, progress);
+  return shell ? shell : throw NothingLeft();
+}
+
+/// Joins the shell, the parts and the letters; names what does not meet the shell.
+SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const GuideParts& parts,
+  const SolidPointer& bone, const SolidPointer& blocked, const ProgressFunction& progress)
+{
+  const SolidPointer room = Room(recipe, frame.grid, blocked, Part(progress, 0.0, 0.5));
+  const SolidPointer bare = BareShell(recipe, frame, bone, room, Part(progress, 0.5, 1.0));
   const glm::dvec3 half = 0.5 * glm::dvec3(frame.grid.Cells());
   const GuidePart all{ "", bare, frame.grid.IndexToWorld(half), frame.grid.direction,
     half * frame.grid.spacing };
@@ -153,33 +184,10 @@ SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const G
   const SolidPointer free = Without(bare, covered);
   for (std::size_t n = 0; n < recipe.labels.size(); ++n)
     (recipe.labels[n].engraved ? taken : added).push_back(MakeGuideLabel(recipe, n, bone, *free));
-  added.push_back(shell);
-  return Without(MakeDifference(MakeUnion(std::move(added)), clearance), std::move(taken));
+  added.push_back(bare);
+  return Without(MakeIntersection({ MakeUnion(std::move(added)), room }), std::move(taken));
 }
 
-/// One piece without hollows, or an error that says what is wrong.
-TriangleMesh OnePiece(const TriangleMesh& mesh)
-{
-  const std::vector<double> volumes = FindPieces(mesh).volume;
-  const double largest = volumes.empty() ? 0.0 : *std::max_element(volumes.begin(), volumes.end());
-  std::ostringstream text;
-  if (!(largest > 0.0))
-    throw NothingLeft();
-  int pieces = 0, hollows = 0;
-  for (const double v : volumes)
-    if (std::abs(v) >= CrumbShare * largest)
-    {
-      (v > 0.0 ? pieces : hollows) += 1;
-      text << (text.tellp() > 0 ? ", " : "") << v;
-    }
-  if (pieces == 1 && hollows == 0)
-    return WithoutSmallPieces(mesh, CrumbShare * largest);
-  std::ostringstream fault;
-  fault << "guide: it falls into " << pieces << " pieces and " << hollows
-        << " hollows (mm3: " << text.str()
-        << "); shorten the slots, widen the band, or move the landmarks";
-  throw std::runtime_error(fault.str());
-}
 } // namespace
 
 GuideSolid MakeGuideSolid(
@@ -197,12 +205,12 @@ GuideSolid MakeGuideSolid(
   const GuideParts parts = MakeGuideParts(recipe);
   const GuideFrame frame = MakeGuideFrame(recipe, volume, keep, parts.added);
   const GuideDistances distances =
-    DistanceToBone(ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.2, 0.85));
+    DistanceToBone(ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.2, 0.7));
   CheckLandmarksOnBone({ distances->data(), frame.grid }, recipe);
   const GuideDistances blocked =
-    BlockUndercuts(*distances, ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.85, 0.95));
-  SolidPointer solid = Compose(
-    recipe, frame, parts, MakeGridSolid(distances, frame.grid), MakeGridSolid(blocked, frame.grid));
+    BlockUndercuts(*distances, ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.7, 0.8));
+  SolidPointer solid = Compose(recipe, frame, parts, MakeGridSolid(distances, frame.grid),
+    MakeGridSolid(blocked, frame.grid), Part(progress, 0.8, 1.0));
   ReportProgress(progress, 1.0);
   return { std::move(solid), frame.grid, axis.direction, axis.undercut };
 }
@@ -213,7 +221,8 @@ BuiltGuide BuildGuide(
   GuideSolid made = MakeGuideSolid(ct, recipe, Part(progress, 0.0, 0.7));
   const TriangleMesh mesh =
     SharpContour(*made.solid, made.grid, {}, nullptr, Part(progress, 0.7, 1.0));
-  return { OnePiece(mesh), std::move(made) };
+  return { OnePiece(mesh, "guide", "shorten the slots, widen the band, or move the landmarks"),
+    std::move(made) };
 }
 
 } // namespace hasp

@@ -20,10 +20,11 @@ struct GuideSolid
 
 /// The tree of vtkHaspGuideFilter, free of VTK: see there for what is made.
 ///
-///   ((shell + boxes + flanges + sleeves + letters) - bone and gap) - slots - holes - letters
+///   ((shell + boxes + flanges + sleeves + letters) in the room) - slots - holes - letters
 ///
-/// Bone is distances on the grid, undercuts blocked out (GuideBone.h); the shell is what is nearer
-/// to bone than the outer wall, in the region, with a round edge between the two.
+/// The room is what is farther from bone than the gap, undercuts blocked out (GuideBone.h), and not
+/// in pores and clefts; the shell is what is nearer to bone than the outer wall, in the region and
+/// the room, with a round edge between the first two, where it is thick enough (GuideWalls.h).
 /// Throws std::invalid_argument (recipe, volume) and std::runtime_error (no such guide can be
 /// made), naming the landmark, slot, hole or label; Cancelled. Any thread; all cores.
 GuideSolid MakeGuideSolid(

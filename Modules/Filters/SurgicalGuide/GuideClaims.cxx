@@ -10,6 +10,19 @@
 namespace hasp
 {
 
+namespace
+{
+/// By how much the shell may be thinner than the recipe says.
+double ThinnerMm(const GuideRecipe& recipe)
+{
+  double cut = 0.0;
+  for (const GuideLabel& label : recipe.labels)
+    if (label.engraved)
+      cut = std::max(cut, label.depthMm);
+  return std::max(0.2, 0.5 * recipe.spacingMm) + 0.25 * recipe.edgeRadiusMm + cut;
+}
+} // namespace
+
 PartClaims ClaimsOf(
   const GuideRecipe& recipe, double leastGapShare, const std::optional<glm::dvec3>& insertionAxis)
 {
@@ -26,7 +39,7 @@ PartClaims ClaimsOf(
   shell.leastGapShare = leastGapShare;
   shell.thicknessMm = recipe.thicknessMm;
   claims.leastWallMm = std::min(claims.leastWallMm, recipe.thicknessMm - recipe.spacingMm);
-  shell.thicknessToleranceMm = recipe.thicknessMm - claims.leastWallMm;
+  shell.thicknessToleranceMm = ThinnerMm(recipe);
   claims.shell = shell;
   for (const GuideSlot& slot : recipe.slots)
   {

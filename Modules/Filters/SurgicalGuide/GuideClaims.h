@@ -20,8 +20,9 @@ struct GuideRecipe;
 /// Limits, and where they come from:
 ///  - gap: 0.2 mm on `leastGapShare` of the inner wall: 0.2 to 0.5 mm are usual for a gap, so that
 ///    a guide within it still has a usual one; where undercuts are blocked out it has more
-///  - thickness: what a wall must be. The region around the landmarks, a tube, trims the shell
-///    where bone bends away under it, so that no more is promised there
+///  - thickness: 0.2 mm as the gap, or half the recipe's spacing if that is more, since edges of
+///    what is cut are true to that; a quarter of edgeRadiusMm, which a round edge takes off before
+///    it; the depth of engraved letters
 ///  - slots and holes: 0.1 mm: less than half of the least clearance a side that a saw has (0.25,
 ///    BRP's for resin)
 ///  - walls: 0.6 mm, as PartClaims; of a shell that is to be thinner, that less the recipe's

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -58,29 +59,56 @@ struct Span
   glm::dvec3 low{ std::numeric_limits<double>::infinity() };
   glm::dvec3 high{ -std::numeric_limits<double>::infinity() };
 
-  void Add(const glm::dvec3& local, double around)
+  void Add(const glm::dvec3& local, const glm::dvec3& around)
   {
     this->low = glm::min(this->low, local - around);
     this->high = glm::max(this->high, local + around);
   }
 };
 
+/// How far below its middle a band may reach: as far as to its sides, and the shell there.
+double Depth(const GuideRecipe& r, double radius)
+{
+  return std::hypot(radius, radius + r.gapMm + r.thicknessMm);
+}
+
+/// What makes a band of landmarks or of a stroke: (line, closed, radius).
+using Sweep = std::function<SolidPointer(std::span<const glm::dvec3>, bool, double)>;
+
+/// All within the radius as seen along the withdrawal direction, and not too far below or above.
+Sweep Upright(const GuideRecipe& recipe)
+{
+  return [&recipe](std::span<const glm::dvec3> line, bool closed, double radius) -> SolidPointer
+  {
+    const glm::dvec3 up = recipe.withdrawal, foot = line.front();
+    std::vector<glm::dvec3> flat;
+    for (const glm::dvec3& p : line)
+      flat.push_back(p - glm::dot(p - foot, up) * up);
+    return MakeIntersection({ MakeExtrusion(MakeTube(flat, closed, radius), foot, up),
+      MakeTube(line, closed, Depth(recipe, radius)) });
+  };
+}
+
 /// Strokes over what the outline gives, one after the other; null if nothing is left of both.
-SolidPointer WithStrokes(SolidPointer region, const GuideRecipe& recipe)
+SolidPointer WithStrokes(SolidPointer region, const GuideRecipe& recipe, const Sweep& sweep)
 {
   for (const GuideStroke& stroke : recipe.strokes)
   {
-    // What is wiped off is so wide at the outer wall: a ball on the bone is narrower up there.
-    const double radius = stroke.erased
-                            ? std::hypot(stroke.radiusMm, recipe.gapMm + recipe.thicknessMm)
-                            : stroke.radiusMm;
-    SolidPointer brush = MakeTube(stroke.points, false, radius);
+    SolidPointer brush = sweep(stroke.points, false, stroke.radiusMm);
     if (!stroke.erased)
       region = region ? MakeUnion({ region, brush }) : brush;
     else if (region)
       region = MakeDifference(region, brush);
   }
   return region;
+}
+
+SolidPointer Band(const GuideRecipe& recipe, const Sweep& sweep)
+{
+  SolidPointer band;
+  if (!recipe.landmarks.empty())
+    band = sweep(recipe.landmarks, recipe.outline != GuideOutline::Open, 0.5 * recipe.widthMm);
+  return WithStrokes(std::move(band), recipe, sweep);
 }
 
 GridGeometry GridOf(const Span& span, const glm::dmat3& axes, double spacing)
@@ -96,10 +124,7 @@ GridGeometry GridOf(const Span& span, const glm::dmat3& axes, double spacing)
 
 SolidPointer MakeGuideBand(const GuideRecipe& recipe)
 {
-  SolidPointer band;
-  if (!recipe.landmarks.empty())
-    band = MakeTube(recipe.landmarks, recipe.outline != GuideOutline::Open, 0.5 * recipe.widthMm);
-  return WithStrokes(std::move(band), recipe);
+  return Band(recipe, MakeTube);
 }
 
 GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
@@ -113,24 +138,25 @@ GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
   {
     const glm::dvec3 local = p * axes; // transpose(axes) * p
     polygon.emplace_back(local.x, local.y);
-    span.Add(local, reach);
+    span.Add(local, { reach, reach, Depth(recipe, reach) });
   }
+  const Sweep sweep = Upright(recipe);
   SolidPointer region;
   if (recipe.outline == GuideOutline::Filled)
   {
     region = MakeIntersection({ MakePrism(polygon, axes, reach),
       MakePlane(axes * glm::dvec3(0.0, 0.0, span.low.z), -recipe.withdrawal) });
     // Bone may bulge between the landmarks; its surface is less than a cell beyond its samples.
-    const double top = span.high.z - reach;
+    const double top = span.high.z - Depth(recipe, reach);
     span.high.z = Highest(ct, keep, axes, polygon, reach, top) + glm::length(ct.spacing) + reach;
-    region = WithStrokes(std::move(region), recipe);
+    region = WithStrokes(std::move(region), recipe, sweep);
   }
   else
-    region = MakeGuideBand(recipe);
+    region = Band(recipe, sweep);
   for (const GuideStroke& stroke : recipe.strokes)
     for (const glm::dvec3& p : stroke.points)
       if (!stroke.erased)
-        span.Add(p * axes, stroke.radiusMm);
+        span.Add(p * axes, { stroke.radiusMm, stroke.radiusMm, Depth(recipe, stroke.radiusMm) });
   // Everything the guide's distance to bone can depend on, letters on it, and a rim outside.
   double margin = recipe.gapMm + recipe.thicknessMm + 3.0 * recipe.spacingMm;
   for (const GuideLabel& label : recipe.labels)
@@ -142,7 +168,8 @@ GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
     for (int c = 0; c < 8; ++c)
     {
       const glm::dvec3 side(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1);
-      span.Add((part.center + part.axes * (side * part.half)) * axes, 3.0 * recipe.spacingMm);
+      span.Add(
+        (part.center + part.axes * (side * part.half)) * axes, glm::dvec3(3.0 * recipe.spacingMm));
     }
   return { GridOf(span, axes, recipe.spacingMm), std::move(region) };
 }

@@ -11,8 +11,10 @@ namespace hasp
 {
 
 /// Where a guide may be: the working grid (its z is the withdrawal direction), and the region of
-/// the shell: a tube around the landmarks, or for a filled outline the prism around their polygon,
-/// not deeper than half a width below the lowest; strokes added or taken away.
+/// the shell, whose walls are upright: what is within half a width of the landmarks' line, or of
+/// their polygon for a filled outline, as seen along the withdrawal direction; strokes added or
+/// taken away. Along that direction it ends as far as at a slope of 45 degrees bone and shell on it
+/// would have left the walls: round the line, or below the lowest landmark of a filled outline.
 struct GuideFrame
 {
   GridGeometry grid;
@@ -25,8 +27,8 @@ struct GuideFrame
 GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
   std::span<const std::uint8_t> keep, std::span<const GuidePart> parts);
 
-/// The region alone of the band around open or closed landmarks, the strokes and, of a filled
-/// outline, the ring around it: what needs no withdrawal direction.
+/// Tubes around the landmarks' line, closed for a filled outline, and the strokes: what needs no
+/// withdrawal direction, to look for one.
 SolidPointer MakeGuideBand(const GuideRecipe& recipe);
 
 } // namespace hasp

@@ -8,9 +8,12 @@
  * written as STL.
  *
  * The shell lies from gapMm to gapMm + thicknessMm off the isosurface, widthMm around the
- * landmarks or where strokes painted it, its outer rim rounded. Boxes of slots, flanges, sleeves
- * and letters stand on it. Nothing of all that is under bone as seen along the withdrawal
- * direction, or nearer to bone than the gap, so that it lifts off. Slots, holes and engraved
+ * landmarks or where strokes painted it, as seen along the withdrawal direction, its outer rim
+ * rounded. Boxes of slots, flanges, sleeves and letters stand on it. Nothing of all that is under
+ * bone as seen along the withdrawal direction, nearer to bone than the gap, or in pores and clefts
+ * of the bone that a ball of 1.2 mm does not enter (2.5 spacingMm if that is more), so that it
+ * lifts off and has no fins. Where bone is undercut or the region ends the shell ends before it is
+ * thinner than that. Slots, holes and engraved
  * letters are cut last, sharp and as wide as the recipe says: the guide is a tree of solids
  * (Distance/Csg.h), and its surface is the sharp contour of that (Distance/SharpContour.h). Thesis
  * 2.1.4 and 3.1.2 (Paper III), with a Euclidean transform instead of the weighted one; see
@@ -23,11 +26,10 @@
  * guide that is empty, falls into pieces or encloses a hollow; a working grid of over 2e8 voxels,
  * or finer than 32-bit floats a thousandth of it apart. Crumbs below a hundredth of the guide's
  * volume that a slot leaves are removed. AbortExecute (from a ProgressEvent) gives an empty output
- * without an error. Limits: what is thinner than spacingMm may be missing, as tips between two
- * shadows; a crotch of the outline may have a tunnel of a tenth of a millimetre in it where the
- * spacing is an eighth of the width. Threads: RENDER or a WORKER that owns the pipeline. Uses all
- * cores. Memory: about 29 bytes a voxel of the working grid, one byte a sample of the input, and
- * the mesh's. Time on the real CT of the demo, two cores: about 1.5 s.
+ * without an error. Limits: what is thinner than spacingMm may be missing; of shells thinner than
+ * 4.5 spacingMm wedges run out to nothing where bone is undercut. Threads: RENDER or a WORKER that
+ * owns the pipeline. Uses all cores. Memory: about 29 bytes a voxel of the working grid, one byte a
+ * sample of the input, and the mesh's. Time on the real CT of the demo, two cores: about 1.5 s.
  */
 #ifndef vtkHaspGuideFilter_h
 #define vtkHaspGuideFilter_h

@@ -18,6 +18,7 @@ const ValueChecks check("guide recipe");
 constexpr std::string_view Letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .-/+:";
 constexpr std::size_t MostLetters = 40;
 constexpr double StrokesInALetter = 6.0; // heights of letters over that of their strokes
+constexpr double LeastStrokeMm = 0.6;    // what resin printers make of a wall (PartClaims)
 
 void CheckShown(const std::string& key, double size, double spacing)
 {
@@ -170,8 +171,11 @@ void CheckLabels(const GuideRecipe& r)
     check.Point(ListKey("labels", n, "point"), label.point);
     check.Unit(ListKey("labels", n, "right"), label.right);
     check.Closed(ListKey("labels", n, "heightMm"), label.heightMm, 1.0, 50.0);
-    CheckShown("a sixth of " + ListKey("labels", n, "heightMm"), label.heightMm / StrokesInALetter,
-      r.spacingMm);
+    const std::string strokes = "a sixth of " + ListKey("labels", n, "heightMm");
+    CheckShown(strokes, label.heightMm / StrokesInALetter, r.spacingMm);
+    if (label.heightMm / StrokesInALetter < LeastStrokeMm)
+      check.Refuse(strokes, label.heightMm / StrokesInALetter,
+        "at least 0.6 mm, so that the strokes and what is between them can be printed");
     const std::string depth = ListKey("labels", n, "depthMm");
     check.AboveUpTo(depth, label.depthMm, 0.0, 5.0);
     CheckShown(depth, label.depthMm, r.spacingMm);

@@ -58,15 +58,15 @@ struct GuideLabel
   std::string text;        ///< A to Z, 0 to 9, space and . - / + : up to 40; see GuideLabelText
   glm::dvec3 point{ 0.0 }; ///< below its middle, on the bone, world mm
   glm::dvec3 right{ 1.0, 0.0, 0.0 }; ///< direction of writing; unit, along the wall
-  double heightMm = 5.0;             ///< of letters; their strokes are a sixth of it, [1, 50]
+  double heightMm = 5.0;             ///< of letters; their strokes are a sixth of it, [3.6, 50]
   double depthMm = 1.0;              ///< letters stand out so far, or are cut in, (0, 5]
   bool engraved = false;             ///< cut in: at most half the thickness
 
   bool operator==(const GuideLabel&) const noexcept = default;
 };
 
-/// What a round brush painted on the bone, or wiped off again, all through the shell: as wide as
-/// the brush at the bone, or where it is wiped off at the outer wall.
+/// What a round brush painted on the bone, or wiped off again: all through the shell, as wide as
+/// the brush as seen along the withdrawal direction.
 struct GuideStroke
 {
   std::vector<glm::dvec3> points; ///< of its middle, one or more, world mm

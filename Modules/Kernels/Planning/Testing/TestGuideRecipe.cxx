@@ -177,6 +177,12 @@ TEST(GuideRecipe, RangesAreNamed)
   EXPECT_NAMES(Refusal([](R& r) { r.labels[0].text = "  "; }), "must have a letter");
   EXPECT_NAMES(Refusal([](R& r) { r.labels[0].text.assign(41, 'A'); }), "labels[0].text is 41");
   EXPECT_NAMES(Refusal([](R& r) { r.labels[0].heightMm = 4; }), "a sixth of labels[0].heightMm");
+  const auto thin = [](R& r)
+  {
+    r.spacingMm = 0.25;
+    r.labels[0].heightMm = 3.5;
+  };
+  EXPECT_NAMES(Refusal(thin), "at least 0.6 mm, so that the strokes");
   EXPECT_NAMES(Refusal([](R& r) { r.labels[0].depthMm = 2.1; }), "at most half of thicknessMm");
   EXPECT_NAMES(Refusal([](R& r) { r.labels[0].right *= 1.1; }), "labels[0].right");
   EXPECT_NAMES(Refusal([](R& r) { r.slots.resize(101, r.slots[0]); }), "number of slots is 101");

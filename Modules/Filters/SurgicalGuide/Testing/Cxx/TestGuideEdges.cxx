@@ -126,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(Recipes, GuideOddities,
       r.holes[0].axis = { 1, 0, 0 };
     },                                                                   // across the guide
     [](R& r) { r.withdrawal = glm::normalize(glm::dvec3(1, 0, 0.05)); }, // along the surface
-    [](R& r) { r.gapMm = 0; }, [](R& r) { r.thicknessMm = 1.2; },        // two spacings
+    [](R& r) { r.gapMm = 0; }, [](R& r) { r.gapMm = 9; },
+    [](R& r) { r.thicknessMm = 1.2; }, // two spacings
     [](R& r) { r.thicknessMm = 15; }, [](R& r) { r.widthMm = 30; },
     [](R& r) { r.ignoreBelowMm3 = 1e6; },                  // no bone is that large
     [](R& r) { r.landmarks.push_back(r.landmarks[0]); })); // back to the start

@@ -110,7 +110,7 @@ TEST(GuideFilter, EveryOutlineMakesOnePiece)
   recipe.landmarks = { OnSkull(-9, -8), OnSkull(9, -8), OnSkull(9, 8), OnSkull(-9, 8) };
   recipe.holes = { { OnSkull(9, 8), { 0, 0, 1 }, 2, 500, 0 } };
   recipe.widthMm = 8;
-  recipe.spacingMm = 0.5; // at 0.6 a crotch of the ring has a tunnel of a tenth of a millimetre
+  recipe.spacingMm = 0.6;
   const std::pair<hasp::GuideOutline, int> outlines[] = { { hasp::GuideOutline::Open, 1 },
     { hasp::GuideOutline::Closed, 2 }, { hasp::GuideOutline::Filled, 1 } };
   for (const auto& [outline, handles] : outlines)
