@@ -87,7 +87,7 @@ std::vector<std::uint8_t> IslandAt(const BoneImage& image, const SegmentSettings
 
 /// A grid in the world's axes around a segment in the defect, and all that its planes may cut.
 GridGeometry GridAround(
-  const DonorSegment& cut, const SegmentPose& pose, double reachMm, double spacingMm)
+  const DonorSegment& cut, const PlanPose& pose, double reachMm, double spacingMm)
 {
   const glm::dvec3 a = pose.Place(cut.start.point), b = pose.Place(cut.end.point);
   const double tilt = std::max(cut.startTiltRadians, cut.endTiltRadians);
@@ -109,7 +109,7 @@ struct TransplantSegments::Internals
   std::size_t lastCut = 0;
 
   /// The donor where a pose puts it: its samples move with their grid.
-  SolidPointer DonorAt(const SegmentPose& pose) const
+  SolidPointer DonorAt(const PlanPose& pose) const
   {
     GridGeometry moved = this->donor.grid;
     moved.origin = pose.Place(moved.origin);
@@ -119,7 +119,7 @@ struct TransplantSegments::Internals
 
   PlacedSegment Cut(const DonorSegment& cut, std::size_t number) const
   {
-    const SegmentPose& pose = cut.donorToDefect;
+    const PlanPose& pose = cut.donorToDefect;
     const glm::dvec3 back = pose.orientation * -cut.start.normal,
                      ahead = pose.orientation * cut.end.normal;
     const SolidPointer solid = MakeIntersection({ this->DonorAt(pose),

@@ -4,6 +4,8 @@
 #include "Planning/PlanLists.h"
 #include "Planning/Sha256.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -87,9 +89,7 @@ private:
     for (const PlanId id : object.fragments)
     {
       this->Shape(id);
-      const Json fragment = ObjectToJson(*FindPlanObject<PlanFragment>(this->Of, id));
-      this->Found[{ id, PartFacet::Place }] =
-        HashOf({ { "pose", fragment["scanToPlanned"] }, { "state", fragment["state"] } });
+      this->Place(id);
     }
   }
   void ShapeOf(const PlanCut& object) { this->Add(object, { "fragments" }); } // the blade alone
@@ -100,7 +100,41 @@ private:
     for (const PlanId cut : object.cuts)
       this->Shape(cut);
   }
+  void ShapeOf(const PlanPlate& object)
+  {
+    this->Add(object, {});
+    this->Shape(object.volume); // or nothing: 0 names none
+    for (const PlanId id : object.fragments)
+    {
+      this->Shape(id);
+      this->Place(id);
+    }
+  }
+  void ShapeOf(const PlanImplant& object)
+  {
+    this->Add(object, {});
+    this->Shape(object.volume);
+  }
+  void ShapeOf(const PlanTransplant& object)
+  {
+    this->Add(object, {});
+    this->Shape(object.donor);
+    for (const JawFace& face : { object.first, object.last })
+    {
+      this->Shape(face.cut);
+      this->Place(face.fragment);
+    }
+  }
   void ShapeOf(const PlanMeasure&) {}
+  void Place(PlanId id)
+  {
+    const PlanFragment* found = FindPlanObject<PlanFragment>(this->Of, id);
+    if (!found)
+      return;
+    const Json fragment = ObjectToJson(*found);
+    this->Found[{ id, PartFacet::Place }] =
+      HashOf({ { "pose", fragment["scanToPlanned"] }, { "state", fragment["state"] } });
+  }
 
   const Plan& Of;
 };
@@ -117,14 +151,50 @@ std::string Called(const Plan& plan, PlanId id)
   const char* noun = PlanNoun(plan, id);
   return std::string(noun ? noun : "object") + " " + std::to_string(id);
 }
+
+/// Whether meshes are made of a kind; a new kind is a line here.
+template <typename T>
+constexpr bool MakesParts = false;
+template <>
+constexpr bool MakesParts<PlanFragment> = true;
+template <>
+constexpr bool MakesParts<PlanGroup> = true;
+template <>
+constexpr bool MakesParts<PlanGuide> = true;
+template <>
+constexpr bool MakesParts<PlanPlate> = true;
+template <>
+constexpr bool MakesParts<PlanImplant> = true;
+template <>
+constexpr bool MakesParts<PlanTransplant> = true;
 } // namespace
+
+bool IsPartObject(const Plan& plan, PlanId object)
+{
+  bool is = false;
+  ForEachPlanList([&]<typename T>(const PlanList<T>&)
+    { is = is || (MakesParts<T> && FindPlanObject<T>(plan, object) != nullptr); });
+  return is;
+}
+
+std::vector<PlanId> PartObjects(const Plan& plan)
+{
+  std::vector<PlanId> objects;
+  ForEachPlanObject(plan,
+    [&]<typename T>(const T& object)
+    {
+      if (MakesParts<T> && !IsDivided(plan, object.id))
+        objects.push_back(object.id);
+    });
+  return objects;
+}
 
 std::vector<PartInput> PartInputs(const Plan& plan, PlanId object)
 {
-  if (!FindPlanObject<PlanFragment>(plan, object) && !FindPlanObject<PlanGroup>(plan, object) &&
-      !FindPlanObject<PlanGuide>(plan, object))
+  if (!IsPartObject(plan, object))
     throw std::invalid_argument(
-      Called(plan, object) + ": nothing is made of it, only of a fragment, group or guide");
+      Called(plan, object) +
+      ": nothing is made of it, only of a fragment, group, guide, plate, implant or transplant");
   std::vector<PartInput> inputs;
   for (auto& [key, hash] : Gather(plan, object))
     inputs.push_back({ key.first, key.second, hash });
@@ -152,6 +222,38 @@ std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part)
   if (!now.empty())
     return outOfDate + "it is now made from " + Called(plan, now.begin()->first.first) + ", too";
   return {};
+}
+
+const DerivedPart* PartInDate(const Plan& plan, std::span<const DerivedPart> parts, PlanId object)
+{
+  for (std::size_t n = parts.size(); n-- > 0;)
+    if (parts[n].object == object && WhyOutOfDate(plan, parts[n]).empty())
+      return &parts[n];
+  return nullptr;
+}
+
+std::string WhyNoPart(const Plan& plan, std::span<const DerivedPart> parts, PlanId object)
+{
+  if (PartInDate(plan, parts, object))
+    return {};
+  for (std::size_t n = parts.size(); n-- > 0;)
+    if (parts[n].object == object)
+      return WhyOutOfDate(plan, parts[n]);
+  return Called(plan, object) + " has not been made";
+}
+
+void KeepPart(std::vector<DerivedPart>& parts, DerivedPart part)
+{
+  std::erase_if(parts,
+    [&](const DerivedPart& other)
+    {
+      return other.object == part.object && other.format == part.format &&
+             other.inputs == part.inputs;
+    });
+  const auto same = [&](const DerivedPart& other) { return other.object == part.object; };
+  if (std::size_t(std::count_if(parts.begin(), parts.end(), same)) >= MaxPartsOfObject)
+    parts.erase(std::find_if(parts.begin(), parts.end(), same));
+  parts.push_back(std::move(part));
 }
 
 std::string PlanHash(const Plan& plan)

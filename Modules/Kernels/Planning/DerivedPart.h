@@ -1,6 +1,8 @@
 #pragma once
 #include "Planning/Plan.h"
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,14 +38,21 @@ enum class PartFormat
 /// redo.
 struct DerivedPart
 {
-  PlanId object =
-    0; ///< what it is the mesh of: a fragment, a group (its kept fragments as planned), a guide
+  PlanId object = 0; ///< what it is the mesh of: one that IsPartObject
   PartFormat format = PartFormat::Stl;
   std::vector<PartInput> inputs; ///< PartInputs when it was made
   std::string bytes;             ///< the blob that holds it: its SHA-256
+  std::string report; ///< the blob that says what was measured on it, as JSON; empty: none
 
   bool operator==(const DerivedPart&) const noexcept = default;
 };
+
+/// A mesh is made of such an object: a fragment (in the scan), a group (its kept fragments as
+/// planned), a guide, a plate, an implant, a transplant (all its segments in the defect).
+bool IsPartObject(const Plan& plan, PlanId object);
+/// All objects whose meshes are parts, by kind and id: those, but for fragments that are cut into
+/// pieces.
+std::vector<PlanId> PartObjects(const Plan& plan);
 
 /// What the mesh of `object` depends on, with the hashes of now: itself, and all that its shape
 /// comes from, in the order of their ids. Needs HASP_ENABLE_JSON and HASP_ENABLE_OPENSSL, as all
@@ -53,6 +62,17 @@ std::vector<PartInput> PartInputs(const Plan& plan, PlanId object);
 /// Why a part must be made anew before it is exported: "guide 8 is out of date: cut 6 has changed".
 /// Empty if it is in date.
 std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part);
+
+/// The newest of the parts of `object` that is in date; nullptr if none is.
+const DerivedPart* PartInDate(const Plan& plan, std::span<const DerivedPart> parts, PlanId object);
+/// Why PartInDate found none: of the newest one, or "guide 8 has not been made". Empty if it did.
+std::string WhyNoPart(const Plan& plan, std::span<const DerivedPart> parts, PlanId object);
+
+constexpr std::size_t MaxPartsOfObject = 4;
+/// Adds a part as the newest. One of the same object, format and inputs goes; of each object
+/// MaxPartsOfObject stay, so that what was made before a change need not be made anew when it is
+/// undone.
+void KeepPart(std::vector<DerivedPart>& parts, DerivedPart part);
 
 /// SHA-256 of all a plan says: equal plans have equal hashes on every machine.
 std::string PlanHash(const Plan& plan);

@@ -1,6 +1,8 @@
 #include "Planning/PlanJson.h"
 
+#include "Planning/PlanEditsFile.h"
 #include "Planning/PlanLists.h"
+#include "Planning/PlanMigration.h"
 #include "Planning/ValueChecks.h"
 
 namespace hasp
@@ -12,6 +14,8 @@ constexpr std::pair<PartFormat, const char*> PartFormats[] = { { PartFormat::Stl
   { PartFormat::ThreeMf, "3mf" }, { PartFormat::Ply, "ply" }, { PartFormat::Obj, "obj" } };
 constexpr std::pair<PartFacet, const char*> PartFacets[] = { { PartFacet::Shape, "shape" },
   { PartFacet::Place, "place" } };
+constexpr const char* EditsSubject = "edits";
+const std::string EditsFormat = "hasp-edits-";
 constexpr std::size_t MostEntries = 100'000'000; // a file's own limit comes first
 
 StrictJson Read(const Json& json, const std::string& name, std::initializer_list<const char*> keys)
@@ -130,6 +134,34 @@ PlanEdit EditFromJson(const Json& json, const std::string& name)
   return SetCaseLabel{ Read(json, name, { "caseLabel" }).Text("caseLabel") };
 }
 
+std::vector<PlanEdit> ParseEdits(const std::string& text)
+{
+  Json json = ParseJson(text, EditsSubject);
+  std::size_t version = 0;
+  {
+    const StrictJson file(json, EditsSubject, "", { "format", "edits" });
+    version = ReadFormatVersion(file, EditsFormat);
+    file.List("edits", MostEntries);
+  }
+  // Older ones go the way of a history's.
+  Json history = { { "history", { { "steps", Json::array({ std::move(json) }) } } } };
+  MigratePlanFile(history, version, PlanMigrations());
+  std::vector<PlanEdit> edits;
+  for (const Json& edit : history["history"]["steps"][0]["edits"])
+    edits.push_back(EditFromJson(edit, ListKey("edits", edits.size())));
+  return edits;
+}
+
+std::string FormatEdits(const std::vector<PlanEdit>& edits)
+{
+  Json list = Json::array();
+  for (const PlanEdit& edit : edits)
+    list.push_back(EditToJson(edit));
+  return FormatJson({ { "format", EditsFormat + std::to_string(PlanMigrations().size() + 1) },
+                      { "edits", std::move(list) } },
+    EditsSubject);
+}
+
 Json HistoryToJson(const PlanHistory& history)
 {
   Json steps = Json::array();
@@ -163,16 +195,18 @@ Json PartToJson(const DerivedPart& part)
     inputs.push_back(
       { { "id", input.id }, { "facet", NameOf(input.facet, PartFacets) }, { "hash", input.hash } });
   return { { "object", part.object }, { "format", NameOf(part.format, PartFormats) },
-    { "inputs", std::move(inputs) }, { "bytes", part.bytes } };
+    { "inputs", std::move(inputs) }, { "bytes", part.bytes }, { "report", part.report } };
 }
 
 DerivedPart PartFromJson(const Json& json, const std::string& name)
 {
-  const StrictJson read = Read(json, name, { "object", "format", "inputs", "bytes" });
+  const StrictJson read = Read(json, name, { "object", "format", "inputs", "bytes", "report" });
   DerivedPart part{ ReadId(read, "object"), read.Named("format", PartFormats), {},
-    read.Text("bytes") };
+    read.Text("bytes"), read.Text("report") };
   const ValueChecks check("plan: " + name);
   check.Hash("bytes", part.bytes);
+  if (!part.report.empty())
+    check.Hash("report", part.report);
   for (const Json& value : read.List("inputs", MostEntries))
   {
     const std::string place = ListKey("inputs", part.inputs.size());

@@ -1,6 +1,6 @@
 #include "Planning/ImplantRecipeFile.h"
 
-#include "Planning/StrictJson.h"
+#include "Planning/ImplantRecipeJson.h"
 
 #include <fstream>
 #include <sstream>
@@ -26,9 +26,8 @@ constexpr NumberKey Numbers[] = { { "isovalue", &ImplantRecipe::isovalue },
   { "holePitchMm", &ImplantRecipe::holePitchMm }, { "holeEdgeMm", &ImplantRecipe::holeEdgeMm } };
 } // namespace
 
-ImplantRecipe ParseImplantRecipe(const std::string& text)
+ImplantRecipe ImplantRecipeFromJson(const Json& json)
 {
-  const Json json = ParseJson(text, Subject);
   const StrictJson top(json, Subject, "",
     { "format", "note", "isovalue", "ignoreBelowMm3", "mirror", "outline", "axis", "clearanceMm",
       "thicknessMm", "spacingMm", "holeDiameterMm", "holePitchMm", "holeEdgeMm" });
@@ -51,7 +50,7 @@ ImplantRecipe ParseImplantRecipe(const std::string& text)
   return r;
 }
 
-std::string FormatImplantRecipe(const ImplantRecipe& r)
+Json ImplantRecipeToJson(const ImplantRecipe& r)
 {
   ValidateImplantRecipe(r);
   Json json = { { "format", Format } };
@@ -67,7 +66,17 @@ std::string FormatImplantRecipe(const ImplantRecipe& r)
     json["axis"] = ToJson(*r.axis);
   for (const NumberKey& number : Numbers)
     json[number.key] = r.*number.member;
-  return FormatJson(json, Subject);
+  return json;
+}
+
+ImplantRecipe ParseImplantRecipe(const std::string& json)
+{
+  return ImplantRecipeFromJson(ParseJson(json, Subject));
+}
+
+std::string FormatImplantRecipe(const ImplantRecipe& recipe)
+{
+  return FormatJson(ImplantRecipeToJson(recipe), Subject);
 }
 
 ImplantRecipe ReadImplantRecipe(const std::string& path)

@@ -31,6 +31,23 @@ void CheckIds(const Plan& plan, const PlanList<T>& list, std::set<PlanId>& given
       check.Refuse(ListKey(list.key, n, "id"), id, "given once in the plan");
   }
 }
+
+/// `side`: where the jaw is, seen along the joint's normal.
+void PutIntoFace(const Plan& plan, const JawFace& face, double side, TransplantJoint& joint)
+{
+  if (const PlanCut* cut = FindPlanObject<PlanCut>(plan, face.cut))
+  {
+    const glm::dvec3 normal = glm::normalize(cut->blade.normal);
+    joint.normal = glm::dot(normal, joint.normal) < 0.0 ? -normal : normal;
+    const glm::dvec3 on = cut->blade.point + side * 0.5 * cut->blade.kerfMm * joint.normal;
+    joint.point += glm::dot(on - joint.point, joint.normal) * joint.normal;
+  }
+  if (const PlanFragment* fragment = FindPlanObject<PlanFragment>(plan, face.fragment))
+  {
+    joint.point = fragment->scanToPlanned.Place(joint.point);
+    joint.normal = fragment->scanToPlanned.orientation * joint.normal;
+  }
+}
 } // namespace
 
 void ValidatePlan(const Plan& plan)
@@ -88,13 +105,32 @@ std::vector<Osteotomy> BladesOf(const Plan& plan, const PlanGuide& guide)
   return blades;
 }
 
+PlateRecipe PlateRecipeOf(const Plan& plan, const PlanPlate& plate)
+{
+  PlateRecipe recipe = plate.recipe;
+  for (std::size_t n = 0; n < plate.fragments.size(); ++n)
+  {
+    const PlanFragment* fragment = FindPlanObject<PlanFragment>(plan, plate.fragments[n]);
+    if (fragment && fragment->state == FragmentState::Kept)
+      recipe.fragments.push_back(
+        { int(n) + 1, fragment->scanToPlanned.position, fragment->scanToPlanned.orientation });
+  }
+  return recipe;
+}
+
+Transplant TransplantOf(const Plan& plan, const PlanTransplant& transplant)
+{
+  Transplant placed = transplant.transplant;
+  // The jaw lies behind the first joint and ahead of the last one.
+  PutIntoFace(plan, transplant.first, -1.0, placed.joints.front());
+  PutIntoFace(plan, transplant.last, 1.0, placed.joints.back());
+  return placed;
+}
+
 glm::dvec3 PlannedPlace(const Plan& plan, const MeasurePoint& point)
 {
   const PlanFragment* fragment = FindPlanObject<PlanFragment>(plan, point.fragment);
-  if (!fragment)
-    return point.point;
-  const PlanPose& pose = fragment->scanToPlanned;
-  return pose.position + pose.orientation * point.point;
+  return fragment ? fragment->scanToPlanned.Place(point.point) : point.point;
 }
 
 double MeasureValue(const Plan& plan, const PlanMeasure& measure)

@@ -1,8 +1,11 @@
 #pragma once
 #include "Planning/GuideRecipe.h"
+#include "Planning/ImplantRecipe.h"
 #include "Planning/Osteotomy.h"
+#include "Planning/PlanPose.h"
+#include "Planning/PlateRecipe.h"
+#include "Planning/Transplant.h"
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -21,15 +24,6 @@ namespace hasp
 /// never used again. 0 names none.
 using PlanId = std::uint32_t;
 constexpr PlanId MaxPlanId = 1'000'000'000;
-
-/// Where a rigid body stands: p goes to position + orientation * p. As Grid's RigidPose.
-struct PlanPose
-{
-  glm::dvec3 position{ 0.0 };                   ///< mm
-  glm::dquat orientation{ 1.0, 0.0, 0.0, 0.0 }; ///< (w, x, y, z), unit within 1e-6
-
-  bool operator==(const PlanPose&) const noexcept = default;
-};
 
 /// A scan. By what it holds, not by where it lies: paths name patients.
 struct PlanVolume
@@ -57,6 +51,8 @@ struct LabelSource
 {
   PlanId segmentation = 0;
   std::uint32_t label = 1; ///< [1, 65535]
+  double isovalue = 226.0; ///< bone is value >= isovalue there, too, [-1e6, 1e6]
+  double spacingMm = 0.5;  ///< of its mesh's grid, [0.1, 2]; its pieces' too
 
   bool operator==(const LabelSource&) const noexcept = default;
 };
@@ -66,7 +62,8 @@ struct ComponentSource
 {
   PlanId volume = 0;
   double isovalue = 226.0; ///< bone is value >= isovalue, [-1e6, 1e6]
-  glm::dvec3 seed{ 0.0 };  ///< in that bone
+  glm::dvec3 seed{ 0.0 };  ///< in that bone, or within 3 mm of it
+  double spacingMm = 0.5;  ///< of its mesh's grid, [0.1, 2]; its pieces' too
 
   bool operator==(const ComponentSource&) const noexcept = default;
 };
@@ -75,8 +72,8 @@ struct ComponentSource
 /// number: it stays the same piece when the cuts move.
 struct PieceSource
 {
-  PlanId fragment = 0; ///< older than the piece
-  glm::dvec3 seed{ 0.0 };
+  PlanId fragment = 0;    ///< older than the piece
+  glm::dvec3 seed{ 0.0 }; ///< in the piece, or within 3 mm of it
 
   bool operator==(const PieceSource&) const noexcept = default;
 };
@@ -119,6 +116,7 @@ struct PlanCut
   std::string name;
   Osteotomy blade;
   std::vector<PlanId> fragments; ///< that it cuts; all others are left alone
+  double reachMm = 8.0;          ///< as BoneCut's: farther bone of theirs stays whole, [0, 500]
 
   bool operator==(const PlanCut&) const noexcept = default;
 };
@@ -134,6 +132,52 @@ struct PlanGuide
   std::vector<PlanId> cuts; ///< each once
 
   bool operator==(const PlanGuide&) const noexcept = default;
+};
+
+/// A bone plate, where the plan puts its bone: on a scan as it is, or on fragments where the
+/// reduction has them.
+struct PlanPlate
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId volume = 0;             ///< the scan; 0: on the fragments
+  std::vector<PlanId> fragments; ///< of one scan, each once, at most 100; resected ones are no bone
+  PlateRecipe recipe;            ///< its own `fragments` are none: PlateRecipeOf fills them in
+
+  bool operator==(const PlanPlate&) const noexcept = default;
+};
+
+/// An implant for a hole in the skull of a scan.
+struct PlanImplant
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId volume = 0;
+  ImplantRecipe recipe;
+
+  bool operator==(const PlanImplant&) const noexcept = default;
+};
+
+/// The jaw's face that the first or the last joint of a transplant lies in.
+struct JawFace
+{
+  PlanId cut = 0;      ///< whose face, on the side that stays; 0: the joint is where it is
+  PlanId fragment = 0; ///< that has the face and takes the joint along; 0: it does not move
+
+  bool operator==(const JawFace&) const noexcept = default;
+};
+
+/// Segments of a donor bone in a defect, recut when the cuts at its ends move. The joints, and so
+/// the segments, are where the plan puts the jaw.
+struct PlanTransplant
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId donor = 0; ///< the fragment that segments are taken from
+  JawFace first, last;
+  Transplant transplant; ///< TransplantOf puts its joints into the faces
+
+  bool operator==(const PlanTransplant&) const noexcept = default;
 };
 
 /// A point that goes where its fragment goes.
@@ -172,6 +216,9 @@ struct Plan
   std::vector<PlanGroup> groups;
   std::vector<PlanCut> cuts;
   std::vector<PlanGuide> guides;
+  std::vector<PlanPlate> plates;
+  std::vector<PlanImplant> implants;
+  std::vector<PlanTransplant> transplants;
   std::vector<PlanMeasure> measures;
 
   bool operator==(const Plan&) const noexcept = default;
@@ -190,6 +237,16 @@ bool IsDivided(const Plan& plan, PlanId fragment);
 /// and in the guide's. Of a guide of the plan.
 std::vector<PlanId> CutsThrough(const Plan& plan, PlanId fragment);
 std::vector<Osteotomy> BladesOf(const Plan& plan, const PlanGuide& guide);
+
+/// The recipe of a plate with its fragments: label n is the n-th that it names, from 1, where the
+/// plan puts it; resected ones are left out. Of a plate of the plan.
+PlateRecipe PlateRecipeOf(const Plan& plan, const PlanPlate& plate);
+
+/// The transplant with its first and last joint in the faces of their cuts: the plane is the
+/// blade's side towards the jaw, the normal the blade's, turned to look as the joint's does, the
+/// point the joint's own, upright on the plane; then both go where the fragment goes. Of a
+/// transplant of the plan; whether segments can be laid out there is for LayOutSegments to say.
+Transplant TransplantOf(const Plan& plan, const PlanTransplant& transplant);
 
 /// Where a point of the scan is after the reduction. Of a valid plan.
 glm::dvec3 PlannedPlace(const Plan& plan, const MeasurePoint& point);

@@ -78,6 +78,9 @@ using PlanEdit = std::variant<RemoveObject, RenameObject, PoseFragments, SetFrag
   AddObject<PlanGroup>, ChangeObject<PlanGroup>,                 //
   AddObject<PlanCut>, ChangeObject<PlanCut>,                     //
   AddObject<PlanGuide>, ChangeObject<PlanGuide>,                 //
+  AddObject<PlanPlate>, ChangeObject<PlanPlate>,                 //
+  AddObject<PlanImplant>, ChangeObject<PlanImplant>,             //
+  AddObject<PlanTransplant>, ChangeObject<PlanTransplant>,       //
   AddObject<PlanMeasure>, ChangeObject<PlanMeasure>>;
 
 /// The plan after the edit. A valid plan stays valid: else std::invalid_argument, which names the

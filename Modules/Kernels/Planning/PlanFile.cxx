@@ -46,17 +46,6 @@ void CheckSeal(std::string_view text)
                            "hash is of other bytes. Take it from a backup");
 }
 
-std::size_t ReadVersion(const StrictJson& file)
-{
-  const std::string format = file.Text("format");
-  const std::size_t newest = PlanMigrations().size() + 1;
-  for (std::size_t version = 1; version <= newest; ++version)
-    if (format == std::string(Format) + std::to_string(version))
-      return version;
-  file.Fail("format", "is none that this version of Hasp reads: " + std::string(Format) + "1 to " +
-                        std::to_string(newest));
-}
-
 std::string BlobSubject(const std::string& hash)
 {
   return "blobs/" + hash.substr(0, 12);
@@ -83,8 +72,9 @@ PlanDocument ParsePlan(const std::string& text)
 {
   CheckSeal(text);
   Json json = ParseJson(text, Subject);
-  const std::size_t version =
-    ReadVersion(StrictJson(json, Subject, "", { "format", "plan", "parts", "history", "sha256" }));
+  const std::size_t version = ReadFormatVersion(
+    StrictJson(json, Subject, "", { "format", "plan", "parts", "history", "sha256" }),
+    std::string(Format));
   MigratePlanFile(json, version, PlanMigrations());
   const StrictJson file(json, Subject, "", { "format", "plan", "parts", "history", "sha256" });
   PlanDocument document{ HistoryFromJson(file.Get("history")), {} };
@@ -139,7 +129,11 @@ std::vector<std::string> BlobsOf(const PlanDocument& document)
       else if (const auto* changed = std::get_if<ChangeObject<PlanSegmentation>>(&edit))
         ofSegmentation(changed->object);
   for (const DerivedPart& part : document.parts)
+  {
     blobs.insert(part.bytes);
+    if (!part.report.empty())
+      blobs.insert(part.report);
+  }
   return { blobs.begin(), blobs.end() };
 }
 

@@ -1,7 +1,10 @@
 #include "Planning/PlanJson.h"
 
 #include "Planning/GuideRecipeJson.h"
+#include "Planning/ImplantRecipeJson.h"
 #include "Planning/PlanLists.h"
+#include "Planning/PlateRecipeJson.h"
+#include "Planning/TransplantJson.h"
 #include "Planning/ValueChecks.h"
 
 #include <cstdio>
@@ -35,12 +38,13 @@ struct SourceToJson
 {
   Json operator()(const LabelSource& source) const
   {
-    return { { "segmentation", source.segmentation }, { "label", source.label } };
+    return { { "segmentation", source.segmentation }, { "label", source.label },
+      { "isovalue", source.isovalue }, { "spacingMm", source.spacingMm } };
   }
   Json operator()(const ComponentSource& source) const
   {
     return { { "volume", source.volume }, { "isovalue", source.isovalue },
-      { "seed", ToJson(source.seed) } };
+      { "seed", ToJson(source.seed) }, { "spacingMm", source.spacingMm } };
   }
   Json operator()(const PieceSource& source) const
   {
@@ -53,18 +57,20 @@ std::variant<LabelSource, ComponentSource, PieceSource> ReadSource(
 {
   if (json.contains("segmentation"))
   {
-    const StrictJson source = Read(json, name, { "segmentation", "label" });
+    const StrictJson source =
+      Read(json, name, { "segmentation", "label", "isovalue", "spacingMm" });
     return LabelSource{ ReadId(source, "segmentation"),
-      static_cast<std::uint32_t>(source.Count("label", 1, 65535)) };
+      static_cast<std::uint32_t>(source.Count("label", 1, 65535)), source.Number("isovalue"),
+      source.Number("spacingMm") };
   }
   if (json.contains("fragment"))
   {
     const StrictJson source = Read(json, name, { "fragment", "seed" });
     return PieceSource{ ReadId(source, "fragment"), source.Vector("seed") };
   }
-  const StrictJson source = Read(json, name, { "volume", "isovalue", "seed" });
+  const StrictJson source = Read(json, name, { "volume", "isovalue", "seed", "spacingMm" });
   return ComponentSource{ ReadId(source, "volume"), source.Number("isovalue"),
-    source.Vector("seed") };
+    source.Vector("seed"), source.Number("spacingMm") };
 }
 
 std::string ColourToText(const std::array<std::uint8_t, 3>& colour)
@@ -91,6 +97,32 @@ Osteotomy ReadBlade(const Json& json, const std::string& name)
     Read(json, name, { "point", "normal", "along", "widthMm", "depthMm", "kerfMm" });
   return { blade.Vector("point"), blade.Vector("normal"), blade.Vector("along"),
     blade.Number("widthMm"), blade.Number("depthMm"), blade.Number("kerfMm") };
+}
+
+/// What one of the recipes' readers makes of a member. They say the recipe's key and not where the
+/// recipe is.
+template <typename Recipe>
+Recipe ReadRecipe(const StrictJson& object, const char* key, Recipe (*read)(const Json&))
+{
+  try
+  {
+    return read(object.Get(key));
+  }
+  catch (const std::invalid_argument& error)
+  {
+    object.Fail(key, std::string("is refused: ") + error.what());
+  }
+}
+
+Json FaceToJson(const JawFace& face)
+{
+  return { { "cut", face.cut }, { "fragment", face.fragment } };
+}
+
+JawFace ReadFace(const Json& json, const std::string& name)
+{
+  const StrictJson face = Read(json, name, { "cut", "fragment" });
+  return { ReadId(face, "cut", 0), ReadId(face, "fragment", 0) };
 }
 } // namespace
 
@@ -166,14 +198,15 @@ Json ObjectToJson(const PlanCut& object)
     { "blade", { { "point", ToJson(blade.point) }, { "normal", ToJson(blade.normal) },
                  { "along", ToJson(blade.along) }, { "widthMm", blade.widthMm },
                  { "depthMm", blade.depthMm }, { "kerfMm", blade.kerfMm } } },
-    { "fragments", object.fragments } };
+    { "fragments", object.fragments }, { "reachMm", object.reachMm } };
 }
 
 void ReadObject(const Json& json, const std::string& name, PlanCut& object)
 {
-  const StrictJson read = Read(json, name, { "id", "name", "blade", "fragments" });
+  const StrictJson read = Read(json, name, { "id", "name", "blade", "fragments", "reachMm" });
   object = { ReadId(read, "id"), read.Text("name"),
-    ReadBlade(read.Get("blade"), Below(name, "blade")), ReadIds(read, "fragments") };
+    ReadBlade(read.Get("blade"), Below(name, "blade")), ReadIds(read, "fragments"),
+    read.Number("reachMm") };
 }
 
 Json ObjectToJson(const PlanGuide& object)
@@ -188,15 +221,51 @@ void ReadObject(const Json& json, const std::string& name, PlanGuide& object)
   object.id = ReadId(read, "id");
   object.name = read.Text("name");
   object.bone = ReadId(read, "bone");
-  try
-  {
-    object.recipe = GuideRecipeFromJson(read.Get("recipe"));
-  }
-  catch (const std::invalid_argument& error) // says the recipe's key, not where the recipe is
-  {
-    read.Fail("recipe", std::string("is refused: ") + error.what());
-  }
+  object.recipe = ReadRecipe(read, "recipe", GuideRecipeFromJson);
   object.cuts = ReadIds(read, "cuts");
+}
+
+Json ObjectToJson(const PlanPlate& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "volume", object.volume },
+    { "fragments", object.fragments }, { "recipe", PlateRecipeToJson(object.recipe) } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanPlate& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "volume", "fragments", "recipe" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume", 0),
+    ReadIds(read, "fragments"), ReadRecipe(read, "recipe", PlateRecipeFromJson) };
+}
+
+Json ObjectToJson(const PlanImplant& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "volume", object.volume },
+    { "recipe", ImplantRecipeToJson(object.recipe) } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanImplant& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "volume", "recipe" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume"),
+    ReadRecipe(read, "recipe", ImplantRecipeFromJson) };
+}
+
+Json ObjectToJson(const PlanTransplant& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "donor", object.donor },
+    { "first", FaceToJson(object.first) }, { "last", FaceToJson(object.last) },
+    { "transplant", TransplantToJson(object.transplant) } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanTransplant& object)
+{
+  const StrictJson read =
+    Read(json, name, { "id", "name", "donor", "first", "last", "transplant" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "donor"),
+    ReadFace(read.Get("first"), Below(name, "first")),
+    ReadFace(read.Get("last"), Below(name, "last")),
+    ReadRecipe(read, "transplant", TransplantFromJson) };
 }
 
 Json ObjectToJson(const PlanMeasure& object)

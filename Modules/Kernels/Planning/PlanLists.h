@@ -30,6 +30,9 @@ inline constexpr std::tuple PlanLists{
   PlanList<PlanGroup>{ "group", "groups", &Plan::groups },
   PlanList<PlanCut>{ "cut", "cuts", &Plan::cuts },
   PlanList<PlanGuide>{ "guide", "guides", &Plan::guides },
+  PlanList<PlanPlate>{ "plate", "plates", &Plan::plates },
+  PlanList<PlanImplant>{ "implant", "implants", &Plan::implants },
+  PlanList<PlanTransplant>{ "transplant", "transplants", &Plan::transplants },
   PlanList<PlanMeasure>{ "measure", "measures", &Plan::measures },
 };
 

@@ -36,6 +36,40 @@ void MigrateEdit(Json& edit, const PlanMigration& step)
     if (edit.contains(verb) && edit[verb].is_string())
       step.object(edit[verb].get<std::string>(), edit["object"]);
 }
+
+void SetIfMissing(Json& object, const char* key, const Json& value)
+{
+  if (object.is_object() && !object.contains(key))
+    object[key] = value;
+}
+
+/// Version 2 has plates, implants and transplants …
+void AddListsOf2(Json& plan)
+{
+  for (const char* key : { "plates", "implants", "transplants" })
+    SetIfMissing(plan, key, Json::array());
+}
+
+/// … says what was a constant: how far a saw reaches, what of a label is bone, how fine a mesh is …
+void MendObjectOf1(const std::string& noun, Json& object)
+{
+  if (noun == "cut")
+    SetIfMissing(object, "reachMm", 8.0);
+  if (noun != "fragment" || !object.is_object() || !object.contains("source"))
+    return;
+  Json& source = object["source"];
+  if (!source.is_object() || source.contains("fragment"))
+    return;
+  if (source.contains("segmentation"))
+    SetIfMissing(source, "isovalue", 226.0);
+  SetIfMissing(source, "spacingMm", 0.5);
+}
+
+/// … and keeps what was measured on a part.
+void MendPartOf1(Json& part)
+{
+  SetIfMissing(part, "report", "");
+}
 } // namespace
 
 void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigration> steps)
@@ -43,6 +77,8 @@ void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigrat
   for (const PlanMigration& step : steps.subspan(version - 1))
   {
     MigratePlan(file, "plan", step);
+    if (step.part)
+      ForEachEntry(file, "parts", step.part);
     if (!file.is_object() || !file.contains("history"))
       continue;
     Json& history = file["history"];
@@ -53,9 +89,21 @@ void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigrat
   }
 }
 
+std::size_t ReadFormatVersion(const StrictJson& file, const std::string& begin)
+{
+  const std::string format = file.Text("format");
+  const std::size_t newest = PlanMigrations().size() + 1;
+  for (std::size_t version = 1; version <= newest; ++version)
+    if (format == begin + std::to_string(version))
+      return version;
+  file.Fail("format",
+    "is none that this version of Hasp reads: " + begin + "1 to " + std::to_string(newest));
+}
+
 std::span<const PlanMigration> PlanMigrations()
 {
-  return {}; // version 1 is the first
+  static constexpr PlanMigration steps[] = { { AddListsOf2, MendObjectOf1, MendPartOf1 } };
+  return steps;
 }
 
 } // namespace hasp

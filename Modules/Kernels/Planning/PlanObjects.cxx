@@ -46,6 +46,20 @@ void CheckIds(const ValueChecks& check, const char* list, const std::vector<Plan
     check.Refuse(list, "must name each once");
 }
 
+/// What a recipe is refused for, said of the object that holds it.
+template <typename Validate>
+void CheckRecipe(const ValueChecks& check, const char* key, const Validate& validate)
+{
+  try
+  {
+    validate();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    check.Refuse(std::string(key) + ":", error.what());
+  }
+}
+
 struct CheckSource
 {
   const ValueChecks& check;
@@ -54,11 +68,14 @@ struct CheckSource
   void operator()(const LabelSource& source) const
   {
     this->check.Closed("source.label", source.label, 1, 65535);
+    this->check.Closed("source.isovalue", source.isovalue, -1e6, 1e6);
+    this->check.Closed("source.spacingMm", source.spacingMm, 0.1, 2.0);
   }
   void operator()(const ComponentSource& source) const
   {
     this->check.Closed("source.isovalue", source.isovalue, -1e6, 1e6);
     this->check.Point("source.seed", source.seed);
+    this->check.Closed("source.spacingMm", source.spacingMm, 0.1, 2.0);
   }
   void operator()(const PieceSource& source) const
   {
@@ -128,6 +145,34 @@ std::vector<PlanReference> References(const PlanGuide& object)
   return references;
 }
 
+std::vector<PlanReference> References(const PlanPlate& object)
+{
+  std::vector<PlanReference> references = ToFragments(object.fragments);
+  if (object.volume != 0)
+    references.push_back(ToVolume("volume", object.volume));
+  return references;
+}
+
+std::vector<PlanReference> References(const PlanImplant& object)
+{
+  return { ToVolume("volume", object.volume) };
+}
+
+std::vector<PlanReference> References(const PlanTransplant& object)
+{
+  std::vector<PlanReference> references = { ToFragment(object.donor, "donor") };
+  const auto add = [&](const JawFace& face, const char* cut, const char* fragment)
+  {
+    if (face.cut != 0)
+      references.push_back({ face.cut, IsAny<PlanCut>, "the id of a cut of the plan", cut });
+    if (face.fragment != 0)
+      references.push_back(ToFragment(face.fragment, fragment));
+  };
+  add(object.first, "first.cut", "first.fragment");
+  add(object.last, "last.cut", "last.fragment");
+  return references;
+}
+
 std::vector<PlanReference> References(const PlanMeasure& object)
 {
   std::vector<PlanReference> references;
@@ -171,6 +216,7 @@ void CheckObject(const PlanCut& object, const std::string& subject)
   const ValueChecks check(subject);
   check.Text("name", object.name);
   CheckIds(check, "fragments", object.fragments);
+  check.Closed("reachMm", object.reachMm, 0.0, 500.0);
   ValidateOsteotomy(object.blade, subject + ".blade");
 }
 
@@ -179,14 +225,35 @@ void CheckObject(const PlanGuide& object, const std::string& subject)
   const ValueChecks check(subject);
   check.Text("name", object.name);
   CheckIds(check, "cuts", object.cuts);
-  try
-  {
-    ValidateGuideRecipe(object.recipe);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    check.Refuse("recipe:", error.what());
-  }
+  CheckRecipe(check, "recipe", [&] { ValidateGuideRecipe(object.recipe); });
+}
+
+void CheckObject(const PlanPlate& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckIds(check, "fragments", object.fragments);
+  if (object.fragments.size() > 100)
+    check.Refuse("fragments", "has more than 100 entries");
+  if ((object.volume == 0) == object.fragments.empty())
+    check.Refuse("volume and fragments", "must be one of the two: a scan as it is, or fragments");
+  if (!object.recipe.fragments.empty())
+    check.Refuse("recipe.fragments", "must be none: they are the plan's");
+  CheckRecipe(check, "recipe", [&] { ValidatePlateRecipe(object.recipe); });
+}
+
+void CheckObject(const PlanImplant& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckRecipe(check, "recipe", [&] { ValidateImplantRecipe(object.recipe); });
+}
+
+void CheckObject(const PlanTransplant& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckRecipe(check, "transplant", [&] { ValidateTransplant(object.transplant); });
 }
 
 void CheckObject(const PlanMeasure& object, const std::string& subject)

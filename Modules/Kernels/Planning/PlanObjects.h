@@ -31,6 +31,9 @@ std::vector<PlanReference> References(const PlanFragment& object);
 std::vector<PlanReference> References(const PlanGroup& object);
 std::vector<PlanReference> References(const PlanCut& object);
 std::vector<PlanReference> References(const PlanGuide& object);
+std::vector<PlanReference> References(const PlanPlate& object);
+std::vector<PlanReference> References(const PlanImplant& object);
+std::vector<PlanReference> References(const PlanTransplant& object);
 std::vector<PlanReference> References(const PlanMeasure& object);
 
 /// Throws std::invalid_argument unless the object's own values are legal, all but id and
@@ -41,6 +44,9 @@ void CheckObject(const PlanFragment& object, const std::string& subject);
 void CheckObject(const PlanGroup& object, const std::string& subject);
 void CheckObject(const PlanCut& object, const std::string& subject);
 void CheckObject(const PlanGuide& object, const std::string& subject);
+void CheckObject(const PlanPlate& object, const std::string& subject);
+void CheckObject(const PlanImplant& object, const std::string& subject);
+void CheckObject(const PlanTransplant& object, const std::string& subject);
 void CheckObject(const PlanMeasure& object, const std::string& subject);
 
 void CheckPlanPose(const PlanPose& pose, const ValueChecks& check);

@@ -1,6 +1,6 @@
 #include "Planning/PlateRecipeFile.h"
 
-#include "Planning/StrictJson.h"
+#include "Planning/PlateRecipeJson.h"
 #include "Planning/ValueChecks.h"
 
 #include <algorithm>
@@ -67,9 +67,8 @@ Json FragmentToJson(const PlateFragment& fragment)
 }
 } // namespace
 
-PlateRecipe ParsePlateRecipe(const std::string& text)
+PlateRecipe PlateRecipeFromJson(const Json& json)
 {
-  const Json json = ParseJson(text, Subject);
   const StrictJson top(json, Subject, "",
     { "format", "note", "isovalue", "ignoreBelowMm3", "landmarks", "gapMm", "thicknessMm",
       "widthMm", "bevelMm", "bridgeMm", "edgeDistanceMm", "holeDistanceMm", "spacingMm", "screws",
@@ -98,7 +97,7 @@ PlateRecipe ParsePlateRecipe(const std::string& text)
   return r;
 }
 
-std::string FormatPlateRecipe(const PlateRecipe& r)
+Json PlateRecipeToJson(const PlateRecipe& r)
 {
   ValidatePlateRecipe(r);
   Json json = { { "format", Format } };
@@ -115,7 +114,17 @@ std::string FormatPlateRecipe(const PlateRecipe& r)
     json["screws"].push_back(ScrewToJson(screw));
   for (const PlateFragment& fragment : r.fragments)
     json["fragments"].push_back(FragmentToJson(fragment));
-  return FormatJson(json, Subject);
+  return json;
+}
+
+PlateRecipe ParsePlateRecipe(const std::string& json)
+{
+  return PlateRecipeFromJson(ParseJson(json, Subject));
+}
+
+std::string FormatPlateRecipe(const PlateRecipe& recipe)
+{
+  return FormatJson(PlateRecipeToJson(recipe), Subject);
 }
 
 PlateRecipe ReadPlateRecipe(const std::string& path)

@@ -265,7 +265,7 @@ std::vector<TransplantJoint> MitreJoints(std::span<const glm::dvec3> line)
   return joints;
 }
 
-std::vector<DonorSegment> LayOutSegments(const Transplant& transplant)
+void ValidateTransplant(const Transplant& transplant)
 {
   Check(transplant);
   for (std::size_t n = 1; n < transplant.donor.axis.size(); ++n)
@@ -275,6 +275,17 @@ std::vector<DonorSegment> LayOutSegments(const Transplant& transplant)
     if (glm::length(glm::cross(piece, transplant.donor.lateral)) < LeastSine)
       ValueChecks(Subject).Refuse("donor.lateral", "must not lie along the donor's axis");
   }
+  if (!transplant.paddle)
+    return;
+  const ValueChecks checks(Subject);
+  checks.Point("paddle.perforator", transplant.paddle->perforator);
+  for (std::size_t n = 0; n < transplant.paddle->outline.size(); ++n)
+    checks.Point(ListKey("paddle.outline", n), transplant.paddle->outline[n]);
+}
+
+std::vector<DonorSegment> LayOutSegments(const Transplant& transplant)
+{
+  ValidateTransplant(transplant);
   if (!transplant.fromLastTip)
     return LayOutInOrder(transplant);
   // The last joint comes first on the donor; told in the order of the joints all the same, with

@@ -1,5 +1,6 @@
 #pragma once
-#include <glm/gtc/quaternion.hpp>
+#include "Planning/PlanPose.h"
+
 #include <glm/vec3.hpp>
 
 #include <optional>
@@ -55,25 +56,16 @@ struct Transplant
   bool operator==(const Transplant&) const noexcept = default;
 };
 
-/// Where a rigid body stands: p goes to position + orientation * p.
-struct SegmentPose
-{
-  glm::dvec3 position{ 0.0 };
-  glm::dquat orientation{ 1.0, 0.0, 0.0, 0.0 }; ///< unit: (w, x, y, z)
-
-  bool operator==(const SegmentPose&) const noexcept = default;
-  glm::dvec3 Place(const glm::dvec3& point) const { return position + orientation * point; }
-  glm::dvec3 PlaceBack(const glm::dvec3& point) const
-  {
-    return glm::conjugate(orientation) * (point - position);
-  }
-};
+/// Throws std::invalid_argument unless every number is finite and in its range, directions are unit
+/// within 1e-3, there is one outward less than joints, and each plane is within 60 degrees of a
+/// square cut. The message names the key, its value and the legal range.
+void ValidateTransplant(const Transplant& transplant);
 
 /// A segment of the donor: what is between two planes on it, and where it goes.
 struct DonorSegment
 {
   TransplantJoint start, end; ///< on the donor, mm; normals from start to end
-  SegmentPose donorToDefect;
+  PlanPose donorToDefect;
   double lengthMm = 0.0;   ///< along the axis
   double shortestMm = 0.0; ///< of its sides, radiusMm from the axis
   double longestMm = 0.0;

@@ -63,7 +63,8 @@ inline hasp::PlanDocument RandomDocument(unsigned seed, int steps)
   }
   for (int n = random.Below(3); n > 0; --n)
     document.parts.push_back({ 1, hasp::PartFormat(random.Below(4)),
-      { { 2, hasp::PartFacet(random.Below(2)), random.Hash() } }, random.Hash() });
+      { { 2, hasp::PartFacet(random.Below(2)), random.Hash() } }, random.Hash(),
+      random.Below(2) == 0 ? "" : random.Hash() });
   return document;
 }
 

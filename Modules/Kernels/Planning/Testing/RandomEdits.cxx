@@ -86,13 +86,13 @@ PlanFragment RandomEdits::MakeFragment(const Plan& plan, PlanId id)
   const int kind = this->Below(3);
   const bool older = !plan.fragments.empty() && plan.fragments[0].id < id;
   if (kind == 0 && !plan.segmentations.empty())
-    fragment.source =
-      LabelSource{ this->AnyOf(plan.segmentations), std::uint32_t(1 + this->Below(65535)) };
+    fragment.source = LabelSource{ this->AnyOf(plan.segmentations),
+      std::uint32_t(1 + this->Below(65535)), this->Number(-1000, 3000), this->Number(0.1, 2) };
   else if (kind == 1 && older)
     fragment.source = PieceSource{ plan.fragments[0].id, this->Point() };
   else
-    fragment.source =
-      ComponentSource{ this->AnyOf(plan.volumes), this->Number(-1000, 3000), this->Point() };
+    fragment.source = ComponentSource{ this->AnyOf(plan.volumes), this->Number(-1000, 3000),
+      this->Point(), this->Number(0.1, 2) };
   for (std::uint8_t& part : fragment.colour)
     part = std::uint8_t(this->Below(256));
   fragment.state = this->Below(2) == 0 ? FragmentState::Kept : FragmentState::Resected;
@@ -109,7 +109,7 @@ PlanCut RandomEdits::MakeCut(const Plan& plan)
   return { 0, this->Text(),
     { this->Point(), normal, along, this->Number(0.01, 500), this->Number(0.01, 500),
       this->Number(0.01, 5) },
-    this->SomeOf(plan.fragments) };
+    this->SomeOf(plan.fragments), this->Number(0, 500) };
 }
 
 PlanGuide RandomEdits::MakeGuide(const Plan& plan)
@@ -124,6 +124,74 @@ PlanGuide RandomEdits::MakeGuide(const Plan& plan)
   guide.recipe.withdrawal = this->Direction();
   guide.cuts = this->SomeOf(plan.cuts);
   return guide;
+}
+
+PlanPlate RandomEdits::MakePlate(const Plan& plan)
+{
+  PlanPlate plate;
+  plate.name = this->Text();
+  plate.fragments = this->SomeOf(plan.fragments);
+  if (plate.fragments.empty())
+    plate.volume = this->AnyOf(plan.volumes);
+  plate.recipe.note = this->Text();
+  for (int n = 2 + this->Below(5); n > 0; --n)
+    plate.recipe.landmarks.push_back(this->Point());
+  plate.recipe.gapMm = this->Number(0, 5);
+  for (int n = this->Below(4); n > 0; --n)
+  {
+    PlateScrew screw{ this->Point() };
+    if (this->Below(2) == 0)
+      screw.axis = this->Direction();
+    plate.recipe.screws.push_back(screw);
+  }
+  return plate;
+}
+
+PlanImplant RandomEdits::MakeImplant(const Plan& plan)
+{
+  PlanImplant implant{ 0, this->Text(), this->AnyOf(plan.volumes), {} };
+  for (int n = 3 + this->Below(5); n > 0; --n)
+    implant.recipe.outline.push_back(this->Point());
+  if (this->Below(2) == 0)
+    implant.recipe.mirror = MirrorPlane{ this->Point(), this->Direction() };
+  if (this->Below(2) == 0)
+    implant.recipe.axis = this->Direction();
+  implant.recipe.holeDiameterMm = this->Below(2) == 0 ? 0.0 : this->Number(1, 5);
+  return implant;
+}
+
+PlanTransplant RandomEdits::MakeTransplant(const Plan& plan)
+{
+  PlanTransplant made;
+  made.name = this->Text();
+  made.donor = this->AnyOf(plan.fragments);
+  for (JawFace* face : { &made.first, &made.last })
+  {
+    if (!plan.cuts.empty() && this->Below(2) == 0)
+      face->cut = this->AnyOf(plan.cuts);
+    if (this->Below(2) == 0)
+      face->fragment = this->AnyOf(plan.fragments);
+  }
+  Transplant& t = made.transplant;
+  std::vector<glm::dvec3> line{ this->Point() }; // along x, some 30 mm a segment, bent a little
+  for (int n = 1 + this->Below(3); n > 0; --n)
+  {
+    line.push_back(line.back() + glm::dvec3(30, this->Number(-5, 5), this->Number(-5, 5)));
+    t.outward.push_back(glm::normalize(glm::dvec3(0.0, this->Number(0.1, 1), 1.0)));
+  }
+  if (line.back().x > 3990)
+    for (glm::dvec3& p : line)
+      p.x -= 200;
+  t.joints = MitreJoints(line);
+  t.donor.axis = { { 0, 0, 0 }, { 0, this->Number(-9, 9), 150 }, { 0, 0, 350 } };
+  t.donor.radiusMm = this->Number(1, 50);
+  t.fromLastTip = this->Below(2) == 0;
+  t.kerfMm = this->Number(0.1, 5);
+  if (this->Below(2) == 0)
+    t.vessel = { this->Point(), this->Point() };
+  if (this->Below(2) == 0)
+    t.paddle = SkinPaddle{ { this->Point(), this->Point(), this->Point() }, this->Point() };
+  return made;
 }
 
 PlanMeasure RandomEdits::MakeMeasure(const Plan& plan)
@@ -164,7 +232,7 @@ PlanEdit RandomEdits::OfFragments(const Plan& plan)
 
 PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
 {
-  const int kind = this->Below(10);
+  const int kind = this->Below(13);
   if (plan.volumes.empty() || kind == 0)
     return this->AddOrChange(plan.volumes, newId, [&](PlanId) { return this->MakeVolume(); });
   if (kind == 1)
@@ -186,6 +254,13 @@ PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
     return this->AddOrChange(plan.measures, newId, [&](PlanId) { return this->MakeMeasure(plan); });
   if (kind == 8)
     return this->OfFragments(plan);
+  if (kind == 9)
+    return this->AddOrChange(plan.plates, newId, [&](PlanId) { return this->MakePlate(plan); });
+  if (kind == 10)
+    return this->AddOrChange(plan.implants, newId, [&](PlanId) { return this->MakeImplant(plan); });
+  if (kind == 11 && !plan.fragments.empty())
+    return this->AddOrChange(
+      plan.transplants, newId, [&](PlanId) { return this->MakeTransplant(plan); });
   std::vector<PlanId> all, unused;
   ForEachPlanObject(plan, [&](const auto& object) { all.push_back(object.id); });
   std::copy_if(all.begin(), all.end(), std::back_inserter(unused),

@@ -33,6 +33,9 @@ private:
   hasp::PlanFragment MakeFragment(const hasp::Plan& plan, hasp::PlanId id);
   hasp::PlanCut MakeCut(const hasp::Plan& plan);
   hasp::PlanGuide MakeGuide(const hasp::Plan& plan);
+  hasp::PlanPlate MakePlate(const hasp::Plan& plan);
+  hasp::PlanImplant MakeImplant(const hasp::Plan& plan);
+  hasp::PlanTransplant MakeTransplant(const hasp::Plan& plan);
   hasp::PlanMeasure MakeMeasure(const hasp::Plan& plan);
   template <typename T, typename Make>
   hasp::PlanEdit AddOrChange(const std::vector<T>& objects, hasp::PlanId newId, Make make);

@@ -10,7 +10,8 @@ namespace
 using namespace hasp;
 
 /// volume 1, segmentation 2, fragment 3, its pieces 4 and 5, cut 6 through 3, guide 7 on 3 for cut
-/// 6, group 8 of both pieces, and what nothing hangs on: volume 9, cut 10.
+/// 6, group 8 of both pieces, and what none of them hangs on: volume 9, cut 10. Plate 11 on both
+/// pieces, plate 12 and implant 13 on volume 1, transplant 14 out of 3, at cut 10's face of 5.
 Plan Case()
 {
   Plan plan;
@@ -37,6 +38,25 @@ Plan Case()
   add(PlanGroup{ 0, "", { 4, 5 } });
   add(PlanVolume{ 0, "", std::string(64, 'c') });
   add(PlanCut{ 0, "", {}, {} });
+  PlanPlate plate;
+  plate.fragments = { 4, 5 };
+  plate.recipe.landmarks = { { 0, 0, 0 }, { 10, 0, 0 } };
+  add(plate);
+  plate.fragments.clear();
+  plate.volume = 1;
+  add(plate);
+  PlanImplant implant;
+  implant.volume = 1;
+  implant.recipe.outline = { { 0, 0, 0 }, { 10, 0, 0 }, { 0, 10, 0 } };
+  add(implant);
+  PlanTransplant transplant;
+  transplant.donor = 3;
+  transplant.first = { 10, 5 };
+  const glm::dvec3 line[] = { { 0, 0, 2 }, { 0, 0, 32 } };
+  transplant.transplant.joints = MitreJoints(line);
+  transplant.transplant.outward = { { 1, 0, 0 } };
+  transplant.transplant.donor.axis = { { 0, 0, 0 }, { 0, 0, 350 } };
+  add(transplant);
   return plan;
 }
 
@@ -44,7 +64,7 @@ Plan Case()
 std::string Why(PlanId object, const PlanEdit& edit)
 {
   const Plan before = Case();
-  const DerivedPart part{ object, PartFormat::Stl, PartInputs(before, object), "" };
+  const DerivedPart part{ object, PartFormat::Stl, PartInputs(before, object), "", "" };
   EXPECT_EQ(WhyOutOfDate(before, part), "");
   return WhyOutOfDate(Apply(before, edit), part);
 }
@@ -95,10 +115,81 @@ TEST(DerivedPart, IsInDateAfterWhatItDoesNotHangOn)
   }
 }
 
+TEST(DerivedPart, PlatesHangOnShapesAndPlaces)
+{
+  const std::string posed = "plate 11 is out of date: ", scanned = "plate 12 is out of date: ";
+  const PoseFragments move{ { { 5, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
+  EXPECT_EQ(Why(11, move), posed + "fragment 5 has been moved, resected or kept");
+  EXPECT_EQ(
+    Why(11, SetFragmentState{ { 4 } }), posed + "fragment 4 has been moved, resected or kept");
+  EXPECT_EQ(Why(11, Cut(6, 0.5, { 3 })), posed + "cut 6 has changed");
+  PlanPlate plate = Case().plates[0];
+  plate.recipe.widthMm = 6;
+  EXPECT_EQ(Why(11, ChangeObject<PlanPlate>{ plate }), posed + "plate 11 has changed");
+  const ChangeObject<PlanVolume> scan{ { 1, "", std::string(64, 'd') } };
+  EXPECT_EQ(Why(12, scan), scanned + "volume 1 has changed");
+  for (const PlanEdit& edit : { PlanEdit(move), PlanEdit(Cut(6, 0.5, { 3 })) })
+    EXPECT_EQ(Why(12, edit), "");
+}
+
+TEST(DerivedPart, ImplantsHangOnTheScan)
+{
+  const ChangeObject<PlanVolume> scan{ { 1, "", std::string(64, 'd') } };
+  EXPECT_EQ(Why(13, scan), "implant 13 is out of date: volume 1 has changed");
+  EXPECT_EQ(Why(13, Cut(6, 0.5, { 3 })), "");
+}
+
+TEST(DerivedPart, TransplantsHangOnTheirFacesAndTheDonor)
+{
+  const std::string why = "transplant 14 is out of date: ";
+  const PoseFragments move{ { { 5, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
+  EXPECT_EQ(Why(14, move), why + "fragment 5 has been moved, resected or kept");
+  EXPECT_EQ(Why(14, Cut(10, 2.0, {})), why + "cut 10 has changed");
+  EXPECT_EQ(Why(14, ChangeObject<PlanSegmentation>{ { 2, "", 1, std::string(64, 'd') } }),
+    why + "segmentation 2 has changed");
+  EXPECT_EQ(Why(14, Cut(6, 0.5, { 3 })), ""); // of pieces of the donor: 3 itself is whole
+  const PoseFragments donor{ { { 3, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
+  EXPECT_EQ(Why(14, donor), ""); // taken where it lies in its scan
+}
+
+TEST(DerivedPart, AllObjectsButCutFragmentsAreToBeMade)
+{
+  const Plan plan = Case();
+  EXPECT_EQ(PartObjects(plan), (std::vector<PlanId>{ 4, 5, 8, 7, 11, 12, 13, 14 }));
+  for (const PlanId object : { 1U, 2U, 6U, 10U, 15U })
+    EXPECT_FALSE(IsPartObject(plan, object)) << object;
+  for (const PlanId object : { 3U, 8U, 7U, 11U, 13U, 14U })
+    EXPECT_TRUE(IsPartObject(plan, object)) << object;
+}
+
+TEST(DerivedPart, WhatWasMadeBeforeAChangeIsFoundWhenItIsUndone)
+{
+  const Plan before = Case(), after = Apply(before, Cut(6, 0.5, { 3 }));
+  const auto made = [](const Plan& plan, char bytes) {
+    return DerivedPart{ 7, PartFormat::Stl, PartInputs(plan, 7), std::string(64, bytes), "" };
+  };
+  std::vector<DerivedPart> parts;
+  EXPECT_EQ(WhyNoPart(before, parts, 7), "guide 7 has not been made");
+  KeepPart(parts, made(before, 'a'));
+  EXPECT_EQ(WhyNoPart(before, parts, 7), "");
+  EXPECT_EQ(WhyNoPart(after, parts, 7), "guide 7 is out of date: cut 6 has changed");
+  EXPECT_EQ(PartInDate(after, parts, 7), nullptr);
+  KeepPart(parts, made(after, 'b'));
+  EXPECT_EQ(PartInDate(after, parts, 7)->bytes[0], 'b');
+  EXPECT_EQ(PartInDate(before, parts, 7)->bytes[0], 'a');
+  KeepPart(parts, made(after, 'c')); // made anew
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(PartInDate(after, parts, 7)->bytes[0], 'c');
+  for (const double kerf : { 2.0, 3.0, 4.0, 5.0 })
+    KeepPart(parts, made(Apply(before, Cut(6, kerf, { 3 })), 'd'));
+  EXPECT_EQ(parts.size(), MaxPartsOfObject);
+  EXPECT_EQ(PartInDate(before, parts, 7), nullptr);
+}
+
 TEST(DerivedPart, AnUndoneChangeIsNone)
 {
   const Plan before = Case();
-  const DerivedPart part{ 7, PartFormat::Stl, PartInputs(before, 7), "" };
+  const DerivedPart part{ 7, PartFormat::Stl, PartInputs(before, 7), "", "" };
   const Plan after = Apply(before, Cut(6, 0.5, { 3 }));
   EXPECT_NE(WhyOutOfDate(after, part), "");
   EXPECT_EQ(WhyOutOfDate(Apply(after, Cut(6, 1.0, { 3 })), part), "");
@@ -111,7 +202,7 @@ TEST(DerivedPart, InputsAreAllThatAShapeComesFrom)
     ids.push_back(input.id);
   EXPECT_EQ(ids, (std::vector<PlanId>{ 1, 2, 3, 4, 4, 5, 5, 6, 8 })); // pieces: shape and place
   EXPECT_THROW(PartInputs(Case(), 6), std::invalid_argument);         // a cut is no part
-  EXPECT_THROW(PartInputs(Case(), 11), std::invalid_argument);
+  EXPECT_THROW(PartInputs(Case(), 15), std::invalid_argument);
 }
 
 } // namespace

@@ -152,6 +152,116 @@ TEST(Plan, MeasuresFollowTheFragments)
   EXPECT_EQ(MeasureValue(plan, flat), 0.0);
 }
 
+/// The case, and plate 11 on fragments 3 and 4, implant 12, transplant 13 out of 5 between cut 6's
+/// face of fragment 3 and a joint that stays.
+Plan Reconstruction()
+{
+  Plan plan = Case();
+  PlanPlate plate{ 11, "", 0, { 3, 4 }, {} };
+  plate.recipe.landmarks = { { 0, 0, 0 }, { 10, 0, 0 } };
+  PlanImplant implant{ 12, "", 1, {} };
+  implant.recipe.outline = { { 0, 0, 0 }, { 10, 0, 0 }, { 0, 10, 0 } };
+  PlanTransplant transplant{ 13, "", 5, { 6, 3 }, {}, {} };
+  const glm::dvec3 line[] = { { 1, 0, 4 }, { 0, 0, 40 } };
+  transplant.transplant.joints = MitreJoints(line);
+  transplant.transplant.outward = { { 1, 0, 0 } };
+  transplant.transplant.donor.axis = { { 0, 0, 0 }, { 0, 0, 350 } };
+  plan = Apply(plan, AddObject<PlanPlate>{ plate });
+  plan = Apply(plan, AddObject<PlanImplant>{ implant });
+  return Apply(plan, AddObject<PlanTransplant>{ transplant });
+}
+
+TEST(Plan, PlatesImplantsAndTransplantsAreHeldToTheirRules)
+{
+  const Plan plan = Reconstruction();
+  ValidatePlan(plan);
+  const auto plate = [&](const std::function<void(PlanPlate&)>& spoil)
+  {
+    PlanPlate object = plan.plates[0];
+    spoil(object);
+    return Refusal([&] { Apply(plan, ChangeObject<PlanPlate>{ object }); });
+  };
+  const std::string oneOfTwo =
+    "plate 11: volume and fragments must be one of the two: a scan as it is, or fragments";
+  EXPECT_EQ(plate([](auto& p) { p.volume = 1; }), oneOfTwo);
+  EXPECT_EQ(plate([](auto& p) { p.fragments.clear(); }), oneOfTwo);
+  EXPECT_EQ(plate(
+              [](auto& p) {
+                p.fragments = { 3, 6 };
+              }),
+    "plate 11: fragments[1] is 6, must be the id of a fragment of the plan");
+  EXPECT_EQ(plate([](auto& p) { p.recipe.fragments = { {} }; }),
+    "plate 11: recipe.fragments must be none: they are the plan's");
+  EXPECT_EQ(
+    plate([](auto& p) { p.recipe.gapMm = 9; }).find("plate 11: recipe: plate recipe: gapMm"), 0U);
+  PlanImplant implant = plan.implants[0];
+  implant.volume = 3;
+  EXPECT_EQ(Refusal([&] { Apply(plan, ChangeObject<PlanImplant>{ implant }); }),
+    "implant 12: volume is 3, must be the id of a volume of the plan");
+  PlanTransplant transplant = plan.transplants[0];
+  transplant.last.cut = 3;
+  EXPECT_EQ(Refusal([&] { Apply(plan, ChangeObject<PlanTransplant>{ transplant }); }),
+    "transplant 13: last.cut is 3, must be the id of a cut of the plan");
+  transplant = plan.transplants[0];
+  transplant.transplant.kerfMm = 0;
+  EXPECT_EQ(Refusal([&] { Apply(plan, ChangeObject<PlanTransplant>{ transplant }); })
+              .find("transplant 13: transplant: transplant: kerfMm is 0"),
+    0U);
+  EXPECT_EQ(Refused(AddObject<PlanCut>{ { 11, "", {}, {}, 501 } }),
+    "cut 11: reachMm is 501, must be in [0, 500]");
+  EXPECT_EQ(UsersOf(plan, 3), (std::vector<PlanId>{ 4, 7, 6, 11, 13 }));
+  EXPECT_EQ(UsersOf(plan, 5), (std::vector<PlanId>{ 8, 13 }));
+  EXPECT_EQ(UsersOf(plan, 6), (std::vector<PlanId>{ 8, 13 }));
+  EXPECT_EQ(Label(plan, RemoveObject{ 13 }), "Remove transplant 13");
+}
+
+TEST(Plan, APlatesFragmentsAreWhereTheReductionPutsThem)
+{
+  Plan plan = Reconstruction();
+  const PlanPose pose{ { 1, 2, 3 }, glm::angleAxis(0.5, glm::dvec3(0, 0, 1)) };
+  plan = Apply(plan, PoseFragments{ { { 4, pose } } });
+  PlateRecipe recipe = PlateRecipeOf(plan, plan.plates[0]);
+  ASSERT_EQ(recipe.fragments.size(), 2U);
+  EXPECT_EQ(recipe.fragments[0], PlateFragment{});
+  EXPECT_EQ(recipe.fragments[1], (PlateFragment{ 2, pose.position, pose.orientation }));
+  ValidatePlateRecipe(recipe);
+  plan = Apply(plan, SetFragmentState{ { 3 } });
+  recipe = PlateRecipeOf(plan, plan.plates[0]);
+  ASSERT_EQ(recipe.fragments.size(), 1U);
+  EXPECT_EQ(recipe.fragments[0].label, 2);
+}
+
+TEST(Plan, ATransplantsJointsFollowTheirCuts)
+{
+  Plan plan = Reconstruction();
+  PlanCut cut = plan.cuts[0];
+  cut.blade = { { 5, 5, 3 }, { 0, 0, -1 }, { 1, 0, 0 }, 60, 60, 2.0 };
+  plan = Apply(plan, ChangeObject<PlanCut>{ cut });
+  Transplant placed = TransplantOf(plan, plan.transplants[0]);
+  // The joint's normal looks to the segments, away from the jaw: so does the blade's, turned; the
+  // jaw's face is half a kerf below the blade's middle.
+  EXPECT_EQ(placed.joints[0].normal, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(placed.joints[0].point, glm::dvec3(1, 0, 2));
+  EXPECT_EQ(placed.joints[1], plan.transplants[0].transplant.joints[1]);
+  const double before = LayOutSegments(placed)[0].lengthMm;
+  cut.blade.point.z -= 10;
+  plan = Apply(plan, ChangeObject<PlanCut>{ cut });
+  placed = TransplantOf(plan, plan.transplants[0]);
+  EXPECT_EQ(placed.joints[0].point, glm::dvec3(1, 0, -8));
+  EXPECT_GT(LayOutSegments(placed)[0].lengthMm, before + 9.9);
+  // The fragment takes its face along; the last joint's jaw is on the other side.
+  plan = Apply(
+    plan, PoseFragments{ { { 3, { { 0, 7, 0 }, glm::angleAxis(M_PI, glm::dvec3(0, 0, 1)) } } } });
+  placed = TransplantOf(plan, plan.transplants[0]);
+  EXPECT_LT(glm::distance(placed.joints[0].point, glm::dvec3(-1, 7, -8)), 1e-12);
+  PlanTransplant other = plan.transplants[0];
+  other.first = {};
+  other.last = { 6, 0 };
+  cut.blade.point.z = 50;
+  plan = Apply(plan, ChangeObject<PlanCut>{ cut });
+  EXPECT_EQ(TransplantOf(plan, other).joints[1].point.z, 51.0);
+}
+
 TEST(Plan, SaysWhatCutsWhat)
 {
   const Plan plan = Case();

@@ -84,7 +84,8 @@ TEST(PlanFile, TheHashIsThatOfTheText)
 {
   const std::string text =
     "{\"caseLabel\":\"K-17\",\"nextId\":1,\"volumes\":[],\"segmentations\":[],"
-    "\"fragments\":[],\"groups\":[],\"cuts\":[],\"guides\":[],\"measures\":[]}";
+    "\"fragments\":[],\"groups\":[],\"cuts\":[],\"guides\":[],\"plates\":[],"
+    "\"implants\":[],\"transplants\":[],\"measures\":[]}";
   Plan plan;
   plan.caseLabel = "K-17";
   EXPECT_EQ(PlanHash(plan), Sha256(text));
@@ -170,7 +171,7 @@ TEST(PlanFile, AFlippedByteOfABlobIsFoundAndNamed)
   document.history.Do({ AddObject<PlanVolume>{ { 1, "", std::string(64, '0') } },
     AddObject<PlanSegmentation>{ { 2, "", 1, labels } } });
   document.history.Undo(); // what can be redone needs its blobs
-  document.parts = { { 1, PartFormat::Stl, {}, part } };
+  document.parts = { { 1, PartFormat::Stl, {}, part, labels } };
   SavePlan(folder.Plan(), document);
   EXPECT_TRUE(PlanFaults(folder.Plan()).empty());
   const fs::path blob = folder.Plan() / "blobs" / labels;
@@ -209,12 +210,14 @@ TEST(PlanFile, OnlyWhatNothingNamesIsRemoved)
 {
   const PlanFolder folder;
   const std::string named = WriteBlob(folder.Plan(), "a"), unused = WriteBlob(folder.Plan(), "b");
-  const PlanDocument document{ {}, { { 1, PartFormat::Obj, {}, named } } };
+  const std::string report = WriteBlob(folder.Plan(), "c");
+  const PlanDocument document{ {}, { { 1, PartFormat::Obj, {}, named, report } } };
   SavePlan(folder.Plan(), document);
   WriteBytes(folder.Plan() / ".hasp-1-2", "half");
   WriteBytes(folder.Plan() / "blobs" / "notes.txt", "the user's");
   RemoveUnusedBlobs(folder.Plan(), document);
   EXPECT_TRUE(fs::exists(folder.Plan() / "blobs" / named));
+  EXPECT_TRUE(fs::exists(folder.Plan() / "blobs" / report));
   EXPECT_FALSE(fs::exists(folder.Plan() / "blobs" / unused));
   EXPECT_FALSE(fs::exists(folder.Plan() / ".hasp-1-2"));
   EXPECT_TRUE(fs::exists(folder.Plan() / "blobs" / "notes.txt"));
@@ -227,8 +230,8 @@ TEST(PlanFile, ErrorsNameTheKeyAndNothingElse)
   document.history.Do({ AddObject<PlanVolume>{ { 1, "Erika", std::string(64, '0') } },
     AddObject<PlanCut>{ { 2, "Erika", {}, {} } } });
   const std::string text = FormatPlan(document);
-  EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-1", "hasp-plan-9")),
-    "plan: format is none that this version of Hasp reads: hasp-plan-1 to 1");
+  EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-2", "hasp-plan-9")),
+    "plan: format is none that this version of Hasp reads: hasp-plan-1 to 2");
   EXPECT_EQ(Refusal(Sealed(text, "\"plan\"", "\"plans\"")),
     "plan: key 2 is unknown; mend its spelling or take it out");
   EXPECT_EQ(Refusal(Sealed(text, "\"name\": \"Erika\"", "\"name\": \"Erik\"")),

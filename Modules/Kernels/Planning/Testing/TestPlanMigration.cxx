@@ -1,3 +1,5 @@
+#include "PlanFixture.h"
+#include "Planning/PlanLists.h"
 #include "Planning/PlanMigration.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +18,10 @@ constexpr hasp::PlanMigration Steps[] = {
         object["blade"] = object["saw"];
         object.erase("saw");
       }
-    } },
-  { [](Json& plan) { plan["notes"] = Json::array(); }, nullptr },
+    },
+    nullptr },
+  { [](Json& plan) { plan["notes"] = Json::array(); }, nullptr,
+    [](Json& part) { part["weight"] = 2; } },
 };
 
 std::string File(const std::string& blade, const std::string& notes)
@@ -43,6 +47,41 @@ TEST(PlanMigration, TakesPlanAndHistoryThroughEachVersion)
   EXPECT_EQ(Migrated(File("saw", ""), 1), newest);
   EXPECT_EQ(Migrated(File("blade", ""), 2), newest);
   EXPECT_EQ(Migrated(newest, 3), newest);
+}
+
+TEST(PlanMigration, MendsParts)
+{
+  Json json = Json::parse(R"({"parts":[{"object":1},{"object":2}]})");
+  hasp::MigratePlanFile(json, 1, Steps);
+  EXPECT_EQ(json.dump(), R"({"parts":[{"object":1,"weight":2},{"object":2,"weight":2}]})");
+}
+
+/// A file that the first version wrote: all of its kinds, a step undone, a made part.
+TEST(PlanMigration, AKeptFileOfVersion1IsRead)
+{
+  const std::string text = ReadBytes(HASP_KEPT_PLAN_1);
+  ASSERT_NE(text.find("hasp-plan-1"), std::string::npos);
+  hasp::PlanDocument document = hasp::ParsePlan(text);
+  const hasp::Plan& plan = document.history.Current();
+  EXPECT_EQ(plan.caseLabel, "K-17");
+  ASSERT_EQ(plan.fragments.size(), 3U);
+  const auto& jaw = std::get<hasp::ComponentSource>(plan.fragments[0].source);
+  EXPECT_EQ(jaw.isovalue, 300.5);
+  EXPECT_EQ(jaw.spacingMm, 0.5);
+  EXPECT_EQ(std::get<hasp::LabelSource>(plan.fragments[1].source).isovalue, 226.0);
+  EXPECT_EQ(plan.fragments[2].scanToPlanned.position, glm::dvec3(1, 2, 3));
+  ASSERT_EQ(plan.cuts.size(), 1U);
+  EXPECT_EQ(plan.cuts[0].blade.kerfMm, 1.25);
+  EXPECT_EQ(plan.cuts[0].reachMm, 8.0);
+  EXPECT_TRUE(plan.plates.empty() && plan.implants.empty() && plan.transplants.empty());
+  ASSERT_EQ(document.parts.size(), 1U);
+  EXPECT_EQ(document.parts[0].report, "");
+  EXPECT_EQ(hasp::ParsePlan(hasp::FormatPlan(document)), document);
+  document.history.Redo();
+  EXPECT_EQ(document.history.Current().cuts[0].blade.kerfMm, 0.75);
+  EXPECT_EQ(document.history.Current().cuts[0].reachMm, 8.0);
+  for (; document.history.ToUndo(); document.history.Undo())
+    hasp::ValidatePlan(document.history.Current());
 }
 
 TEST(PlanMigration, LeavesWhatIsNoPlanToTheStrictReader)

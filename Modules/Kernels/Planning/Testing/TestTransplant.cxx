@@ -156,7 +156,7 @@ TEST(Transplant, RandomPlansGoIntoTheDefectExactlyAndKeepTheirDistance)
     for (int n = 0; n < segments; ++n)
     {
       const hasp::DonorSegment& s = cut[n];
-      const hasp::SegmentPose& pose = s.donorToDefect;
+      const hasp::PlanPose& pose = s.donorToDefect;
       EXPECT_LT(glm::distance(pose.Place(s.start.point), t.joints[n].point), 1e-9);
       EXPECT_LT(glm::distance(pose.Place(s.end.point), t.joints[n + 1].point), 1e-9);
       EXPECT_LT(glm::distance(pose.orientation * s.start.normal, t.joints[n].normal), 1e-9);
