@@ -1,4 +1,6 @@
+#include "CertificatePage.h"
 #include "Failure.h"
+#include "Files.h"
 #include "GuideClaims.h"
 #include "PartCertificate.h"
 #include "RecipeInput.h"
@@ -22,7 +24,7 @@ namespace
 
 struct CertifyOptions
 {
-  std::string part, recipe;
+  std::string part, recipe, html;
   VolumeChoices bone;
   std::vector<double> axis; ///< none, or L, P, S
   double leastShare = 0.95;
@@ -47,6 +49,8 @@ void Run(const CertifyOptions& options, Session& session)
 {
   if (!IsSurfaceName(options.part))
     throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .ply, .obj or .vtp");
+  if (!options.html.empty())
+    RequireWritable(options.html, { ".html" });
   PartClaims claims;
   if (options.recipe.empty())
     SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");
@@ -56,6 +60,8 @@ void Run(const CertifyOptions& options, Session& session)
   const LoadedVolume bone = ReadVolume(options.bone, session);
   SayWarnings(bone.passport, session);
   const FitCertificate certificate = CertifyPart(part, bone.image, claims, session);
+  WriteCertificatePage(
+    part, bone.image, certificate, { options.html, options.part, options.recipe, {} }, session);
   if (!certificate.Holds())
     ThrowFaults(certificate, "the part does not hold");
 }
@@ -82,6 +88,8 @@ void AddCertifyVerb(CLI::App& app, Session& session)
       "Of the inner wall that must be within 0.2 mm of the gap")
     ->check(Within(0.0, 1.0))
     ->capture_default_str();
+  verb->add_option("--html", options->html,
+    "Write the certificate, with pictures, to this .html file, whether it holds or not");
   AddCommonOptions(*verb, session);
   verb->footer(
     "Measured on the file alone: closed, 2-manifold, self-intersections, pieces, walls, gap to "

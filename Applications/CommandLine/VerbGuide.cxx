@@ -1,3 +1,4 @@
+#include "CertificatePage.h"
 #include "Failure.h"
 #include "Files.h"
 #include "GuideClaims.h"
@@ -33,7 +34,7 @@ namespace
 struct GuideOptions
 {
   VolumeChoices volume;
-  std::string recipe, output;
+  std::string recipe, output, html;
   bool check = false, force = false;
   double leastShare = 0.95;
 };
@@ -84,12 +85,22 @@ void MarkAsFailed(const std::string& stl)
 void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& options,
   const PartClaims& claims, Session& session)
 {
-  const FitCertificate certificate = CertifyPart(ReadBackStl(stl), volume, claims, session);
+  const TriangleMesh part = ReadBackStl(stl);
+  const FitCertificate certificate = CertifyPart(part, volume, claims, session);
+  const auto writePage = [&](const char* fate)
+  {
+    WriteCertificatePage(
+      part, volume, certificate, { options.html, stl, options.recipe, fate }, session);
+  };
   if (certificate.Holds())
-    return;
+    return writePage("");
   if (!options.force)
+  {
+    writePage("The guide was not kept.");
     ThrowFaults(certificate, "the guide does not hold and was not kept");
+  }
   MarkAsFailed(stl);
+  writePage("It was forced: the guide is kept although it does not hold, and its file says so.");
   session.result["certificate"]["forced"] = true;
   SayWarning(session, "the guide does not hold; it is kept, and its file says so (--force)");
 }
@@ -99,6 +110,10 @@ void Run(const GuideOptions& options, Session& session)
   RequireWritable(options.output, { ".stl" });
   if (options.force && !options.check)
     throw Failure(ExitCode::WrongUse, "--force is for guides that --check finds not to hold");
+  if (!options.html.empty() && !options.check)
+    throw Failure(ExitCode::WrongUse, "--html is the page of what --check finds");
+  if (!options.html.empty())
+    RequireWritable(options.html, { ".html" });
   const GuideRecipe recipe = ReadRecipe(options.recipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
@@ -145,6 +160,8 @@ void AddGuideVerb(CLI::App& app, Session& session)
       "Of the inner wall that must be within 0.2 mm of the gap")
     ->check(Within(0.0, 1.0))
     ->capture_default_str();
+  verb->add_option(
+    "--html", options->html, "Write the certificate of --check, with pictures, to this .html file");
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp guide head.mha --recipe guide.json --output guide.stl --check\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the guide does not hold.");

@@ -3,6 +3,7 @@
 #include "Distance/Csg.h"
 #include "Distance/SharpContour.h"
 #include "Distance/SolidShapes.h"
+#include "Distance/TetrahedraContour.h"
 #include "Evaluation/MeshCheck.h"
 #include "Grid/ParallelFor.h"
 
@@ -155,9 +156,9 @@ TriangleMesh Contour(const ImplicitSolid& solid, const Scene& scene)
   GridGeometry grid;
   grid.dims = glm::ivec3(int(2.0 * reach / SpacingMm) + 1);
   grid.spacing = glm::dvec3(SpacingMm);
-  // Its axes are the world's; off the planes of the part by what no plane shares with it.
+  // Off the planes of the part by what no plane shares with it.
   grid.origin = scene.to - 0.5 * SpacingMm * glm::dvec3(grid.dims - 1) + 0.0137;
-  return SharpContour(solid, grid);
+  return WithoutSmallPieces(SharpContour(solid, grid), 0.05); // as of guides: bubbles in tips
 }
 
 void SpoilMesh(TriangleMesh& mesh, const Scene& scene, SeededDefect defect, Draw& draw)

@@ -111,12 +111,30 @@ TEST_F(Canary, RecipesGiveNothingAway)
   for (const std::string& recipe : Damaged(this->Recipe()))
   {
     this->ExpectNone({ "guide", this->Path("head.mha"), "--recipe", recipe, "--output",
-      this->OutFile("x.stl"), "--check" });
+      this->OutFile("x.stl"), "--check", "--html", this->OutFile("x.html") });
     this->ExpectNone(
       { "cut", this->Path("head.mha"), "--cuts", recipe, "--output", this->OutFile("x") });
     this->ExpectNone(
       { "plate", this->Path("head.mha"), "--recipe", recipe, "--output", this->OutFile("x.stl") });
   }
+#endif
+}
+
+TEST_F(Canary, CertificatesGiveNothingAway)
+{
+#if HASP_WITH_GUIDES
+  this->Phantom();
+  const int before = this->FilesSeen;
+  for (const canary::Input& input : canary::MakeSurfaces(this->In()))
+    for (const std::string& recipe : Words{ "", this->Recipe() })
+    {
+      Words words{ "certify", input.path, "--bone", this->Path("head.mha"), "--html",
+        this->OutFile("x.html") };
+      if (!recipe.empty())
+        words.insert(words.end(), { "--recipe", recipe });
+      this->ExpectNoneTwice(words);
+    }
+  EXPECT_GT(this->FilesSeen, before + 3); // pages, most of parts that do not hold
 #endif
 }
 

@@ -23,6 +23,28 @@ protected:
     words.insert(words.end(), more.begin(), more.end());
     return RunHasp(words);
   }
+  /// A page that needs nothing else and gives nothing away; without its pictures.
+  std::string Page(const std::string& name) const
+  {
+    std::string page = ReadBytes(this->Path(name));
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>")) << name;
+    EXPECT_TRUE(page.ends_with("</html>\n")) << name;
+    EXPECT_NE(page.find("Research use only, not a medical device."), std::string::npos);
+    EXPECT_NE(page.find("CGAL (GPL) is "), std::string::npos);
+    this->Pictures = 0;
+    for (std::size_t at = 0; (at = page.find("base64,", at)) != std::string::npos; ++this->Pictures)
+    {
+      at += 7;
+      EXPECT_EQ(page.compare(at, 8, "iVBORw0K"), 0); // "\x89PNG\r\n"
+      page.erase(at, page.find('"', at) - at);
+    }
+    const std::string folder = this->folder.filename().string();
+    for (const std::string& word :
+      std::vector<std::string>{ "http", "<script", "rika", ".stl", ".json", folder })
+      EXPECT_EQ(page.find(word), std::string::npos) << word;
+    return page;
+  }
+  mutable int Pictures = 0;
   /// The guide's bytes with every coordinate of its corners times a factor.
   void WriteScaled(const std::string& name, float factor) const
   {
@@ -47,6 +69,50 @@ TEST_F(HaspCertify, WhatIsNoPartIsRefused)
   ExpectFailure(this->Certify("cut.stl"), 2, "the .stl file");
   this->WriteText("recipe.json", "{");
   ExpectFailure(this->Certify("guide.stl"), 2, "guide recipe: no JSON");
+}
+
+TEST_F(HaspCertify, APageSaysWhatWasFoundAndHowItWasForced)
+{
+  json recipe = Recipe();
+  recipe["note"] = "Erika's guide";
+  std::vector<std::string> words{ "--check", "--least-share", "1", "--html", this->Path("a.html") };
+  ASSERT_EQ(this->Guide(recipe, words).exitCode, 3);
+  const std::string refused = this->Page("a.html");
+  EXPECT_NE(refused.find("<h1 class=\"bad\">The part DOES NOT HOLD</h1>\n<p><b>The guide was not "
+                         "kept.</b>"),
+    std::string::npos);
+  EXPECT_NE(refused.find("<li>only "), std::string::npos); // "... % of the inner wall is within"
+  EXPECT_NE(refused.find("<td class=\"bad\">does not hold</td>"), std::string::npos);
+  EXPECT_NE(refused.find("<rect "), std::string::npos); // of the histogram
+#if HASP_WITH_PICTURES
+  EXPECT_EQ(this->Pictures, 4);                            // three sides, and the inner wall
+  EXPECT_NE(refused.find("url(#gap)"), std::string::npos); // its scale
+#else
+  EXPECT_NE(refused.find("There are none: "), std::string::npos);
+#endif
+  words.push_back("--force");
+  ASSERT_EQ(this->Guide(recipe, words).exitCode, 0);
+  EXPECT_NE(this->Page("a.html").find("<p><b>It was forced: "), std::string::npos);
+  ExpectFailure(this->Guide(recipe, { "--html", this->Path("a.html") }), 1, "--check");
+}
+
+TEST_F(HaspCertify, EqualPartsMakeEqualPages)
+{
+  for (const char* page : { "a.html", "b.html" })
+    EXPECT_LE(this->Certify("guide.stl", { "--html", this->Path(page) }).exitCode, 3);
+  EXPECT_EQ(ReadBytes(this->Path("a.html")), ReadBytes(this->Path("b.html")));
+  const std::string page = this->Page("a.html");
+  // Of part and recipe: 64 hexadecimal digits each, where there is OpenSSL.
+  const std::size_t part = page.find("<code>"), recipe = page.rfind("<code>");
+  if (part != std::string::npos)
+  {
+    EXPECT_NE(page.substr(part, 70), page.substr(recipe, 70));
+    EXPECT_EQ(page.find("</code>", part), part + 70);
+  }
+#if HASP_WITH_CGAL
+  EXPECT_NE(page.find("<h1 class=\"good\">The part holds</h1>"), std::string::npos);
+#endif
+  ExpectFailure(this->Certify("guide.stl", { "--html", this->Path("a.txt") }), 1, ".html");
 }
 
 #if HASP_WITH_CGAL

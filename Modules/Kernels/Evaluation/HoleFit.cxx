@@ -67,6 +67,45 @@ Cylinder FitCylinder(const std::vector<glm::dvec3>& wall, bool tilts)
   return c;
 }
 
+/// The greatest radius around a place near the middle that holds none of these, all of them around
+/// the middle: the least of their distances is nearly concave there, so that steps uphill find it.
+double WidestCircle(const std::vector<glm::dvec2>& around)
+{
+  glm::dvec2 at(0.0);
+  const auto radius = [&](const glm::dvec2& middle)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const glm::dvec2& p : around)
+    {
+      const glm::dvec2 off = p - middle;
+      least = std::min(least, glm::dot(off, off));
+    }
+    return std::sqrt(least);
+  };
+  double best = radius(at);
+  constexpr int Ways = 16;
+  const double first = best;
+  for (double step = 0.25 * first; step > 1e-3 * first;)
+  {
+    bool wider = false;
+    for (int n = 0; n < Ways; ++n)
+    {
+      const double angle = n * glm::two_pi<double>() / Ways;
+      const glm::dvec2 next = at + step * glm::dvec2(std::cos(angle), std::sin(angle));
+      // A pin does not leave the hole that it is in.
+      if (const double r = glm::length(next) < first ? radius(next) : 0.0; r > best)
+      {
+        best = r;
+        at = next;
+        wider = true;
+      }
+    }
+    if (!wider)
+      step *= 0.5;
+  }
+  return best;
+}
+
 class Probe
 {
 public:
@@ -128,18 +167,17 @@ private:
       p.z -= middle;
     const Cylinder c = FitCylinder(this->Wall, height >= 0.5 * this->Hole.diameterMm);
     std::vector<double> off;
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<glm::dvec2> around;
     for (const glm::dvec3& p : this->Wall)
     {
-      const double r = glm::length(c.Off(p));
-      least = std::min(least, r);
-      off.push_back(std::abs(r - c.radius));
+      around.push_back(c.Off(p));
+      off.push_back(std::abs(glm::length(around.back()) - c.radius));
     }
     const auto nth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 95 / 100);
     std::nth_element(off.begin(), nth, off.end());
     this->Fit.guideMm = double(this->Fit.sections) * StepMm;
     this->Fit.diameterMm = 2.0 * c.radius;
-    this->Fit.leastMm = 2.0 * least;
+    this->Fit.leastMm = 2.0 * WidestCircle(around);
     this->Fit.roundnessMm = *nth;
     this->Fit.tiltDegrees = glm::degrees(std::atan(std::hypot(c.dx, c.dy)));
     this->Fit.offsetMm = std::hypot(c.x, c.y);

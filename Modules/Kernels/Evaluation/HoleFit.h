@@ -17,7 +17,7 @@ struct HoleFit
   double touchedShare = 0.0; ///< of the wall there is around the axis, at best, in [0, 1]
   double guideMm = 0.0;      ///< the height of the sections: what guides a drill or pin
   double diameterMm = 0.0;   ///< of the cylinder fitted to its wall
-  double leastMm = 0.0;      ///< twice the way from that cylinder's axis to the nearest wall
+  double leastMm = 0.0;      ///< of the widest pin along that cylinder's axis that goes through
   double roundnessMm = 0.0;  ///< 95 % of the wall lie within that of the cylinder
   double tiltDegrees = 0.0;  ///< between the fitted axis and the claimed one
   double offsetMm = 0.0;     ///< of the fitted axis from the claimed one, in the middle of the hole
@@ -30,7 +30,9 @@ struct HoleFit
 /// Sections are 0.25 mm apart, wherever the axis, which has no ends, is within the mesh's box; each
 /// has 48 rays. A wall faces the axis within 60 degrees, and lies within 0.75 diameters + 0.5 mm; a
 /// section counts if 36 rays meet one. The cylinder is fitted by least squares (Gauss-Newton on its
-/// axis and radius; its axis' direction only where the hole is at least half as high as wide).
+/// axis and radius; its axis' direction only where the hole is at least half as high as wide). The
+/// pin may lie beside that axis, as one does that a single burr pushes aside; its place is looked
+/// for by steps down to a thousandth of the radius.
 /// The mesh should be closed: see FitSlot. Any thread; one core; about 50 us a section.
 HoleFit FitHole(const TriangleTree& tree, const ClaimedHole& hole);
 

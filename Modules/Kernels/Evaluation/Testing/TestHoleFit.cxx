@@ -1,7 +1,11 @@
 #include "Evaluation/HoleFit.h"
 #include "PartMeshes.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace
 {
@@ -46,6 +50,22 @@ TEST(HoleFit, TheFitIsOfTheMeshNotOfTheClaim)
   EXPECT_NEAR(fit.diameterMm, 2.0, 2e-3);
   EXPECT_NEAR(fit.offsetMm, 0.2, 5e-3);
   EXPECT_NEAR(fit.tiltDegrees, 1.5, 0.03);
+}
+
+TEST(HoleFit, APinGoesBesideABurrAndNotBetweenTwo)
+{
+  // A flat of 0.2 mm on one side of a hole of 2 mm leaves room for 1.8, 0.1 mm beside the axis; two
+  // that face each other leave 1.6.
+  for (int flats = 0; flats <= 2; ++flats)
+  {
+    hasp::TriangleMesh tube = parttest::Tube(1.0, 3.0, 4.0, Sides);
+    for (glm::dvec3& p : tube.points)
+      if (glm::length(glm::dvec2(p)) < 1.5)
+        p.x = std::clamp(p.x, flats > 1 ? -0.8 : -2.0, flats > 0 ? 0.8 : 2.0);
+    const auto motion = parttest::AnyMotion(flats);
+    const auto fit = hasp::FitHole(hasp::TriangleTree(motion(tube)), Claim(motion, 2.0));
+    EXPECT_NEAR(fit.leastMm, 2.0 - 0.2 * flats, 5e-3) << flats;
+  }
 }
 
 TEST(HoleFit, SaysIfItIsBlockedOpenOrNotThere)
