@@ -4,6 +4,7 @@
 #include "Distance/SharpContour.h"
 #include "Distance/SolidSweeps.h"
 #include "OnePiece.h"
+#include "PlateBed.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -52,6 +53,7 @@ PlateSolid MakePlateOn(SolidPointer bone, SolidPointer surface, const PlateRecip
 {
   PlateSolid made;
   made.path = MakePlatePath(*surface, recipe);
+  CheckPlateBed(*surface, made.path, recipe);
   const double reach =
     std::hypot(0.5 * recipe.widthMm, OuterHeight(recipe) + 0.75 * recipe.widthMm);
   made.grid =

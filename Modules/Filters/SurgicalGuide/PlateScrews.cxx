@@ -18,6 +18,7 @@ namespace hasp
 namespace
 {
 constexpr double MostLeanDeg = 45.0;
+constexpr double SeatSlackMm = 0.1; // of a head's seat: a scan's surface is not smoother
 
 std::string ScrewName(std::size_t n)
 {
@@ -92,12 +93,65 @@ void CheckHold(const ImplicitSolid& bone, const PlateScrew& screw, const PlacedS
   throw std::runtime_error("plate: " + name + " meets no bone");
 }
 
+/// Upright on the plate as a whole, under which a scan's surface has steps: the mean direction of
+/// its outer face within half a width.
+glm::dvec3 MeanNormal(const ImplicitSolid& surface, const PlatePath& path,
+  const PlateRecipe& recipe, const glm::dvec3& at)
+{
+  constexpr int half = 4;
+  const std::size_t piece = path.Nearest(at);
+  const glm::dvec3 up = path.normals[piece];
+  const glm::dvec3 along = glm::normalize(path.places[piece + 1] - path.places[piece]);
+  const glm::dvec3 side = glm::cross(up, along);
+  const glm::dvec3 middle = at + (recipe.gapMm + recipe.thicknessMm) * up;
+  const double step = 0.5 * recipe.widthMm / half;
+  glm::dvec3 sum(0.0);
+  for (int i = -half; i <= half; ++i)
+    for (int j = -half; j <= half; ++j)
+    {
+      const glm::dvec3 out =
+        surface.SampleAt(middle + step * (double(i) * along + double(j) * side)).gradient;
+      if (i * i + j * j <= half * half && glm::dot(out, up) > 0.0)
+        sum += glm::normalize(out);
+    }
+  return glm::dot(sum, sum) > 0.0 ? glm::normalize(sum) : up;
+}
+
+/// See the header; by places around the axis.
+void CheckSeat(const ImplicitSolid& surface, const PlateRecipe& recipe, const PlateScrew& screw,
+  const PlacedScrew& placed, const std::string& name)
+{
+  constexpr int places = 24;
+  const double depth = ScrewHeadDepth(screw), floor = recipe.thicknessMm - depth;
+  const glm::dvec3 cone = placed.outer - depth * placed.axis; // where it ends in the bore
+  const glm::dvec3 other =
+    std::abs(placed.axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 x = glm::normalize(glm::cross(placed.axis, other));
+  const glm::dvec3 y = glm::cross(placed.axis, x);
+  double lowest = 1e30, shortest = 1e30;
+  for (int n = 0; n < places; ++n)
+  {
+    const double angle = glm::radians(360.0 * n / places);
+    const glm::dvec3 aside = std::cos(angle) * x + std::sin(angle) * y;
+    const auto height = [&](const glm::dvec3& at) { return surface.At(at) - recipe.gapMm; };
+    lowest =
+      std::min(lowest, recipe.thicknessMm - height(cone + 0.5 * screw.headDiameterMm * aside));
+    shortest = std::min(shortest, height(cone + 0.5 * screw.diameterMm * aside));
+  }
+  if (lowest < -SeatSlackMm)
+    Fail(name + "'s head stands out of the plate, which falls away beside it by", depth - lowest,
+      " mm: move it, or let it lean less");
+  if (shortest < 0.5 * floor - SeatSlackMm)
+    Fail(name + "'s head leaves a bore of", shortest,
+      " mm below it" + AtLeast(0.5 * floor) + ": move it, or let it lean less");
+}
+
 PlacedScrew Place(
   const ImplicitSolid& surface, const PlatePath& path, const PlateRecipe& recipe, std::size_t n)
 {
   const PlateScrew& screw = recipe.screws[n];
   const glm::dvec3 at = LaidOnBone(surface, ScrewName(n), screw.point);
-  const glm::dvec3 normal = path.normals[path.Nearest(at)];
+  const glm::dvec3 normal = MeanNormal(surface, path, recipe, at);
   const glm::dvec3 axis = screw.axis ? glm::normalize(*screw.axis) : normal;
   const double lean = glm::degrees(std::acos(glm::clamp(glm::dot(axis, normal), -1.0, 1.0)));
   if (lean > MostLeanDeg)
@@ -113,6 +167,7 @@ PlacedScrew Place(
       path.Across(placed.inner, reach) + 0.5 * stretch * screw.diameterMm);
   if (edge < recipe.edgeDistanceMm - 1e-3)
     Fail(ScrewName(n) + " is", edge, " mm from the plate's edge" + AtLeast(recipe.edgeDistanceMm));
+  CheckSeat(surface, recipe, screw, placed, ScrewName(n));
   return placed;
 }
 

@@ -21,8 +21,11 @@ struct PlacedScrew
 /// surface   what the plate lies on: bone, bridged
 /// Throws std::runtime_error, naming the screw, if it is over 3 mm from bone, leans on the plate by
 /// over 45 degrees, its shaft meets no bone, its head's or bore's rim is nearer to the plate's edge
-/// than edgeDistanceMm, or it clashes with another: rims nearer than holeDistanceMm, or shafts that
-/// meet. Where an axis leans, a rim is taken as the circle around its ellipse.
+/// than edgeDistanceMm, its head does not sit in the plate, or it clashes with another: rims nearer
+/// than holeDistanceMm, or shafts that meet. Where an axis leans, a rim is taken as the circle
+/// around its ellipse. A head sits in the plate where the outer face is nowhere around it so low
+/// that the cone ends above it, and the bore below the cone is everywhere at least half as long as
+/// in a flat plate: else the plate would end in a knife's edge there.
 std::vector<PlacedScrew> PlaceScrews(const ImplicitSolid& bone, const ImplicitSolid& surface,
   const PlatePath& path, const PlateRecipe& recipe);
 

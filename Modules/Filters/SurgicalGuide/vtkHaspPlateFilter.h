@@ -14,11 +14,12 @@
  * offsets of the bone's surface, its sides upright on it.
  *
  * Errors (vtkErrorMacro, empty output): a recipe out of range; a landmark or screw over 3 mm from
- * bone; a curve that leaves bone; a screw that is too near to the plate's edge, clashes with
- * another or meets no bone; fragments without labels; a plate that falls into pieces. AbortExecute
- * (from a ProgressEvent) gives an empty output without an error. Threads: RENDER or a WORKER that
- * owns the pipeline. Uses all cores. Memory: about 21 bytes a point of the grid around the
- * landmarks, and one byte a sample of the input.
+ * bone; a curve that leaves bone; bone that slopes away under the plate (PlateBed.h); a screw that
+ * is too near to the plate's edge, does not sit in it, clashes with another or meets no bone;
+ * fragments without labels; a plate that falls into pieces. AbortExecute (from a ProgressEvent)
+ * gives an empty output without an error. Threads: RENDER or a WORKER that owns the pipeline. Uses
+ * all cores. Memory: about 21 bytes a point of the grid around the landmarks, and one byte a sample
+ * of the input.
  */
 #ifndef vtkHaspPlateFilter_h
 #define vtkHaspPlateFilter_h

@@ -8,9 +8,11 @@
 #include "PlateBuilder.h"
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace
@@ -277,8 +279,8 @@ TEST(PlateBuilder, WhatCannotBeMadeIsNamed)
                  {
                    // Towards each other below the plate.
                    r.edgeDistanceMm = 0.5;
-                   r.screws[0].axis = glm::normalize(glm::dvec3(-0.8, 0, 1));
-                   r.screws[1].axis = glm::normalize(glm::dvec3(0.8, 0, 1));
+                   r.screws[0].axis = glm::normalize(glm::dvec3(-0.45, 0, 1));
+                   r.screws[1].axis = glm::normalize(glm::dvec3(0.45, 0, 1));
                    r.screws[0].point = { -4, 0, 0 };
                    r.screws[1].point = { 4, 0, 0 };
                  }),
@@ -293,6 +295,72 @@ TEST(PlateBuilder, WhatCannotBeMadeIsNamed)
   const auto pipe = hasp::MakeDifference(hasp::MakeCylinder({ 0, -60, 0 }, { 0, 60, 0 }, 6),
     hasp::MakeCylinder({ 0, -61, 0 }, { 0, 61, 0 }, 5.7));
   EXPECT_NAMES(Fault(pipe, recipe), "plate: it cannot lie along these landmarks");
+}
+
+TEST(PlateBuilder, LiesOnlyWhereBoneIsBelowAllOfIt)
+{
+  auto recipe = OnTable();
+  recipe.screws.clear();
+  const auto half = [](double y, double top) {
+    return hasp::MakeBox({ 0, y, -15 + top }, glm::dmat3(1), { 60, 30, 15 });
+  };
+  // The table's edge 2 mm beside the middle line: a fin would hang over it.
+  EXPECT_NAMES(Fault(half(-28, 0), recipe), "higher or lower than the middle line");
+  // A step of 2 mm, 1.5 mm beside it.
+  EXPECT_NAMES(Fault(hasp::MakeUnion({ half(-28.5, 0), half(31.5, -2) }), recipe),
+    "plate: near landmarks[0], at (");
+  EXPECT_NAMES(Fault(hasp::MakeUnion({ half(-28.5, 0), half(31.5, -2) }), recipe), "slopes by 6");
+  // Beyond its edge it does not matter.
+  EXPECT_EQ(Fault(half(-26.2, 0), recipe), "");
+  // The table's end under its own.
+  recipe.landmarks.back().x = 58;
+  EXPECT_NAMES(Fault(Table(), recipe), "near landmarks[2]");
+}
+
+TEST(PlateBuilder, AHeadSitsInThePlate)
+{
+  auto recipe = OnTable();
+  recipe.edgeDistanceMm = 0.5;
+  const auto leaning = [&](double degrees)
+  {
+    const double lean = glm::radians(degrees);
+    recipe.screws[1].axis = { std::sin(lean), 0, std::cos(lean) };
+    return Fault(Table(), recipe);
+  };
+  EXPECT_EQ(leaning(28), "");
+  // The outer face falls by 2 mm * tan(35) beside the axis; the cone ends 1.1 mm below it.
+  EXPECT_NAMES(leaning(35), "screws[1]'s head stands out of the plate");
+  recipe.screws[1].headDepthMm = 1.6; // the bore is 0.1 mm long where it does not lean
+  EXPECT_EQ(leaning(0), "");
+  EXPECT_NAMES(leaning(15), "screws[1]'s head leaves a bore of");
+}
+
+TEST(PlateBuilder, AScrewIsUprightOnThePlateAsAWhole)
+{
+  // A table with waves of 2 mm, 0.15 mm high: its own normals lean by 25 degrees.
+  class Waves : public hasp::ImplicitSolid
+  {
+  public:
+    double At(const glm::dvec3& x) const noexcept override { return this->SampleAt(x).value; }
+    Sample SampleAt(const glm::dvec3& x) const noexcept override
+    {
+      const double k = 3.14159265;
+      return { 0.9 * (x.z - 0.15 * std::sin(k * x.x)),
+        0.9 * glm::dvec3(-0.15 * k * std::cos(k * x.x), 0, 1), 0 };
+    }
+    Sample FaceAt(std::uint32_t, const glm::dvec3& x) const noexcept override
+    {
+      return this->SampleAt(x);
+    }
+    std::uint32_t Faces() const noexcept override { return 1; }
+    Box Bounds() const noexcept override { return {}; }
+  };
+  auto recipe = OnTable();
+  recipe.screws.resize(1);
+  recipe.screws[0].point.x = -11;
+  const auto bone = std::make_shared<const Waves>();
+  const auto made = hasp::MakePlateOn(bone, bone, recipe);
+  EXPECT_GT(made.screws[0].axis.z, std::cos(glm::radians(2.0)));
 }
 
 TEST(PlateBuilder, FragmentsOfAScanArePosedAndNeedLabels)
