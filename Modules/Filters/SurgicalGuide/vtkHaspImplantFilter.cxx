@@ -15,23 +15,38 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
 #include <exception>
+#include <span>
+#include <vector>
 
 vtkStandardNewMacro(vtkHaspImplantFilter);
 
 namespace
 {
-void AddVectors(vtkPolyData* output, const char* name, std::initializer_list<glm::dvec3> vectors)
+void AddTuples(
+  vtkPolyData* output, const char* name, int components, std::span<const double> values)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
-  array->SetNumberOfComponents(3 * int(vectors.size()));
-  array->SetNumberOfTuples(1);
-  int n = 0;
-  for (const glm::dvec3& v : vectors)
-    for (int a = 0; a < 3; ++a)
-      array->SetComponent(0, n++, v[a]);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(vtkIdType(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
   output->GetFieldData()->AddArray(array);
+}
+
+void AddFieldData(vtkPolyData* output, const hasp::ImplantSolid& made)
+{
+  const glm::dvec3 &p = made.mirror.point, &n = made.mirror.normal, &a = made.axis;
+  AddTuples(output, "MirrorPlane", 6, std::array{ p.x, p.y, p.z, n.x, n.y, n.z });
+  AddTuples(output, "Axis", 3, std::array{ a.x, a.y, a.z });
+  const hasp::LaidTable& laid = made.laid;
+  AddTuples(output, "Rim", 4, std::array{ laid.shiftMm, laid.tiltDeg, laid.rmsMm, laid.p95Mm });
+  std::vector<double> holes;
+  for (const glm::dvec3& hole : made.holes)
+    holes.insert(holes.end(), { hole.x, hole.y, hole.z });
+  AddTuples(output, "Holes", 3, holes);
 }
 } // namespace
 
@@ -88,8 +103,7 @@ int vtkHaspImplantFilter::RequestData(
     const hasp::BuiltImplant implant =
       hasp::BuildImplant(hasp::ViewImage(image), *this->Recipe, progress);
     output->ShallowCopy(hasp::MakePolyData(implant.mesh));
-    AddVectors(output, "MirrorPlane", { implant.made.mirror.point, implant.made.mirror.normal });
-    AddVectors(output, "Axis", { implant.made.axis });
+    AddFieldData(output, implant.made);
     return 1;
   }
   catch (const hasp::Cancelled&)
