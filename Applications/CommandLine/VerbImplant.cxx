@@ -1,0 +1,96 @@
+#include "RecipePart.h"
+#include "Verbs.h"
+#include "VolumeInput.h"
+#include "vtkHaspImplantFilter.h"
+
+#include "Planning/ImplantRecipe.h"
+#include "Planning/ImplantRecipeFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace hasp
+{
+namespace
+{
+
+struct ImplantOptions
+{
+  VolumeChoices volume;
+  std::string recipe, output;
+};
+
+nlohmann::ordered_json Vector(const double* v)
+{
+  return { v[0], v[1], v[2] };
+}
+
+/// What the recipe left to be found, and how well the mirrored side fits.
+void SayFound(vtkPolyData* implant, Session& session)
+{
+  vtkFieldData* data = implant->GetFieldData();
+  double plane[6], axis[3], rim[4];
+  data->GetArray("MirrorPlane")->GetTuple(0, plane);
+  data->GetArray("Axis")->GetTuple(0, axis);
+  data->GetArray("Rim")->GetTuple(0, rim);
+  vtkDataArray* holes = data->GetArray("Holes");
+  session.result["mirror"] = { { "point_mm", Vector(plane) }, { "normal", Vector(plane + 3) } };
+  session.result["axis"] = Vector(axis);
+  session.result["rim"] = { { "shift_mm", rim[0] }, { "tilt_deg", rim[1] }, { "rms_mm", rim[2] },
+    { "p95_mm", rim[3] } };
+  nlohmann::ordered_json& list = session.result["holes_mm"] = nlohmann::ordered_json::array();
+  for (vtkIdType n = 0; n < holes->GetNumberOfTuples(); ++n)
+    list.push_back(Vector(holes->GetTuple(n)));
+  char text[500];
+  std::snprintf(text, sizeof text,
+    "mirror  through (%.2f, %.2f, %.2f) mm, upright on (%.4f, %.4f, %.4f)\n"
+    "rim     %.2f mm rms off the bone around the hole, 95 %% within %.2f; moved %.2f mm, tilted "
+    "%.2f degrees\n"
+    "axis    (%.4f, %.4f, %.4f), out of the head\n"
+    "holes   %d\n",
+    plane[0], plane[1], plane[2], plane[3], plane[4], plane[5], rim[2], rim[3], rim[0], rim[1],
+    axis[0], axis[1], axis[2], int(holes->GetNumberOfTuples()));
+  if (!session.json)
+    std::cout << text;
+}
+
+void Run(const ImplantOptions& options, Session& session)
+{
+  RequireWritable(options.output, { ".stl" });
+  const ImplantRecipe recipe = ReadRecipeFile(options.recipe, ReadImplantRecipe);
+  const LoadedVolume volume = ReadVolume(options.volume, session);
+  SayWarnings(volume.passport, session);
+  vtkNew<vtkHaspImplantFilter> filter;
+  filter->SetRecipe(recipe);
+  filter->SetInputData(volume.image);
+  const vtkSmartPointer<vtkPolyData> implant = RunPartFilter(filter, "implant", session);
+  WritePart(implant, options.output, session);
+  session.progress.Wipe();
+  SayFound(implant, session);
+}
+
+} // namespace
+
+void AddImplantVerb(CLI::App& app, Session& session)
+{
+  auto options = std::make_shared<ImplantOptions>();
+  CLI::App* verb = app.add_subcommand("implant", "Make an implant for a hole in the skull");
+  AddVolumeOptions(*verb, options->volume);
+  verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
+    ->required();
+  verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
+  AddCommonOptions(*verb, session);
+  verb->footer("Example: hasp implant head.mha --recipe implant.json --output implant.stl\n"
+               "Exit codes: 0 done, 1 wrong use, 2 bad input.");
+  verb->callback(
+    [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
+}
+
+} // namespace hasp

@@ -1,0 +1,27 @@
+#include "ImplantClaims.h"
+
+#include "Planning/ImplantRecipe.h"
+
+#include <algorithm>
+
+namespace hasp
+{
+
+PartClaims ClaimsOf(
+  const ImplantRecipe& recipe, const glm::dvec3& axis, std::span<const glm::dvec3> holes)
+{
+  ValidateImplantRecipe(recipe);
+  PartClaims claims;
+  claims.isovalue = recipe.isovalue;
+  claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
+  claims.withdrawal = axis;
+  double least = recipe.thicknessMm;
+  if (!holes.empty())
+    least = std::min({ least, recipe.holePitchMm - recipe.holeDiameterMm, recipe.holeEdgeMm });
+  claims.leastWallMm = std::max(least - 0.5 * recipe.spacingMm, 0.0);
+  for (const glm::dvec3& p : holes)
+    claims.holes.push_back({ p, axis, recipe.holeDiameterMm, 0.1 });
+  return claims;
+}
+
+} // namespace hasp
