@@ -3,18 +3,23 @@
 #include "Files.h"
 #include "GuideClaims.h"
 #include "PartCertificate.h"
-#include "RecipeInput.h"
+#include "PlateClaims.h"
+#include "RecipePart.h"
 #include "Session.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
 #include "vtkHaspSurfaceFile.h"
+#include "vtkHaspVolumeView.h"
 
 #include <CLI/CLI.hpp>
 
 #include <glm/geometric.hpp>
 
+#include <exception>
 #include <memory>
+#include <new>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace hasp
@@ -30,9 +35,8 @@ struct CertifyOptions
   double leastShare = 0.95;
 };
 
-PartClaims ReadClaims(const CertifyOptions& options)
+PartClaims ClaimsOfGuide(const GuideRecipe& recipe, const CertifyOptions& options)
 {
-  const GuideRecipe recipe = ReadRecipe(options.recipe);
   std::optional<glm::dvec3> axis;
   if (!options.axis.empty())
     axis = glm::dvec3(options.axis[0], options.axis[1], options.axis[2]);
@@ -45,20 +49,49 @@ PartClaims ReadClaims(const CertifyOptions& options)
   return ClaimsOf(recipe, options.leastShare, axis);
 }
 
+/// Where its screws go in the recipe does not say: they are laid on the bone again.
+PartClaims ClaimsOfPlate(
+  const PlateRecipe& recipe, vtkImageData* bone, const CertifyOptions& options)
+{
+  if (!options.axis.empty())
+    throw Failure(ExitCode::WrongUse, "--insertion-axis is for guides");
+  try
+  {
+    return ClaimsOf(recipe, FindScrewAxes(ViewImage(bone), recipe), options.leastShare);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the recipe
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(ExitCode::BadInput, SafeText(error));
+  }
+}
+
+PartClaims ClaimsOfRecipe(
+  const PartRecipe& recipe, vtkImageData* bone, const CertifyOptions& options)
+{
+  if (const auto* plate = std::get_if<PlateRecipe>(&recipe))
+    return ClaimsOfPlate(*plate, bone, options);
+  return ClaimsOfGuide(std::get<GuideRecipe>(recipe), options);
+}
+
 void Run(const CertifyOptions& options, Session& session)
 {
   if (!IsSurfaceName(options.part))
     throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .ply, .obj or .vtp");
   if (!options.html.empty())
     RequireWritable(options.html, { ".html" });
-  PartClaims claims;
+  std::optional<PartRecipe> recipe;
   if (options.recipe.empty())
     SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");
   else
-    claims = ReadClaims(options);
+    recipe = ReadPartRecipe(options.recipe);
   const TriangleMesh part = ReadPart(options.part, session);
   const LoadedVolume bone = ReadVolume(options.bone, session);
   SayWarnings(bone.passport, session);
+  const PartClaims claims = recipe ? ClaimsOfRecipe(*recipe, bone.image, options) : PartClaims();
   const FitCertificate certificate = CertifyPart(part, bone.image, claims, session);
   WriteCertificatePage(
     part, bone.image, certificate, { options.html, options.part, options.recipe, {} }, session);
@@ -83,11 +116,7 @@ void AddCertifyVerb(CLI::App& app, Session& session)
       "The direction it lifts off along, L,P,S: of a recipe that searches it")
     ->delimiter(',')
     ->expected(3);
-  verb
-    ->add_option("--least-share", options->leastShare,
-      "Of the inner wall that must be within 0.2 mm of the gap")
-    ->check(Within(0.0, 1.0))
-    ->capture_default_str();
+  AddLeastShare(*verb, options->leastShare);
   verb->add_option("--html", options->html,
     "Write the certificate, with pictures, to this .html file, whether it holds or not");
   AddCommonOptions(*verb, session);

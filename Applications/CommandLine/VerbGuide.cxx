@@ -1,30 +1,16 @@
-#include "CertificatePage.h"
-#include "Failure.h"
-#include "Files.h"
 #include "GuideClaims.h"
-#include "PartCertificate.h"
-#include "RecipeInput.h"
-#include "Session.h"
+#include "RecipePart.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
-#include "VtkMessages.h"
-#include "vtkHaspFileNames.h"
 #include "vtkHaspGuideFilter.h"
-#include "vtkHaspOutputFile.h"
 
-#include "Planning/GuideRecipe.h"
+#include "Planning/GuideRecipeFile.h"
 
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <chrono>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
-#include <string_view>
 
 namespace hasp
 {
@@ -34,111 +20,27 @@ namespace
 struct GuideOptions
 {
   VolumeChoices volume;
-  std::string recipe, output, html;
-  bool check = false, force = false;
-  double leastShare = 0.95;
+  std::string recipe, output;
+  CheckChoices check;
 };
-
-struct Guide
-{
-  vtkSmartPointer<vtkPolyData> surface;
-  glm::dvec3 insertionAxis;
-};
-
-Guide MakeGuide(vtkImageData* volume, const GuideRecipe& recipe, Session& session)
-{
-  session.progress.Step("making the guide");
-  vtkNew<vtkHaspGuideFilter> filter;
-  ShowProgress(session, filter);
-  filter->SetInputData(volume);
-  filter->SetRecipe(recipe);
-  const auto start = std::chrono::steady_clock::now();
-  filter->Update();
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  ThrowVtkError(ExitCode::BadInput, "no guide can be made of this recipe and volume");
-  Guide guide{ filter->GetOutput(), {} };
-  filter->GetInsertionAxis(&guide.insertionAxis.x);
-  session.resources.push_back({ "guide", 1024 * guide.surface->GetActualMemorySize(), spent.count(),
-    "made from the recipe" });
-  const glm::dvec3& axis = guide.insertionAxis;
-  session.result["insertion_axis"] = { axis.x, axis.y, axis.z };
-  return guide;
-}
-
-/// Says in the head of a binary STL file, 80 bytes of text, that it does not hold.
-void MarkAsFailed(const std::string& stl)
-{
-  constexpr std::string_view words = " DOES NOT HOLD";
-  std::string head(80, '\0');
-  std::fstream file(stl, std::ios::in | std::ios::out | std::ios::binary);
-  file.read(head.data(), 80);
-  const std::size_t end = std::min(head.find_last_not_of(std::string_view("\0 ", 2)) + 1,
-    head.size() - words.size()); // npos + 1 is 0
-  head.replace(end, words.size(), words);
-  file.seekp(0);
-  file.write(head.data(), 80);
-  if (!file.flush())
-    throw Failure(ExitCode::WrongUse, "the guide does not hold, and its file cannot say so");
-}
-
-/// Prints the certificate; throws Failure: FailedCheck if it does not hold and is not forced.
-void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& options,
-  const PartClaims& claims, Session& session)
-{
-  const TriangleMesh part = ReadBackStl(stl);
-  const FitCertificate certificate = CertifyPart(part, volume, claims, session);
-  const auto writePage = [&](const char* fate)
-  {
-    WriteCertificatePage(
-      part, volume, certificate, { options.html, stl, options.recipe, fate }, session);
-  };
-  if (certificate.Holds())
-    return writePage("");
-  if (!options.force)
-  {
-    writePage("The guide was not kept.");
-    ThrowFaults(certificate, "the guide does not hold and was not kept");
-  }
-  MarkAsFailed(stl);
-  writePage("It was forced: the guide is kept although it does not hold, and its file says so.");
-  session.result["certificate"]["forced"] = true;
-  SayWarning(session, "the guide does not hold; it is kept, and its file says so (--force)");
-}
 
 void Run(const GuideOptions& options, Session& session)
 {
   RequireWritable(options.output, { ".stl" });
-  if (options.force && !options.check)
-    throw Failure(ExitCode::WrongUse, "--force is for guides that --check finds not to hold");
-  if (!options.html.empty() && !options.check)
-    throw Failure(ExitCode::WrongUse, "--html is the page of what --check finds");
-  if (!options.html.empty())
-    RequireWritable(options.html, { ".html" });
-  const GuideRecipe recipe = ReadRecipe(options.recipe);
+  RequireCheckWithForce(options.check, "guide");
+  const GuideRecipe recipe = ReadRecipeFile(options.recipe, ReadGuideRecipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
-  const Guide guide = MakeGuide(volume.image, recipe, session);
-  const auto inspect = [&](const std::string& pendingFile)
-  {
-    if (options.check)
-      Check(pendingFile, volume.image, options,
-        ClaimsOf(recipe, options.leastShare, guide.insertionAxis), session);
-    else
-      session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
-  };
-  try
-  {
-    WriteSurface(guide.surface, options.output, inspect);
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::WrongUse, SafeText(error));
-  }
-  session.result["output"] = FileLabel(options.output);
+  vtkNew<vtkHaspGuideFilter> filter;
+  filter->SetInputData(volume.image);
+  filter->SetRecipe(recipe);
+  const vtkSmartPointer<vtkPolyData> guide = RunPartFilter(filter, "guide", session);
+  glm::dvec3 axis;
+  filter->GetInsertionAxis(&axis.x);
+  session.result["insertion_axis"] = { axis.x, axis.y, axis.z };
+  WritePart(
+    guide, "guide", options.output, options.check, volume.image,
+    [&] { return ClaimsOf(recipe, options.check.leastShare, axis); }, session);
 }
 
 } // namespace
@@ -151,17 +53,7 @@ void AddGuideVerb(CLI::App& app, Session& session)
   verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
     ->required();
   verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
-  verb->add_flag("--check", options->check,
-    "Read the file back, print its certificate, and keep it only if that holds");
-  verb->add_flag("--force", options->force,
-    "Keep a guide that does not hold all the same; the head of its file says so");
-  verb
-    ->add_option("--least-share", options->leastShare,
-      "Of the inner wall that must be within 0.2 mm of the gap")
-    ->check(Within(0.0, 1.0))
-    ->capture_default_str();
-  verb->add_option(
-    "--html", options->html, "Write the certificate of --check, with pictures, to this .html file");
+  AddCheckOptions(*verb, "guide", options->check);
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp guide head.mha --recipe guide.json --output guide.stl --check\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the guide does not hold.");

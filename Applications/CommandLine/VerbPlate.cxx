@@ -1,3 +1,4 @@
+#include "PlateClaims.h"
 #include "RecipePart.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 namespace hasp
 {
@@ -25,21 +27,34 @@ struct PlateOptions
 {
   VolumeChoices volume;
   std::string recipe, labels, output;
+  CheckChoices check;
 };
 
-/// Where each screw goes in, and along what.
-void SayScrews(vtkPolyData* plate, Session& session)
+std::vector<ScrewAxis> ScrewsOf(vtkPolyData* plate)
 {
-  vtkDataArray* axes = plate->GetFieldData()->GetArray("ScrewAxes");
-  nlohmann::ordered_json& list = session.result["screws"] = nlohmann::ordered_json::array();
-  for (vtkIdType n = 0; n < axes->GetNumberOfTuples(); ++n)
+  vtkDataArray* tuples = plate->GetFieldData()->GetArray("ScrewAxes");
+  std::vector<ScrewAxis> screws;
+  for (vtkIdType n = 0; n < tuples->GetNumberOfTuples(); ++n)
   {
-    const double* s = axes->GetTuple(n);
-    list.push_back({ { "outer_mm", { s[0], s[1], s[2] } }, { "axis", { s[3], s[4], s[5] } } });
+    const double* s = tuples->GetTuple(n);
+    screws.push_back({ { s[0], s[1], s[2] }, { s[3], s[4], s[5] } });
+  }
+  return screws;
+}
+
+/// Where each screw goes in, and along what.
+void SayScrews(const std::vector<ScrewAxis>& screws, Session& session)
+{
+  nlohmann::ordered_json& list = session.result["screws"] = nlohmann::ordered_json::array();
+  for (std::size_t n = 0; n < screws.size(); ++n)
+  {
+    const auto& [outer, axis] = screws[n];
+    list.push_back(
+      { { "outer_mm", { outer.x, outer.y, outer.z } }, { "axis", { axis.x, axis.y, axis.z } } });
     char text[200];
     std::snprintf(text, sizeof text,
       "screws[%d]  through (%.2f, %.2f, %.2f) mm, out of the bone along (%.4f, %.4f, %.4f)\n",
-      int(n), s[0], s[1], s[2], s[3], s[4], s[5]);
+      int(n), outer.x, outer.y, outer.z, axis.x, axis.y, axis.z);
     if (!session.json)
       std::cout << text;
   }
@@ -48,7 +63,11 @@ void SayScrews(vtkPolyData* plate, Session& session)
 void Run(const PlateOptions& options, Session& session)
 {
   RequireWritable(options.output, { ".stl" });
+  RequireCheckWithForce(options.check, "plate");
   const PlateRecipe recipe = ReadRecipeFile(options.recipe, ReadPlateRecipe);
+  if (options.check.check && !recipe.fragments.empty())
+    throw Failure(ExitCode::WrongUse,
+      "--check measures the gap to the bone as scanned, and the recipe moves fragments of it");
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   vtkNew<vtkHaspPlateFilter> filter;
@@ -61,9 +80,12 @@ void Run(const PlateOptions& options, Session& session)
     filter->SetInputData(1, ReadVolume(choices, session).image);
   }
   const vtkSmartPointer<vtkPolyData> plate = RunPartFilter(filter, "plate", session);
-  WritePart(plate, options.output, session);
+  const std::vector<ScrewAxis> screws = ScrewsOf(plate);
   session.progress.Wipe();
-  SayScrews(plate, session);
+  SayScrews(screws, session);
+  WritePart(
+    plate, "plate", options.output, options.check, volume.image,
+    [&] { return ClaimsOf(recipe, screws, options.check.leastShare); }, session);
 }
 
 } // namespace
@@ -78,9 +100,10 @@ void AddPlateVerb(CLI::App& app, Session& session)
   verb->add_option(
     "--labels", options->labels, "Labels of the same grid, for recipes that move fragments");
   verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
+  AddCheckOptions(*verb, "plate", options->check);
   AddCommonOptions(*verb, session);
-  verb->footer("Example: hasp plate head.mha --recipe plate.json --output plate.stl\n"
-               "Exit codes: 0 done, 1 wrong use, 2 bad input.");
+  verb->footer("Example: hasp plate head.mha --recipe plate.json --output plate.stl --check\n"
+               "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the plate does not hold.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }

@@ -38,6 +38,13 @@ protected:
     words.insert(words.end(), more.begin(), more.end());
     return RunHasp(words);
   }
+  HaspRun Certify(const std::vector<std::string>& more = {}) const
+  {
+    std::vector<std::string> words{ "certify", this->Path("plate.stl"), "--bone",
+      this->Path("head.mha"), "--recipe", this->Path("plate.json") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
   void Head()
   {
     ASSERT_EQ(
@@ -59,7 +66,7 @@ TEST_F(HaspPlate, BadRecipesAreTwoAndLeaveNothing)
   ExpectFailure(this->Plate(recipe), 2, "landmarks[0] is");
   recipe = Recipe();
   recipe["edgeDistanceMm"] = 2;
-  ExpectFailure(this->Plate(recipe), 2, "screws[0] is 1.5 mm from the plate's edge, must be 2");
+  ExpectFailure(this->Plate(recipe), 2, "mm from the plate's edge, must be 2");
   ExpectFailure(this->Plate(Recipe(), { "--labels", this->Path("no.mha") }), 2, "no such file");
   EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "plate.json" }));
 }
@@ -79,6 +86,50 @@ TEST_F(HaspPlate, WritesAPlateAndSaysWhereItsScrewsAre)
   const std::string first = ReadBytes(this->Path("plate.stl"));
   ASSERT_EQ(this->Plate(Recipe()).exitCode, 0);
   EXPECT_EQ(ReadBytes(this->Path("plate.stl")), first);
+}
+
+TEST_F(HaspPlate, AMovedFragmentsPlateIsNotHeldToTheScan)
+{
+  this->Head();
+  json recipe = Recipe();
+  recipe["fragments"] = { { { "label", 1 }, { "position", { 0, 0, 0 } },
+    { "orientation", { 1, 0, 0, 0 } } } };
+  ExpectFailure(this->Plate(recipe, { "--check" }), 1, "the recipe moves fragments");
+  ASSERT_EQ(this->Plate(Recipe()).exitCode, 0);
+  this->WriteText("plate.json", recipe.dump());
+  ExpectFailure(this->Certify(), 2, "plate claims: the recipe moves fragments");
+}
+
+#if HASP_WITH_CGAL
+TEST_F(HaspPlate, APlateIsHeldToItsRecipe)
+{
+  this->Head();
+  const HaspRun made = this->Plate(Recipe(), { "--check", "--json" });
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  const json certificate = json::parse(made.out).at("certificate");
+  EXPECT_EQ(certificate.at("passed"), true);
+  EXPECT_EQ(certificate.at("holes").size(), 1U);
+  EXPECT_EQ(this->Certify().exitCode, 0);
+  ExpectFailure(this->Certify({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
+  // Of the same file, what another recipe promises.
+  json recipe = Recipe();
+  recipe["screws"][0]["diameterMm"] = 2.9;
+  this->WriteText("plate.json", recipe.dump());
+  ExpectFailure(this->Certify(), 3, "screws[0] has a diameter of 2.4");
+}
+#endif
+
+TEST_F(HaspPlate, APlateThatDoesNotHoldIsKeptByForceAlone)
+{
+  this->Head();
+  ExpectFailure(this->Plate(Recipe(), { "--force" }), 1, "--force is for plates that --check");
+  json recipe = Recipe();
+  recipe["gapMm"] = 0; // a scan's surface is not that smooth: it touches bone
+  ExpectFailure(this->Plate(recipe, { "--check" }), 3, "was not kept");
+  EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "plate.json" }));
+  ASSERT_EQ(this->Plate(recipe, { "--check", "--force" }).exitCode, 0);
+  EXPECT_NE(
+    ReadBytes(this->Path("plate.stl")).substr(0, 80).find("DOES NOT HOLD"), std::string::npos);
 }
 
 } // namespace

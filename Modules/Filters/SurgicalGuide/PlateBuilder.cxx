@@ -35,10 +35,10 @@ SolidPointer MakeBody(const SolidPointer& surface, const PlatePath& path, const 
   try
   {
     if (recipe.bevelMm == 0.0)
-      return MakeRibbon(surface, path.places, recipe.widthMm, recipe.gapMm, to);
+      return MakeRibbon(surface, path.places, recipe.widthMm, recipe.gapMm, to, path.normals);
     // Its own outer face lies so high that only the walls and the inner face are its part.
-    const SolidPointer walls =
-      MakeRibbon(surface, path.places, recipe.widthMm, recipe.gapMm, to + 2.0 * recipe.bevelMm);
+    const SolidPointer walls = MakeRibbon(
+      surface, path.places, recipe.widthMm, recipe.gapMm, to + 2.0 * recipe.bevelMm, path.normals);
     return MakeBevelledIntersection(MakeOffset(surface, to), walls, recipe.bevelMm);
   }
   catch (const std::invalid_argument& error)

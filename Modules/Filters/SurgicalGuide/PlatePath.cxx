@@ -91,13 +91,17 @@ std::vector<glm::dvec3> Resampled(const std::vector<glm::dvec3>& line, double st
   return places;
 }
 
-glm::dvec3 NormalOf(const ImplicitSolid& surface, const glm::dvec3& a, const glm::dvec3& b)
+/// Upright on a piece of the middle line, along the plate's mean direction there.
+glm::dvec3 NormalOf(
+  const ImplicitSolid& surface, const PlateRecipe& recipe, const glm::dvec3& a, const glm::dvec3& b)
 {
-  const auto direction = [&](const glm::dvec3& x)
-  { return glm::normalize(surface.SampleAt(x).gradient); };
-  const glm::dvec3 along = glm::normalize(b - a);
-  const glm::dvec3 sum = direction(a) + direction(0.5 * (a + b)) + direction(b);
-  return glm::normalize(sum - glm::dot(sum, along) * along);
+  const glm::dvec3 along = glm::normalize(b - a), middle = 0.5 * (a + b);
+  const auto upright = [&](const glm::dvec3& normal)
+  { return glm::normalize(normal - glm::dot(normal, along) * along); };
+  const glm::dvec3 up = upright(glm::normalize(surface.SampleAt(a).gradient) +
+                                glm::normalize(surface.SampleAt(middle).gradient) +
+                                glm::normalize(surface.SampleAt(b).gradient));
+  return upright(MeanNormal(surface, recipe, middle, along, up));
 }
 } // namespace
 
@@ -128,6 +132,25 @@ double PlatePath::Across(const glm::dvec3& point, double reachMm) const
     least = std::min(least, glm::length(v - height * this->normals[n] - t * along));
   }
   return least;
+}
+
+glm::dvec3 MeanNormal(const ImplicitSolid& surface, const PlateRecipe& recipe, const glm::dvec3& at,
+  const glm::dvec3& along, const glm::dvec3& up)
+{
+  constexpr int half = 4;
+  const double step = 0.5 * recipe.widthMm / half;
+  const glm::dvec3 forth = step * glm::normalize(along), side = glm::cross(up, forth);
+  const glm::dvec3 middle = at + (recipe.gapMm + recipe.thicknessMm) * up;
+  glm::dvec3 sum(0.0);
+  for (int i = -half; i <= half; ++i)
+    for (int j = -half; j <= half; ++j)
+    {
+      const glm::dvec3 out =
+        surface.SampleAt(middle + double(i) * forth + double(j) * side).gradient;
+      if (i * i + j * j <= half * half && glm::dot(out, up) > 0.0)
+        sum += glm::normalize(out);
+    }
+  return glm::dot(sum, sum) > 0.0 ? glm::normalize(sum) : up;
 }
 
 std::optional<glm::dvec3> OnSurface(const ImplicitSolid& surface, const glm::dvec3& point)
@@ -180,7 +203,7 @@ PlatePath MakePlatePath(const ImplicitSolid& surface, const PlateRecipe& recipe)
   if (path.places.size() < 2)
     throw std::runtime_error("plate: the landmarks come to lie on one place of bone");
   for (std::size_t n = 0; n + 1 < path.places.size(); ++n)
-    path.normals.push_back(NormalOf(surface, path.places[n], path.places[n + 1]));
+    path.normals.push_back(NormalOf(surface, recipe, path.places[n], path.places[n + 1]));
   return path;
 }
 

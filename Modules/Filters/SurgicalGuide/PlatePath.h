@@ -13,7 +13,7 @@ struct PlatePath
 {
   std::vector<glm::dvec3> places; ///< on the surface within 0.001 mm, two at least
   std::vector<glm::dvec3>
-    normals; ///< of the piece after each place but the last: unit, upright on it
+    normals; ///< of the piece after each place but the last: unit, upright on it (MeanNormal)
 
   /// The piece nearest to a point.
   std::size_t Nearest(const glm::dvec3& point) const;
@@ -21,6 +21,12 @@ struct PlatePath
   /// which it lies within reachMm; infinite if there is none.
   double Across(const glm::dvec3& point, double reachMm) const;
 };
+
+/// What is upright on the plate as a whole, unit: a scan's surface has steps, across which its own
+/// normals lean by ten degrees and more. The mean direction of the plate's outer face within half
+/// a width of a place on the middle line that runs `along`, with `up` roughly upright on it.
+glm::dvec3 MeanNormal(const ImplicitSolid& surface, const PlateRecipe& recipe, const glm::dvec3& at,
+  const glm::dvec3& along, const glm::dvec3& up);
 
 /// The nearest place of a solid's surface, by steps along its gradient; none where they do not end
 /// within 0.001 mm of it.

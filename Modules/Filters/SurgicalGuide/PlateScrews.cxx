@@ -93,30 +93,6 @@ void CheckHold(const ImplicitSolid& bone, const PlateScrew& screw, const PlacedS
   throw std::runtime_error("plate: " + name + " meets no bone");
 }
 
-/// Upright on the plate as a whole, under which a scan's surface has steps: the mean direction of
-/// its outer face within half a width.
-glm::dvec3 MeanNormal(const ImplicitSolid& surface, const PlatePath& path,
-  const PlateRecipe& recipe, const glm::dvec3& at)
-{
-  constexpr int half = 4;
-  const std::size_t piece = path.Nearest(at);
-  const glm::dvec3 up = path.normals[piece];
-  const glm::dvec3 along = glm::normalize(path.places[piece + 1] - path.places[piece]);
-  const glm::dvec3 side = glm::cross(up, along);
-  const glm::dvec3 middle = at + (recipe.gapMm + recipe.thicknessMm) * up;
-  const double step = 0.5 * recipe.widthMm / half;
-  glm::dvec3 sum(0.0);
-  for (int i = -half; i <= half; ++i)
-    for (int j = -half; j <= half; ++j)
-    {
-      const glm::dvec3 out =
-        surface.SampleAt(middle + step * (double(i) * along + double(j) * side)).gradient;
-      if (i * i + j * j <= half * half && glm::dot(out, up) > 0.0)
-        sum += glm::normalize(out);
-    }
-  return glm::dot(sum, sum) > 0.0 ? glm::normalize(sum) : up;
-}
-
 /// See the header; by places around the axis.
 void CheckSeat(const ImplicitSolid& surface, const PlateRecipe& recipe, const PlateScrew& screw,
   const PlacedScrew& placed, const std::string& name)
@@ -151,7 +127,9 @@ PlacedScrew Place(
 {
   const PlateScrew& screw = recipe.screws[n];
   const glm::dvec3 at = LaidOnBone(surface, ScrewName(n), screw.point);
-  const glm::dvec3 normal = MeanNormal(surface, path, recipe, at);
+  const std::size_t piece = path.Nearest(at);
+  const glm::dvec3 normal = MeanNormal(
+    surface, recipe, at, path.places[piece + 1] - path.places[piece], path.normals[piece]);
   const glm::dvec3 axis = screw.axis ? glm::normalize(*screw.axis) : normal;
   const double lean = glm::degrees(std::acos(glm::clamp(glm::dot(axis, normal), -1.0, 1.0)));
   if (lean > MostLeanDeg)

@@ -1,15 +1,16 @@
 #include "PosedBone.h"
 
 #include "Distance/Coverage.h"
-#include "Distance/CoverageDistance.h"
 #include "Distance/Csg.h"
 #include "Distance/GridSolid.h"
 #include "Distance/SolidMoves.h"
 #include "Grid/ParallelFor.h"
+#include "GuideBone.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -63,22 +64,22 @@ GridGeometry GridOf(const char* who, const Box& local, const glm::dmat3& axes, d
   return { glm::max(glm::ivec3(count), 2), axes * local.low, glm::dvec3(spacingMm), axes };
 }
 
-/// Distances as a solid; null if nothing of the grid is covered.
-SolidPointer SolidOf(
-  const GridGeometry& grid, const std::vector<float>& coverage, const ProgressFunction& progress)
+/// Bone as a solid; null if there is none in the grid.
+SolidPointer SolidOf(const AnyGridView& grey, const std::vector<std::uint8_t>& keep,
+  double isovalue, const GridGeometry& grid, const ProgressFunction& progress)
 {
-  const auto [least, most] = std::minmax_element(coverage.begin(), coverage.end());
-  if (!(*most > 0.5F))
+  const GuideDistances distances = DistanceToBone(grey, keep, isovalue, grid, progress);
+  const float any = distances->front();
+  if (std::isfinite(any))
+    return MakeGridSolid(distances, grid);
+  if (any > 0.0F)
     return nullptr;
-  if (*least > 0.5F)
-    throw std::runtime_error(
-      "plate: all around the landmarks is bone: is the isovalue below that of air?");
-  return MakeGridSolid(
-    std::make_shared<const std::vector<float>>(CoverageDistance(grid, coverage, progress)), grid);
+  throw std::runtime_error(
+    "plate: all around the landmarks is bone: is the isovalue below that of air?");
 }
 
 /// One bone near the region, moved by a pose; null if none of it is there.
-SolidPointer OneBone(const AnyGridView& ct, std::span<const std::uint8_t> keep,
+SolidPointer OneBone(const AnyGridView& ct, const std::vector<std::uint8_t>& keep,
   const PlateRecipe& recipe, const Box& region, const RigidPose& pose,
   const ProgressFunction& progress)
 {
@@ -89,11 +90,7 @@ SolidPointer OneBone(const AnyGridView& ct, std::span<const std::uint8_t> keep,
   if (local.low.x >= local.high.x || local.low.y >= local.high.y || local.low.z >= local.high.z)
     return nullptr;
   const GridGeometry grid = GridOf("plate", local, geometry.direction, recipe.spacingMm);
-  CoverageSettings settings;
-  settings.isovalue = recipe.isovalue;
-  settings.keep = keep;
-  const SolidPointer bone = SolidOf(
-    grid, Coverage(ct, grid, settings, PartOf(progress, 0.0, 0.5)), PartOf(progress, 0.5, 1.0));
+  const SolidPointer bone = SolidOf(ct, keep, recipe.isovalue, grid, progress);
   return !bone || pose == RigidPose{} ? bone : MakeMoved(bone, pose);
 }
 
@@ -173,11 +170,8 @@ SolidPointer BridgedSolid(const ImplicitSolid& solid, double radiusMm, const Box
           depth[line * row + i] =
             float(-solid.At(grid.IndexToWorld({ i, line % grid.dims.y, line / grid.dims.y })));
     });
-  CoverageSettings swollen;
-  swollen.isovalue = -radiusMm;
-  const std::vector<float> coverage = Coverage(
-    GridView<const float>{ depth.data(), grid }, grid, swollen, PartOf(progress, 0.0, 0.5));
-  const SolidPointer outer = SolidOf(grid, coverage, PartOf(progress, 0.5, 1.0));
+  const SolidPointer outer =
+    SolidOf(GridView<const float>{ depth.data(), grid }, {}, -radiusMm, grid, progress);
   return MakeOffset(outer, -radiusMm); // of bone that is there: something is covered
 }
 

@@ -127,13 +127,16 @@ SolidPointer MakeTube(std::span<const glm::dvec3> line, bool closed, double radi
 }
 
 SolidPointer MakeRibbon(SolidPointer surface, std::span<const glm::dvec3> path, double widthMm,
-  double fromMm, double toMm)
+  double fromMm, double toMm, std::span<const glm::dvec3> normals)
 {
   if (path.size() < 2)
     throw std::invalid_argument(
       "ribbon: the path has " + std::to_string(path.size()) + " places; give two at least");
   RequirePositive("ribbon", "width", widthMm);
   RequireFiniteLine("ribbon", path);
+  if (!normals.empty() && normals.size() + 1 != path.size())
+    throw std::invalid_argument("ribbon: there are " + std::to_string(normals.size()) +
+                                " normals for " + std::to_string(path.size() - 1) + " segments");
   const SolidPointer wall = MakeShell(surface, fromMm, toMm);
   const double off = 0.25 * widthMm;
   const RibbonBand band{ widthMm, std::min(fromMm, 0.0),
@@ -146,6 +149,8 @@ SolidPointer MakeRibbon(SolidPointer surface, std::span<const glm::dvec3> path, 
     glm::dvec3 normal = NormalOn(*surface, a, off, "place", n);
     normal += NormalOn(*surface, b, off, "place", n + 1);
     normal += NormalOn(*surface, middle, off, "middle after place", n);
+    if (!normals.empty())
+      normal = normals[n];
     const RibbonSegment segment(a, b, normal, where.c_str());
     const double depth =
       RibbonDepth(*surface, segment, band, n == 0, n + 2 == path.size(), where.c_str());

@@ -22,6 +22,8 @@ SolidPointer MakeTube(std::span<const glm::dvec3> line, bool closed, double radi
 ///
 /// path   at least two places, mm, on the surface: they and the middles between them at most
 ///        widthMm / 4 off. Where it bends away more, give more places.
+/// normals   of each straight segment, any length: what its walls are upright along, where the
+///        surface's own normals in its three places are too uneven; none: these
 /// Thin bone: the band is on the side of the path alone. Below each straight segment it ends within
 /// the solid, halfway between the lowest place of the surface under it and the highest of the
 /// solid's other side, as columns along the normal find them, an eighth of the width apart across.
@@ -33,7 +35,7 @@ SolidPointer MakeTube(std::span<const glm::dvec3> line, bool closed, double radi
 /// Cost: some 1,000 values of `surface` a segment.
 /// Faces: those of MakeShell(surface, fromMm, toMm), then five a segment (MakeStadium).
 SolidPointer MakeRibbon(SolidPointer surface, std::span<const glm::dvec3> path, double widthMm,
-  double fromMm, double toMm);
+  double fromMm, double toMm, std::span<const glm::dvec3> normals = {});
 
 /// Letters of single strokes with round ends, as a burr writes and a printer prints: to engrave
 /// (MakeDifference) or to emboss (MakeUnion). The axes of the strokes lie in one plane.

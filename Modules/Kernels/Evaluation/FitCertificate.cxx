@@ -75,7 +75,7 @@ bool InCut(const PartClaims& claims, const glm::dvec3& place)
   }
   for (const ClaimedHole& hole : claims.holes)
     if (glm::length(glm::cross(place - hole.point, hole.axis)) <=
-        0.5 * hole.diameterMm + 2.0 * hole.toleranceMm)
+        0.5 * std::max(hole.diameterMm, hole.roomMm) + 2.0 * hole.toleranceMm)
       return true;
   return false;
 }

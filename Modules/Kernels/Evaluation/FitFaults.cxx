@@ -182,7 +182,7 @@ void JudgeSlot(const SlotFit& fit, const ClaimedSlot& slot, std::size_t number, 
 
 void JudgeHole(const HoleFit& fit, const ClaimedHole& hole, std::size_t number, FitFaults& faults)
 {
-  const std::string name = Name("holes", number);
+  const std::string name = hole.name.empty() ? Name("holes", number) : hole.name;
   const double tolerance = hole.toleranceMm;
   const auto fault = [&](const std::string& text, const std::optional<glm::dvec3>& at = {})
   { Add(faults, FitFaultKind::Hole, name + text, at); };

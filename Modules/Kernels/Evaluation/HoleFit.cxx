@@ -125,22 +125,29 @@ public:
     const double middle = glm::dot(this->Tree.Middle() - this->Hole.point, this->Axis);
     const int count = static_cast<int>(std::ceil(this->Tree.Reach(this->Axis) / StepMm));
     for (int n = -count; n <= count; ++n)
-      this->Section(middle + n * StepMm);
+      this->At(middle + n * StepMm);
     if (this->Fit.sections > 0)
       this->Take();
     return this->Fit;
   }
 
 private:
-  void Section(double z)
+  void At(double z)
   {
-    const glm::dvec3 center = this->Hole.point + z * this->Axis;
-    if (this->Tree.Inside(center, this->X))
-    {
-      if (!this->Fit.blockedAt)
-        this->Fit.blockedAt = center;
+    if (z < this->Hole.lowMm - this->Hole.clearMm || z > this->Hole.highMm + this->Hole.clearMm)
       return;
+    const glm::dvec3 center = this->Hole.point + z * this->Axis;
+    if (!this->Tree.Inside(center, this->X))
+    {
+      if (z >= this->Hole.lowMm && z <= this->Hole.highMm)
+        this->Section(z, center);
     }
+    else if (!this->Fit.blockedAt)
+      this->Fit.blockedAt = center;
+  }
+
+  void Section(double z, const glm::dvec3& center)
+  {
     const std::size_t before = this->Wall.size();
     for (int n = 0; n < Rays; ++n)
     {

@@ -27,12 +27,13 @@ struct HoleFit
 
 /// Looks for the hole where it is claimed to be, by rays from its axis.
 ///
-/// Sections are 0.25 mm apart, wherever the axis, which has no ends, is within the mesh's box; each
-/// has 48 rays. A wall faces the axis within 60 degrees, and lies within 0.75 diameters + 0.5 mm; a
-/// section counts if 36 rays meet one. The cylinder is fitted by least squares (Gauss-Newton on its
-/// axis and radius; its axis' direction only where the hole is at least half as high as wide). The
-/// pin may lie beside that axis, as one does that a single burr pushes aside; its place is looked
-/// for by steps down to a thousandth of the radius.
+/// Sections are 0.25 mm apart, wherever the axis, which has no ends, is within the mesh's box and
+/// the claim's bore; each has 48 rays. Between sections of the bore and clearMm beyond both its
+/// ends it is looked whether material is in the way. A wall faces the axis within 60 degrees, and
+/// lies within 0.75 diameters + 0.5 mm; a section counts if 36 rays meet one. The cylinder is
+/// fitted by least squares (Gauss-Newton on its axis and radius; its axis' direction only where the
+/// hole is at least half as high as wide). The pin may lie beside that axis, as one does that a
+/// single burr pushes aside; its place is looked for by steps down to a thousandth of the radius.
 /// The mesh should be closed: see FitSlot. Any thread; one core; about 50 us a section.
 HoleFit FitHole(const TriangleTree& tree, const ClaimedHole& hole);
 

@@ -84,6 +84,10 @@ void ValidateClaims(const PartClaims& claims)
     RequireUnit(name + "axis", hole.axis);
     RequireAbove0(name + "diameterMm", hole.diameterMm, 50.0);
     RequireAbove0(name + "toleranceMm", hole.toleranceMm, 10.0);
+    RequireRange(name + "lowMm", hole.lowMm, -2000.0, -1000.0, 1000.0);
+    RequireRange(name + "highMm", hole.highMm, hole.lowMm, -1000.0, 1000.0);
+    RequireFrom0(name + "clearMm", hole.clearMm, 1000.0);
+    RequireFrom0(name + "roomMm", hole.roomMm, 50.0);
   }
 }
 

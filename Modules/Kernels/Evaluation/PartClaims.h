@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hasp
@@ -19,13 +20,18 @@ struct ClaimedSlot
   double toleranceMm = 0.1;           ///< of width, flatness and place; (0, 10]
 };
 
-/// A round hole all through the part.
+/// A round hole all through the part. A screw's head has room of its own at one end of its bore.
 struct ClaimedHole
 {
   glm::dvec3 point{ 0.0 };          ///< on the axis, world mm
   glm::dvec3 axis{ 0.0, 0.0, 1.0 }; ///< unit
-  double diameterMm = 2.0;          ///< (0, 50]
+  double diameterMm = 2.0;          ///< of the bore, (0, 50]
   double toleranceMm = 0.1;         ///< of diameter and place; (0, 10]
+  double lowMm = -1000.0;           ///< the bore, along the axis from `point`: wider ends are
+  double highMm = 1000.0;           ///< beyond; [-1000, 1000], low below high
+  double clearMm = 1000.0;          ///< nor may anything be in the way so far beyond; [0, 1000]
+  double roomMm = 0.0;              ///< diameter of the room beside the bore; [0, 50], 0: none
+  std::string name = {};            ///< as its recipe names it: "screws[2]"; empty: "holes[n]"
 };
 
 /// A shell that lies on bone: its inner wall `gapMm` off, its outer wall `thicknessMm` more.

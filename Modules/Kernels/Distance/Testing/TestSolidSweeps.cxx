@@ -213,4 +213,23 @@ TEST(SolidSweeps, TextLiesInItsPlaneAndKeepsItsMeasures)
   EXPECT_NEAR(plate->At(origin + glm::dvec3(-0.2, 1, 0)), 0.0, 1e-12);
 }
 
+TEST(SolidSweeps, ARibbonsWallsAreUprightAlongTheNormalsGiven)
+{
+  const auto table = hasp::MakeBox({ 0, 0, -10 }, glm::dmat3(1), { 40, 40, 10 });
+  const std::vector<glm::dvec3> path{ { -10, 0, 0 }, { 0, 0, 0 }, { 10, 0, 0 } };
+  const glm::dvec3 leaning = { 0, 0.5, 1 }; // any length
+  const std::vector<glm::dvec3> normals{ leaning, leaning };
+  const auto band = hasp::MakeRibbon(table, path, 6.0, 0.0, 4.0, normals);
+  // Walls go out by half of what they go up; 3 mm from the axis, upright on it.
+  const double edge = 3.0 * std::sqrt(1.25);
+  for (const double z : { 0.5, 2.0, 3.5 })
+    for (const double side : { -1.0, 1.0 })
+    {
+      EXPECT_LT(band->At({ 3, 0.5 * z + side * (edge - 0.05), z }), 0.0) << z << " " << side;
+      EXPECT_GT(band->At({ 3, 0.5 * z + side * (edge + 0.05), z }), 0.0) << z << " " << side;
+    }
+  EXPECT_THROW(
+    hasp::MakeRibbon(table, path, 6.0, 0.0, 4.0, { normals.data(), 1 }), std::invalid_argument);
+}
+
 } // namespace

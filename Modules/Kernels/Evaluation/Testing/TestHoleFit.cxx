@@ -68,6 +68,40 @@ TEST(HoleFit, APinGoesBesideABurrAndNotBetweenTwo)
   }
 }
 
+TEST(HoleFit, AHeadsRoomIsNoPartOfItsBore)
+{
+  // A bore of 2.4 mm from -3 to 0, and above it to 3 room of 3 mm.
+  const auto motion = parttest::AnyMotion(3);
+  auto mesh = parttest::Tube(1.5, 3.0, 3.0, Sides);
+  for (glm::dvec3& p : mesh.points)
+    p.z += 1.5;
+  auto below = parttest::Tube(1.2, 3.0, 3.0, Sides);
+  for (glm::dvec3& p : below.points)
+    p.z -= 1.51; // two tubes, one on the other
+  for (const glm::uvec3& t : below.triangles)
+    mesh.triangles.push_back(t + std::uint32_t(mesh.points.size()));
+  mesh.points.insert(mesh.points.end(), below.points.begin(), below.points.end());
+  const hasp::TriangleTree tree(motion(mesh));
+  hasp::ClaimedHole claim = Claim(motion, 2.4);
+  EXPECT_GT(hasp::FitHole(tree, claim).diameterMm, 2.6); // both are one hole where none is told
+  claim.highMm = -0.1;
+  auto fit = hasp::FitHole(tree, claim);
+  EXPECT_NEAR(fit.diameterMm, 2.4, 2e-3);
+  EXPECT_NEAR(fit.guideMm, 3.0, 0.3);
+  // What is on the axis far beyond is in the way only where the claim reaches.
+  const auto far =
+    parttest::Blocks({ -1, 1 }, { -1, 1 }, { 20, 22 }, [](int, int, int) { return true; });
+  for (const glm::uvec3& t : far.triangles)
+    mesh.triangles.push_back(t + std::uint32_t(mesh.points.size()));
+  mesh.points.insert(mesh.points.end(), far.points.begin(), far.points.end());
+  const hasp::TriangleTree blocked(motion(mesh));
+  EXPECT_TRUE(hasp::FitHole(blocked, claim).blockedAt);
+  claim.clearMm = 5.0;
+  fit = hasp::FitHole(blocked, claim);
+  EXPECT_FALSE(fit.blockedAt);
+  EXPECT_NEAR(fit.diameterMm, 2.4, 2e-3);
+}
+
 TEST(HoleFit, SaysIfItIsBlockedOpenOrNotThere)
 {
   const auto motion = parttest::AnyMotion(4);
