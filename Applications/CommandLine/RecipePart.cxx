@@ -1,10 +1,15 @@
 #include "RecipePart.h"
 
 #include "VtkMessages.h"
-#include "vtkHaspOutputFile.h"
+
+#if HASP_WITH_OPENSSL
+#include "Planning/Sha256.h"
+#endif
 
 #include <chrono>
+#include <fstream>
 #include <new>
+#include <sstream>
 
 namespace hasp
 {
@@ -25,11 +30,25 @@ vtkSmartPointer<vtkPolyData> RunPartFilter(
   return made;
 }
 
-void WritePart(vtkPolyData* part, const std::string& output, Session& session)
+PartLabel LabelOfRecipe(const std::string& name, const std::string& recipe)
+{
+  PartLabel label{ .name = name, .hash = {} };
+#if HASP_WITH_OPENSSL
+  std::ostringstream bytes;
+  bytes << std::ifstream(recipe, std::ios::binary).rdbuf();
+  label.hash = Sha256(bytes.str());
+#else
+  static_cast<void>(recipe);
+#endif
+  return label;
+}
+
+void WritePart(vtkPolyData* part, const std::string& output, Session& session,
+  const PartLabel& label, const InspectPart& inspect)
 {
   try
   {
-    WriteSurface(part, output);
+    WriteSurface(part, output, label, inspect);
   }
   catch (const Failure&)
   {

@@ -3,6 +3,7 @@
 #include "Files.h"
 #include "Session.h"
 #include "vtkHaspFileNames.h"
+#include "vtkHaspOutputFile.h"
 
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
@@ -10,6 +11,7 @@
 
 #include <exception>
 #include <string>
+#include <vector>
 
 /// What verbs share that make a part of a volume by a recipe.
 namespace hasp
@@ -35,7 +37,16 @@ auto ReadRecipeFile(const std::string& path, const Read& read)
 vtkSmartPointer<vtkPolyData> RunPartFilter(
   vtkPolyDataAlgorithm* filter, const char* part, Session& session);
 
-/// Writes it as a whole or not at all. Throws Failure: WrongUse.
-void WritePart(vtkPolyData* part, const std::string& output, Session& session);
+/// What --output of a part may end in.
+inline const std::vector<std::string> PartEndings = { ".stl", ".3mf", ".ply", ".obj" };
+
+/// What the file of a part says of it: this name, and the hash of the recipe's file, as sha256sum
+/// prints it; none in a build without OpenSSL.
+PartLabel LabelOfRecipe(const std::string& name, const std::string& recipe);
+
+/// Writes it as a whole or not at all; `inspect` as of WriteSurface. Throws Failure: WrongUse, and
+/// what `inspect` throws.
+void WritePart(vtkPolyData* part, const std::string& output, Session& session,
+  const PartLabel& label = {}, const InspectPart& inspect = {});
 
 } // namespace hasp

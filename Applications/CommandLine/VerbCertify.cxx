@@ -46,7 +46,7 @@ PartClaims ReadClaims(const CertifyOptions& options)
 void Run(const CertifyOptions& options, Session& session)
 {
   if (!IsSurfaceName(options.part))
-    throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .ply, .obj or .vtp");
+    throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .3mf, .ply, .obj or .vtp");
   PartClaims claims;
   if (options.recipe.empty())
     SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");

@@ -1,29 +1,22 @@
 #include "Failure.h"
-#include "Files.h"
 #include "GuideClaims.h"
 #include "PartCertificate.h"
 #include "RecipeInput.h"
+#include "RecipePart.h"
 #include "Session.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
 #include "VtkMessages.h"
-#include "vtkHaspFileNames.h"
 #include "vtkHaspGuideFilter.h"
-#include "vtkHaspOutputFile.h"
 
 #include "Planning/GuideRecipe.h"
 
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
-#include <string_view>
 
 namespace hasp
 {
@@ -64,39 +57,24 @@ Guide MakeGuide(vtkImageData* volume, const GuideRecipe& recipe, Session& sessio
   return guide;
 }
 
-/// Says in the head of a binary STL file, 80 bytes of text, that it does not hold.
-void MarkAsFailed(const std::string& stl)
-{
-  constexpr std::string_view words = " DOES NOT HOLD";
-  std::string head(80, '\0');
-  std::fstream file(stl, std::ios::in | std::ios::out | std::ios::binary);
-  file.read(head.data(), 80);
-  const std::size_t end = std::min(head.find_last_not_of(std::string_view("\0 ", 2)) + 1,
-    head.size() - words.size()); // npos + 1 is 0
-  head.replace(end, words.size(), words);
-  file.seekp(0);
-  file.write(head.data(), 80);
-  if (!file.flush())
-    throw Failure(ExitCode::WrongUse, "the guide does not hold, and its file cannot say so");
-}
-
 /// Prints the certificate; throws Failure: FailedCheck if it does not hold and is not forced.
-void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& options,
+PartVerdict Check(const std::string& pendingFile, vtkImageData* volume, const GuideOptions& options,
   const PartClaims& claims, Session& session)
 {
-  const FitCertificate certificate = CertifyPart(ReadBackStl(stl), volume, claims, session);
+  const FitCertificate certificate =
+    CertifyPart(ReadBack(pendingFile, session), volume, claims, session);
   if (certificate.Holds())
-    return;
+    return PartVerdict::Holds;
   if (!options.force)
     ThrowFaults(certificate, "the guide does not hold and was not kept");
-  MarkAsFailed(stl);
   session.result["certificate"]["forced"] = true;
   SayWarning(session, "the guide does not hold; it is kept, and its file says so (--force)");
+  return PartVerdict::DoesNotHold;
 }
 
 void Run(const GuideOptions& options, Session& session)
 {
-  RequireWritable(options.output, { ".stl" });
+  RequireWritable(options.output, PartEndings);
   if (options.force && !options.check)
     throw Failure(ExitCode::WrongUse, "--force is for guides that --check finds not to hold");
   const GuideRecipe recipe = ReadRecipe(options.recipe);
@@ -106,24 +84,13 @@ void Run(const GuideOptions& options, Session& session)
   const auto inspect = [&](const std::string& pendingFile)
   {
     if (options.check)
-      Check(pendingFile, volume.image, options,
+      return Check(pendingFile, volume.image, options,
         ClaimsOf(recipe, options.leastShare, guide.insertionAxis), session);
-    else
-      session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
+    session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
+    return PartVerdict::Holds;
   };
-  try
-  {
-    WriteSurface(guide.surface, options.output, inspect);
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::WrongUse, SafeText(error));
-  }
-  session.result["output"] = FileLabel(options.output);
+  WritePart(
+    guide.surface, options.output, session, LabelOfRecipe("guide", options.recipe), inspect);
 }
 
 } // namespace
@@ -135,11 +102,14 @@ void AddGuideVerb(CLI::App& app, Session& session)
   AddVolumeOptions(*verb, options->volume);
   verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
     ->required();
-  verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
+  verb
+    ->add_option(
+      "--output", options->output, "The .stl, .3mf, .ply or .obj file; its folder must exist")
+    ->required();
   verb->add_flag("--check", options->check,
     "Read the file back, print its certificate, and keep it only if that holds");
-  verb->add_flag("--force", options->force,
-    "Keep a guide that does not hold all the same; the head of its file says so");
+  verb->add_flag(
+    "--force", options->force, "Keep a guide that does not hold all the same; its file says so");
   verb
     ->add_option("--least-share", options->leastShare,
       "Of the inner wall that must be within 0.2 mm of the gap")

@@ -47,7 +47,7 @@ void SayScrews(vtkPolyData* plate, Session& session)
 
 void Run(const PlateOptions& options, Session& session)
 {
-  RequireWritable(options.output, { ".stl" });
+  RequireWritable(options.output, PartEndings);
   const PlateRecipe recipe = ReadRecipeFile(options.recipe, ReadPlateRecipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
@@ -61,7 +61,7 @@ void Run(const PlateOptions& options, Session& session)
     filter->SetInputData(1, ReadVolume(choices, session).image);
   }
   const vtkSmartPointer<vtkPolyData> plate = RunPartFilter(filter, "plate", session);
-  WritePart(plate, options.output, session);
+  WritePart(plate, options.output, session, LabelOfRecipe("plate", options.recipe));
   session.progress.Wipe();
   SayScrews(plate, session);
 }
@@ -77,7 +77,10 @@ void AddPlateVerb(CLI::App& app, Session& session)
     ->required();
   verb->add_option(
     "--labels", options->labels, "Labels of the same grid, for recipes that move fragments");
-  verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
+  verb
+    ->add_option(
+      "--output", options->output, "The .stl, .3mf, .ply or .obj file; its folder must exist")
+    ->required();
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp plate head.mha --recipe plate.json --output plate.stl\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input.");

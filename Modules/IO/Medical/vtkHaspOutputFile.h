@@ -67,7 +67,7 @@ VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::strin
 /// An object of a file of several.
 struct NamedSurface
 {
-  std::string name; ///< one that IsPartName takes
+  std::string name; ///< one that IsPartName takes; may be empty
   vtkPolyData* surface = nullptr;
 };
 
