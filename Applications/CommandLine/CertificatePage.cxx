@@ -4,40 +4,17 @@
 #include "Files.h"
 #include "Session.h"
 
-#if HASP_WITH_HASHES
-#include "Planning/Sha256.h"
-#endif
-
 #include <chrono>
-#include <fstream>
-#include <iterator>
 
 namespace hasp
 {
-namespace
-{
-
-std::string HashOf([[maybe_unused]] const std::string& path)
-{
-#if HASP_WITH_HASHES
-  if (path.empty())
-    return {};
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(file), {} };
-  return file ? Sha256(bytes) : std::string();
-#else
-  return {};
-#endif
-}
-
-} // namespace
 
 void WriteCertificatePage(const TriangleMesh& part, vtkImageData* bone,
   const FitCertificate& certificate, const PageRequest& request, Session& session)
 {
   if (request.path.empty())
     return session.resources.push_back({ "certificate's page", 0, 0.0, "no --html was asked for" });
-  CertificatePage page{ HashOf(request.part), HashOf(request.recipe), request.fate };
+  CertificatePage page{ HashOfFile(request.part), HashOfFile(request.recipe), request.fate };
   const auto start = std::chrono::steady_clock::now();
   try
   {

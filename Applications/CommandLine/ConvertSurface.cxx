@@ -17,6 +17,7 @@
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <vector>
 
 namespace hasp
 {
@@ -82,9 +83,50 @@ double Compare(const LoadedSurface& surface, const LoadedSurface& back)
                               " triangles, not " + std::to_string(before.triangles.size()) });
   const double shift = LargestShift(before, after);
   if (!(shift <= FarthestMm))
-    throw FailedCheck(what, { "corners lie up to " + Number(shift) +
-                              " mm from their place; .ply and .obj keep more digits than .stl" });
+    throw FailedCheck(
+      what, { "corners lie up to " + Number(shift) +
+              " mm from their place; .ply and .obj keep more digits than .stl and .3mf" });
   return shift;
+}
+
+/// The triangles of one piece, with the points that are theirs.
+vtkSmartPointer<vtkPolyData> PieceOf(const TriangleMesh& mesh, const SurfacePiece& piece)
+{
+  TriangleMesh part;
+  std::vector<glm::uint> number(mesh.points.size(), ~0U);
+  for (std::size_t n = 0; n < piece.triangles; ++n)
+  {
+    glm::uvec3 triangle = mesh.triangles[piece.firstTriangle + n];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      glm::uint& at = number[triangle[corner]];
+      if (at == ~0U)
+      {
+        at = static_cast<glm::uint>(part.points.size());
+        part.points.push_back(mesh.points[triangle[corner]]);
+      }
+      triangle[corner] = at;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return MakePolyData(part);
+}
+
+/// With what the file says of the part; objects stay objects where the format has them.
+void Write(const LoadedSurface& surface, const std::string& name)
+{
+  const SurfacePassport& passport = surface.passport;
+  if (passport.pieces.empty() || !name.ends_with(".3mf"))
+    return WriteSurface(surface.surface, name, passport.label);
+  const TriangleMesh mesh = MakeTriangleMesh(surface.surface);
+  std::vector<vtkSmartPointer<vtkPolyData>> kept;
+  std::vector<NamedSurface> objects;
+  for (const SurfacePiece& piece : passport.pieces)
+  {
+    kept.push_back(PieceOf(mesh, piece));
+    objects.push_back({ IsPartName(piece.name) ? piece.name : "", kept.back() });
+  }
+  WriteSurfaces(objects, name, passport.label);
 }
 
 std::string Describe(const SurfacePassport& passport)
@@ -107,7 +149,7 @@ void ConvertSurface(const ConvertOptions& options, Session& session)
   try
   {
     WriteInspected(
-      options.output, [&](const std::string& name) { WriteSurface(surface.surface, name); },
+      options.output, [&](const std::string& name) { Write(surface, name); },
       [&](const std::string& name)
       {
         session.progress.Step("reading it back");

@@ -4,6 +4,10 @@
 #include "vtkHaspFileNames.h"
 #include "vtkHaspOutputFile.h"
 
+#if HASP_WITH_OPENSSL
+#include "Planning/Sha256.h"
+#endif
+
 #include <nlohmann/json.hpp>
 
 #include <unistd.h>
@@ -11,6 +15,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <stdexcept>
 #include <system_error>
@@ -134,6 +140,19 @@ void WriteFile(const std::string& path, std::string_view bytes)
   {
     throw Failure(ExitCode::WrongUse, SafeText(error));
   }
+}
+
+std::string HashOfFile([[maybe_unused]] const std::string& path)
+{
+#if HASP_WITH_OPENSSL
+  if (path.empty())
+    return {};
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(file), {} };
+  return file ? Sha256(bytes) : std::string();
+#else
+  return {};
+#endif
 }
 
 std::string FreeName(const std::string& stem, const std::string& ending)

@@ -25,6 +25,10 @@ void RequireWritableFolder(const std::string& path);
 /// system's reason.
 void WriteFile(const std::string& path, std::string_view bytes);
 
+/// SHA-256 of a file's bytes, as sha256sum prints it. Empty without HASP_ENABLE_OPENSSL, without a
+/// path, and of a file that cannot be read.
+std::string HashOfFile(const std::string& path);
+
 /// A name that nothing in the current folder has: "stem-1.png", or -2 and so on.
 std::string FreeName(const std::string& stem, const std::string& ending);
 

@@ -13,11 +13,14 @@
 #endif
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 
 #include <chrono>
 #include <iostream>
+#include <type_traits>
 #include <vector>
 
 namespace hasp
@@ -34,6 +37,18 @@ FindSelfIntersectionsFunction SelfIntersectionsOfThisBuild()
 #endif
 }
 
+template <typename Reader>
+TriangleMesh ReadByVtk(const std::string& file)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  if constexpr (std::is_same_v<Reader, vtkSTLReader>)
+    reader->MergingOff();
+  reader->Update();
+  ThrowVtkError(ExitCode::FailedCheck, "the part cannot be read back");
+  return WeldPoints(MakeTriangleMesh(reader->GetOutput()));
+}
+
 } // namespace
 
 TriangleMesh ReadPart(const std::string& path, Session& session)
@@ -43,14 +58,22 @@ TriangleMesh ReadPart(const std::string& path, Session& session)
   return WeldPoints(MakeTriangleMesh(read.surface));
 }
 
-TriangleMesh ReadBackStl(const std::string& stl)
+TriangleMesh ReadBack(const std::string& pendingFile, Session& session)
 {
-  vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(stl.c_str());
-  reader->MergingOff();
-  reader->Update();
-  ThrowVtkError(ExitCode::FailedCheck, "the part cannot be read back");
-  return WeldPoints(MakeTriangleMesh(reader->GetOutput()));
+  if (pendingFile.ends_with(".ply"))
+    return ReadByVtk<vtkPLYReader>(pendingFile);
+  if (pendingFile.ends_with(".obj"))
+    return ReadByVtk<vtkOBJReader>(pendingFile);
+  if (pendingFile.ends_with(".3mf"))
+    try
+    {
+      return ReadPart(pendingFile, session);
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure(ExitCode::FailedCheck, failure.what());
+    }
+  return ReadByVtk<vtkSTLReader>(pendingFile);
 }
 
 FitCertificate CertifyPart(

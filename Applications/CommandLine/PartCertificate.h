@@ -14,9 +14,11 @@ struct Session;
 /// Failure: BadInput if it cannot be read.
 TriangleMesh ReadPart(const std::string& path, Session& session);
 
-/// An STL file under way, whatever it is called yet: by VTK's reader, which is not the writer's
-/// own. Throws Failure: FailedCheck if it cannot be read.
-TriangleMesh ReadBackStl(const std::string& stl);
+/// A part's file under way, by its ending: .stl, .ply and .obj by VTK's readers, which are not the
+/// writer's own. Of .3mf there is no second reader: lib3mf reads what lib3mf wrote, in a process of
+/// its own, so that a fault that it makes both ways is not seen here. Throws Failure: FailedCheck
+/// if it cannot be read.
+TriangleMesh ReadBack(const std::string& pendingFile, Session& session);
 
 /// Certifies a part, with CGAL where it is there, and hands the certificate to the session: its
 /// JSON under "certificate", its text on standard output without --json, its time among the

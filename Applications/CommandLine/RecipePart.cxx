@@ -1,10 +1,12 @@
 #include "RecipePart.h"
 
+#include "CertificatePage.h"
 #include "PartCertificate.h"
 #include "VtkMessages.h"
 #include "vtkHaspOutputFile.h"
 
 #include "Planning/GuideRecipeFile.h"
+#include "Planning/ImplantRecipeFile.h"
 #include "Planning/PlateRecipeFile.h"
 
 #include "vtkImageData.h"
@@ -12,11 +14,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <new>
-#include <string_view>
+#include <optional>
 
 namespace hasp
 {
@@ -34,34 +35,33 @@ std::string FormatOf(const std::string& path)
   return json["format"].get<std::string>();
 }
 
-/// Says in the head of a binary STL file, 80 bytes of text, that it does not hold.
-void MarkAsFailed(const std::string& stl, const std::string& part)
+/// A part as it was read back, and what was found of it.
+struct CheckedPart
 {
-  constexpr std::string_view words = " DOES NOT HOLD";
-  std::string head(80, '\0');
-  std::fstream file(stl, std::ios::in | std::ios::out | std::ios::binary);
-  file.read(head.data(), 80);
-  const std::size_t end = std::min(head.find_last_not_of(std::string_view("\0 ", 2)) + 1,
-    head.size() - words.size()); // npos + 1 is 0
-  head.replace(end, words.size(), words);
-  file.seekp(0);
-  file.write(head.data(), 80);
-  if (!file.flush())
-    throw Failure(ExitCode::WrongUse, "the " + part + " does not hold, and its file cannot say so");
-}
+  TriangleMesh mesh;
+  FitCertificate certificate;
+};
 
-/// Prints the certificate; throws Failure: FailedCheck if it does not hold and is not forced.
-void Check(const std::string& stl, vtkImageData* bone, const CheckChoices& choices,
-  const PartClaims& claims, const std::string& part, Session& session)
+/// `work`, what it throws as Failure: WrongUse.
+template <typename Work>
+void TryToWrite(const Work& work)
 {
-  const FitCertificate certificate = CertifyPart(ReadBackStl(stl), bone, claims, session);
-  if (certificate.Holds())
-    return;
-  if (!choices.force)
-    ThrowFaults(certificate, "the " + part + " does not hold and was not kept");
-  MarkAsFailed(stl, part);
-  session.result["certificate"]["forced"] = true;
-  SayWarning(session, "the " + part + " does not hold; it is kept, and its file says so (--force)");
+  try
+  {
+    work();
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // no fault of the file; the caller says what to do
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(ExitCode::WrongUse, SafeText(error));
+  }
 }
 
 } // namespace
@@ -71,22 +71,25 @@ PartRecipe ReadPartRecipe(const std::string& path)
   return ReadRecipeFile(path,
     [](const std::string& file) -> PartRecipe
     {
-      if (FormatOf(file).starts_with("hasp-plate-recipe-"))
+      const std::string format = FormatOf(file);
+      if (format.starts_with("hasp-plate-recipe-"))
         return ReadPlateRecipe(file);
+      if (format.starts_with("hasp-implant-recipe-"))
+        return ReadImplantRecipe(file);
       return ReadGuideRecipe(file);
     });
 }
 
 vtkSmartPointer<vtkPolyData> RunPartFilter(
-  vtkPolyDataAlgorithm* filter, const char* part, Session& session)
+  vtkPolyDataAlgorithm* filter, const std::string& part, Session& session)
 {
-  session.progress.Step(std::string("making the ") + part);
+  session.progress.Step("making the " + part);
   ShowProgress(session, filter);
   const auto start = std::chrono::steady_clock::now();
   filter->Update();
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(
-    ExitCode::BadInput, std::string("no ") + part + " can be made of this recipe and volume");
+    ExitCode::BadInput, "no " + part + " can be made of this recipe and volume");
   vtkSmartPointer<vtkPolyData> made = filter->GetOutput();
   session.resources.push_back(
     { part, 1024 * made->GetActualMemorySize(), spent.count(), "made from the recipe" });
@@ -101,51 +104,69 @@ void AddLeastShare(CLI::App& verb, double& share)
     ->capture_default_str();
 }
 
-void AddCheckOptions(CLI::App& verb, const char* part, CheckChoices& choices)
+void AddPartOptions(CLI::App& verb, PartOptions& options)
 {
-  verb.add_flag("--check", choices.check,
+  verb.add_option("--recipe", options.recipe, "The .json file that says what to make")->required();
+  verb
+    .add_option(
+      "--output", options.output, "The .stl, .3mf, .ply or .obj file; its folder must exist")
+    ->required();
+  verb.add_flag("--check", options.check,
     "Read the file back, print its certificate, and keep it only if that holds");
-  verb.add_flag("--force", choices.force,
-    std::string("Keep a ") + part +
-      " that does not hold all the same; the head of its file says so");
-  AddLeastShare(verb, choices.leastShare);
+  verb.add_flag("--force", options.force,
+    "Keep a " + options.part + " that does not hold all the same; its file says so");
+  verb.add_option("--html", options.html,
+    "Write the certificate, with pictures, to this .html file, whether it holds or not");
+  AddLeastShare(verb, options.leastShare);
 }
 
-void RequireCheckWithForce(const CheckChoices& choices, const char* part)
+void RequirePartOptions(const PartOptions& options)
 {
-  if (choices.force && !choices.check)
-    throw Failure(ExitCode::WrongUse,
-      std::string("--force is for ") + part + "s that --check finds not to hold");
+  RequireWritable(options.output, { ".stl", ".3mf", ".ply", ".obj" });
+  if (options.force && !options.check)
+    throw Failure(
+      ExitCode::WrongUse, "--force is for a " + options.part + " that --check finds not to hold");
+  if (options.html.empty())
+    return;
+  if (!options.check)
+    throw Failure(ExitCode::WrongUse, "--html is the page of what --check finds");
+  RequireWritable(options.html, { ".html" });
 }
 
-void WritePart(vtkPolyData* surface, const char* part, const std::string& output,
-  const CheckChoices& choices, vtkImageData* bone, const std::function<PartClaims()>& claims,
-  Session& session)
+void WritePart(vtkPolyData* surface, const PartOptions& options, vtkImageData* bone,
+  const std::function<PartClaims()>& claims, Session& session)
 {
+  std::optional<CheckedPart> checked;
+  const auto writePage = [&](const std::string& file, const std::string& fate)
+  {
+    WriteCertificatePage(checked->mesh, bone, checked->certificate,
+      { options.html, file, options.recipe, fate }, session);
+  };
   const auto inspect = [&](const std::string& pendingFile)
   {
-    if (choices.check)
-      Check(pendingFile, bone, choices, claims(), part, session);
-    else
-      session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
+    if (!options.check)
+      return PartVerdict::Holds;
+    checked.emplace(CheckedPart{ ReadBack(pendingFile, session), {} });
+    checked->certificate = CertifyPart(checked->mesh, bone, claims(), session);
+    if (checked->certificate.Holds())
+      return PartVerdict::Holds;
+    if (options.force)
+      return PartVerdict::DoesNotHold;
+    writePage(pendingFile, "The " + options.part + " was not kept.");
+    ThrowFaults(checked->certificate, "the " + options.part + " does not hold and was not kept");
   };
-  try
-  {
-    WriteSurface(surface, output, inspect);
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw; // no fault of the file; the caller says what to do
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::WrongUse, SafeText(error));
-  }
-  session.result["output"] = FileLabel(output);
+  const PartLabel label{ .name = options.part, .hash = HashOfFile(options.recipe) };
+  TryToWrite([&] { WriteSurface(surface, options.output, label, inspect); });
+  session.result["output"] = FileLabel(options.output);
+  if (!checked)
+    return session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
+  if (checked->certificate.Holds())
+    return writePage(options.output, "");
+  writePage(options.output, "It was forced: the " + options.part +
+    " is kept although it does not hold, and its file says so.");
+  session.result["certificate"]["forced"] = true;
+  SayWarning(session,
+    "the " + options.part + " does not hold; it is kept, and its file says so (--force)");
 }
 
 } // namespace hasp

@@ -6,6 +6,7 @@
 #include "vtkHaspFileNames.h"
 
 #include "Planning/GuideRecipe.h"
+#include "Planning/ImplantRecipe.h"
 #include "Planning/PlateRecipe.h"
 
 #include "vtkPolyData.h"
@@ -43,35 +44,39 @@ auto ReadRecipeFile(const std::string& path, const Read& read)
 }
 
 /// A recipe of what its "format" says; what says nothing is read as a guide's.
-using PartRecipe = std::variant<GuideRecipe, PlateRecipe>;
+using PartRecipe = std::variant<GuideRecipe, PlateRecipe, ImplantRecipe>;
 PartRecipe ReadPartRecipe(const std::string& path);
 
-/// Runs a filter that makes a part called `part`, with progress; lists it among the resources.
-/// Throws Failure: BadInput with what the filter reported.
-vtkSmartPointer<vtkPolyData> RunPartFilter(
-  vtkPolyDataAlgorithm* filter, const char* part, Session& session);
-
-/// Whether a part is held to its claims before it is kept.
-struct CheckChoices
+/// Which part a verb makes, and what is asked of it before it is kept.
+struct PartOptions
 {
+  std::string part; ///< "guide": its name in its file, too
+  std::string recipe, output;
   bool check = false, force = false;
   double leastShare = 0.95; ///< of the inner wall that must be within its gap, [0, 1]
+  std::string html;         ///< of the certificate's page; empty: none
 };
 
-/// --check, --force and --least-share of a verb that makes a `part`.
-void AddCheckOptions(CLI::App& verb, const char* part, CheckChoices& choices);
+/// --recipe, --output, --check, --force, --html and --least-share.
+void AddPartOptions(CLI::App& verb, PartOptions& options);
 
 /// --least-share alone.
 void AddLeastShare(CLI::App& verb, double& share);
 
-/// Throws Failure: WrongUse for --force without --check.
-void RequireCheckWithForce(const CheckChoices& choices, const char* part);
+/// Call before the work begins. Throws Failure: WrongUse for files that cannot be written, and for
+/// --force or --html without --check.
+void RequirePartOptions(const PartOptions& options);
 
-/// Writes it as a whole or not at all. With --check the file is read back first, its certificate
-/// printed (CertifyPart), and it is kept only if that holds, or by force: then the head of the file
-/// says so. `claims` is asked for with --check alone. Throws Failure: WrongUse, FailedCheck.
-void WritePart(vtkPolyData* surface, const char* part, const std::string& output,
-  const CheckChoices& choices, vtkImageData* bone, const std::function<PartClaims()>& claims,
-  Session& session);
+/// Runs a filter that makes a part called `part`, with progress; lists it among the resources.
+/// Throws Failure: BadInput with what the filter reported.
+vtkSmartPointer<vtkPolyData> RunPartFilter(
+  vtkPolyDataAlgorithm* filter, const std::string& part, Session& session);
+
+/// Writes it as a whole or not at all; its file says the part's name and HashOfFile of the recipe.
+/// With --check it is read back first, its certificate printed (CertifyPart), and it is kept only
+/// if that holds, or by force: then its file says so. `claims` is asked for with --check alone.
+/// Throws Failure: WrongUse, FailedCheck.
+void WritePart(vtkPolyData* surface, const PartOptions& options, vtkImageData* bone,
+  const std::function<PartClaims()>& claims, Session& session);
 
 } // namespace hasp

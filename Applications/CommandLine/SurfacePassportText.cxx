@@ -46,6 +46,12 @@ std::string SurfacePassportText(const SurfacePassport& passport, const MeshCheck
     text << "\nvolume      " << mesh.volumeMm3 << " mm3";
   if (passport.cutPolygons > 0)
     text << "\ncut         " << passport.cutPolygons << " faces of more than three corners";
+  if (!passport.label.name.empty())
+    text << "\npart        " << passport.label.name;
+  if (!passport.label.hash.empty())
+    text << "\nmade from   " << passport.label.hash;
+  for (const SurfacePiece& piece : passport.pieces)
+    text << "\nobject      " << piece.name << ", " << piece.triangles << " triangles";
   for (const std::string& warning : passport.warnings)
     text << "\nwarning     " << warning;
   text << "\n";
@@ -67,6 +73,11 @@ Json SurfacePassportJson(const SurfacePassport& passport, const MeshCheck& mesh)
     json["space"] = passport.space;
   if (mesh.Closed())
     json["volume_mm3"] = mesh.volumeMm3;
+  json["part"] = { { "name", passport.label.name }, { "hash", passport.label.hash },
+    { "does_not_hold", passport.label.doesNotHold } };
+  json["objects"] = Json::array();
+  for (const SurfacePiece& piece : passport.pieces)
+    json["objects"].push_back({ { "name", piece.name }, { "triangles", piece.triangles } });
   return json;
 }
 

@@ -80,7 +80,7 @@ PartClaims ClaimsOfRecipe(
 void Run(const CertifyOptions& options, Session& session)
 {
   if (!IsSurfaceName(options.part))
-    throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .ply, .obj or .vtp");
+    throw Failure(ExitCode::WrongUse, "PART must be a surface: .stl, .3mf, .ply, .obj or .vtp");
   if (!options.html.empty())
     RequireWritable(options.html, { ".html" });
   std::optional<PartRecipe> recipe;

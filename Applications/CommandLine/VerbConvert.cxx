@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr const char* VolumeEndings = ".mha, .vti, .nrrd, .nii, .nii.gz, .seg.nrrd";
-constexpr const char* SurfaceEndings = ".stl, .ply, .obj";
+constexpr const char* SurfaceEndings = ".stl, .3mf, .ply, .obj";
 
 bool EndsLike(const std::string& path, std::initializer_list<const char*> endings)
 {
@@ -83,7 +83,8 @@ OutputKind KindOfOutput(const std::string& path)
     return OutputKind::Segmentation;
   if (EndsLike(path, { ".mha", ".vti", ".nrrd", ".nii", ".nii.gz" }))
     return OutputKind::Volume;
-  return EndsLike(path, { ".stl", ".ply", ".obj" }) ? OutputKind::Surface : OutputKind::Unknown;
+  return EndsLike(path, { ".stl", ".3mf", ".ply", ".obj" }) ? OutputKind::Surface
+                                                            : OutputKind::Unknown;
 }
 
 std::size_t BytesOf(const std::string& path)

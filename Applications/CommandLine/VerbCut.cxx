@@ -1,6 +1,8 @@
+#include "CutFiles.h"
 #include "Failure.h"
 #include "Files.h"
 #include "FragmentCutter.h"
+#include "RecipePart.h"
 #include "Session.h"
 #include "Verbs.h"
 #include "Version.h"
@@ -12,7 +14,6 @@
 #include "Planning/CutRecipeFile.h"
 
 #include "vtkImageData.h"
-#include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
@@ -33,7 +34,7 @@ namespace
 struct CutOptions
 {
   VolumeChoices volume;
-  std::string cuts, labels, output;
+  std::string cuts, labels, output, format = "stl";
   int label = 1;
   bool labelImage = false;
 };
@@ -95,21 +96,16 @@ CutBone Cut(
   return cut;
 }
 
-/// "fragment-1.stl", or "crumb-7.stl".
-std::string NameOfFile(const BoneFragment& fragment)
-{
-  return (fragment.crumb ? "crumb-" : "fragment-") + std::to_string(fragment.number) + ".stl";
-}
-
-nlohmann::ordered_json Describe(const CutBone& cut, const CutRecipe& recipe)
+nlohmann::ordered_json Describe(
+  const CutBone& cut, const CutRecipe& recipe, const std::string& format)
 {
   using Json = nlohmann::ordered_json;
   Json json{ { "bone_mm3", cut.boneMm3 }, { "unaccounted_share", cut.UnaccountedShare() },
     { "isovalue", recipe.isovalue }, { "spacing_mm", CutSpacing(recipe) },
     { "fragments", Json::array() }, { "cuts", Json::array() } };
   for (const BoneFragment& fragment : cut.fragments)
-    json["fragments"].push_back({ { "number", fragment.number }, { "file", NameOfFile(fragment) },
-      { "volume_mm3", fragment.volumeMm3 },
+    json["fragments"].push_back({ { "number", fragment.number },
+      { "file", NameOfFile(fragment, format) }, { "volume_mm3", fragment.volumeMm3 },
       { "center_mm", { fragment.center.x, fragment.center.y, fragment.center.z } },
       { "crumb", fragment.crumb }, { "resected", fragment.resected },
       { "triangles", fragment.mesh.triangles.size() } });
@@ -160,8 +156,7 @@ void Write(const CutOptions& options, const CutBone& cut, const nlohmann::ordere
   {
     const std::filesystem::path folder = std::filesystem::u8path(pendingName);
     std::filesystem::create_directory(folder);
-    for (const BoneFragment& fragment : cut.fragments)
-      WriteSurface(MakePolyData(fragment.mesh), (folder / NameOfFile(fragment)).string());
+    WriteFragments(folder, cut, options.format, LabelOfRecipe("", options.cuts).hash);
     if (options.labelImage)
     {
       const GridGeometry grid = ImageGeometry(volume);
@@ -198,7 +193,7 @@ void Run(const CutOptions& options, Session& session)
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   const CutBone cut = Cut(options, recipe, volume.image, session);
-  const nlohmann::ordered_json measures = Describe(cut, recipe);
+  const nlohmann::ordered_json measures = Describe(cut, recipe, options.format);
   if (!options.labelImage)
     session.resources.push_back({ "label image", 0, 0.0, "no --label-image was asked for" });
   Write(options, cut, measures, volume.image, session);
@@ -224,12 +219,17 @@ void AddCutVerb(CLI::App& app, Session& session)
   verb->add_option("--label", options->label, "The bone's value in --labels")
     ->check(CLI::Range(1, 65535))
     ->capture_default_str();
+  verb->add_option("--format", options->format, "Of the fragments' files")
+    ->check(CLI::IsMember({ "stl", "3mf", "ply", "obj" }))
+    ->capture_default_str();
   verb->add_flag("--label-image", options->labelImage,
     "Write fragments.seg.nrrd, too: the fragment of each voxel");
   AddCommonOptions(*verb, session);
-  verb->footer("Example: hasp cut head.mha --cuts cuts.json --output fragments --label-image\n"
-               "Writes fragment-N.stl, the largest first, crumb-N.stl and measures.json.\n"
-               "Exit codes: 0 done, 1 wrong use, 2 bad input.");
+  verb->footer(
+    "Example: hasp cut head.mha --cuts cuts.json --output fragments --label-image\n"
+    "Writes fragment-N.stl, the largest first, crumb-N.stl and measures.json; as 3mf besides\n"
+    "fragments.3mf, all that are kept as named objects of one file.\n"
+    "Exit codes: 0 done, 1 wrong use, 2 bad input.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }

@@ -1,3 +1,4 @@
+#include "ImplantClaims.h"
 #include "RecipePart.h"
 #include "Verbs.h"
 #include "VolumeInput.h"
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 namespace hasp
 {
@@ -24,7 +26,7 @@ namespace
 struct ImplantOptions
 {
   VolumeChoices volume;
-  std::string recipe, output;
+  PartOptions part{ .part = "implant" };
 };
 
 nlohmann::ordered_json Vector(const double* v)
@@ -61,19 +63,32 @@ void SayFound(vtkPolyData* implant, Session& session)
     std::cout << text;
 }
 
+PartClaims ClaimsOfImplant(const ImplantRecipe& recipe, vtkPolyData* implant)
+{
+  vtkFieldData* data = implant->GetFieldData();
+  glm::dvec3 axis;
+  data->GetArray("Axis")->GetTuple(0, &axis.x);
+  vtkDataArray* tuples = data->GetArray("Holes");
+  std::vector<glm::dvec3> holes(std::size_t(tuples->GetNumberOfTuples()));
+  for (std::size_t n = 0; n < holes.size(); ++n)
+    tuples->GetTuple(vtkIdType(n), &holes[n].x);
+  return ClaimsOf(recipe, axis, holes);
+}
+
 void Run(const ImplantOptions& options, Session& session)
 {
-  RequireWritable(options.output, { ".stl" });
-  const ImplantRecipe recipe = ReadRecipeFile(options.recipe, ReadImplantRecipe);
+  RequirePartOptions(options.part);
+  const ImplantRecipe recipe = ReadRecipeFile(options.part.recipe, ReadImplantRecipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   vtkNew<vtkHaspImplantFilter> filter;
   filter->SetRecipe(recipe);
   filter->SetInputData(volume.image);
   const vtkSmartPointer<vtkPolyData> implant = RunPartFilter(filter, "implant", session);
-  WritePart(implant, options.output, session);
   session.progress.Wipe();
   SayFound(implant, session);
+  WritePart(implant, options.part, volume.image, [&] { return ClaimsOfImplant(recipe, implant); },
+    session);
 }
 
 } // namespace
@@ -83,12 +98,10 @@ void AddImplantVerb(CLI::App& app, Session& session)
   auto options = std::make_shared<ImplantOptions>();
   CLI::App* verb = app.add_subcommand("implant", "Make an implant for a hole in the skull");
   AddVolumeOptions(*verb, options->volume);
-  verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
-    ->required();
-  verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
+  AddPartOptions(*verb, options->part);
   AddCommonOptions(*verb, session);
-  verb->footer("Example: hasp implant head.mha --recipe implant.json --output implant.stl\n"
-               "Exit codes: 0 done, 1 wrong use, 2 bad input.");
+  verb->footer("Example: hasp implant head.mha --recipe implant.json --output implant.stl --check\n"
+               "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the implant does not hold.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }

@@ -26,8 +26,8 @@ namespace
 struct PlateOptions
 {
   VolumeChoices volume;
-  std::string recipe, labels, output;
-  CheckChoices check;
+  PartOptions part{ .part = "plate" };
+  std::string labels;
 };
 
 std::vector<ScrewAxis> ScrewsOf(vtkPolyData* plate)
@@ -62,10 +62,9 @@ void SayScrews(const std::vector<ScrewAxis>& screws, Session& session)
 
 void Run(const PlateOptions& options, Session& session)
 {
-  RequireWritable(options.output, { ".stl" });
-  RequireCheckWithForce(options.check, "plate");
-  const PlateRecipe recipe = ReadRecipeFile(options.recipe, ReadPlateRecipe);
-  if (options.check.check && !recipe.fragments.empty())
+  RequirePartOptions(options.part);
+  const PlateRecipe recipe = ReadRecipeFile(options.part.recipe, ReadPlateRecipe);
+  if (options.part.check && !recipe.fragments.empty())
     throw Failure(ExitCode::WrongUse,
       "--check measures the gap to the bone as scanned, and the recipe moves fragments of it");
   const LoadedVolume volume = ReadVolume(options.volume, session);
@@ -83,9 +82,8 @@ void Run(const PlateOptions& options, Session& session)
   const std::vector<ScrewAxis> screws = ScrewsOf(plate);
   session.progress.Wipe();
   SayScrews(screws, session);
-  WritePart(
-    plate, "plate", options.output, options.check, volume.image,
-    [&] { return ClaimsOf(recipe, screws, options.check.leastShare); }, session);
+  WritePart(plate, options.part, volume.image,
+    [&] { return ClaimsOf(recipe, screws, options.part.leastShare); }, session);
 }
 
 } // namespace
@@ -95,12 +93,9 @@ void AddPlateVerb(CLI::App& app, Session& session)
   auto options = std::make_shared<PlateOptions>();
   CLI::App* verb = app.add_subcommand("plate", "Make a bone plate from a CT and a recipe");
   AddVolumeOptions(*verb, options->volume);
-  verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
-    ->required();
+  AddPartOptions(*verb, options->part);
   verb->add_option(
     "--labels", options->labels, "Labels of the same grid, for recipes that move fragments");
-  verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
-  AddCheckOptions(*verb, "plate", options->check);
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp plate head.mha --recipe plate.json --output plate.stl --check\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the plate does not hold.");

@@ -22,6 +22,7 @@ OUTSIDE = [  # first match wins
     ("tbb", r"(oneapi/)?tbb/.*"),
     ("embree", r"embree[34]/.*"),
     ("hwy", r"hwy/.*"),
+    ("lib3mf", r"Model/COM/NMR_\w+\.h"),
     ("openvdb", r"openvdb/.*"),
     ("eigen", r"(Eigen|unsupported)/.*"),
     ("cgal", r"CGAL/.*"),

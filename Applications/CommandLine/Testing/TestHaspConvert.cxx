@@ -164,6 +164,33 @@ TEST_F(HaspConvert, SurfacesKeepEveryTriangle)
     (Words{ "a.obj", "b.ply", "c.stl", "d.obj", "empty.stl", "far.obj", "far.ply" }));
 }
 
+#if HASP_WITH_LIB3MF
+TEST_F(HaspConvert, WhatAFileSaysOfItsPartGoesWithIt)
+{
+  const std::string hash(64, 'a');
+  this->WriteText("a.obj",
+    "# Hasp 1 SPACE=LPS; UNIT=mm; DOES NOT HOLD; HASH=" + hash +
+      "; PART=guide\nv 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  std::string from = "a.obj";
+  for (const std::string to : { "b.3mf", "c.3mf", "d.ply", "e.stl" })
+  {
+    const HaspRun run = this->Convert(from, to);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const HaspRun info = RunHasp({ "info", this->Path(to), "--json" });
+    ASSERT_EQ(info.exitCode, 0) << info.err;
+    const json passport = json::parse(info.out).at("passport");
+    EXPECT_EQ(passport.at("part").at("does_not_hold"), true) << to;
+    EXPECT_EQ(passport.at("part").at("name"), "guide") << to;
+    EXPECT_EQ(passport.at("objects").size(), to.ends_with(".3mf") ? 1U : 0U);
+    from = to;
+  }
+  EXPECT_EQ(ReadBytes(this->Path("b.3mf")), ReadBytes(this->Path("c.3mf")));
+  // An open surface is no body.
+  this->WriteText("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+  ExpectFailure(this->Convert("open.obj", "open.3mf"), 1, "not closed");
+}
+#endif
+
 TEST_F(HaspConvert, WhatIsNoConversionIsOne)
 {
   this->Phantom();

@@ -85,6 +85,35 @@ TEST_F(HaspCut, WritesFragmentsLabelsAndMeasures)
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(this->Path("parts")), {}), 4);
 }
 
+#if HASP_WITH_LIB3MF
+TEST_F(HaspCut, WritesKeptFragmentsAsObjectsOfOneFile)
+{
+  this->Fibula();
+  json recipe = Recipe();
+  recipe["resected"] = json::array();
+  const HaspRun run = this->Cut(recipe, { "--format", "3mf", "--json" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json fragments = json::parse(run.out).at("fragments");
+  EXPECT_EQ(fragments.at(1).at("file"), "fragment-2.3mf");
+  const HaspRun info = RunHasp({ "info", this->Path("parts/fragments.3mf"), "--json" });
+  ASSERT_EQ(info.exitCode, 0) << info.err;
+  const json passport = json::parse(info.out).at("passport");
+  EXPECT_EQ(passport.at("closed"), true);
+  ASSERT_EQ(passport.at("objects").size(), 2U);
+  for (int n = 0; n < 2; ++n)
+  {
+    EXPECT_EQ(passport.at("objects")[n].at("name"), "fragment " + std::to_string(n + 1));
+    EXPECT_EQ(passport.at("objects")[n].at("triangles"), fragments[n].at("triangles"));
+  }
+  std::filesystem::remove_all(this->Path("parts"));
+  ASSERT_EQ(this->Cut(Recipe(), { "--format", "3mf" }).exitCode, 0); // the longer one is resected
+  const HaspRun kept = RunHasp({ "info", this->Path("parts/fragments.3mf"), "--json" });
+  const json objects = json::parse(kept.out).at("passport").at("objects");
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0].at("name"), "fragment 2");
+}
+#endif
+
 TEST_F(HaspCut, OneCoreAndAllOfThemWriteTheSameBytes)
 {
   this->Fibula();

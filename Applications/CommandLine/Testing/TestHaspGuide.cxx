@@ -89,8 +89,39 @@ TEST_F(HaspGuide, AGuideThatIsForcedSaysSoInItsFile)
   EXPECT_EQ(certificate.at("passed"), false);
   EXPECT_EQ(certificate.at("forced"), true);
   const std::string stl = ReadBytes(this->Path("guide.stl"));
-  EXPECT_NE(stl.substr(0, 80).find("SPACE=LPS; UNIT=mm DOES NOT HOLD"), std::string::npos);
+  EXPECT_NE(stl.substr(0, 80).find("SPACE=LPS; UNIT=mm; DOES NOT HOLD"), std::string::npos);
   EXPECT_EQ(stl.size(), 84u + 50u * certificate.at("mesh").at("triangles").get<std::size_t>());
+}
+
+TEST_F(HaspGuide, EveryFormatIsReadBackAndSaysWhatItIs)
+{
+  this->FinePhantom();
+  this->WriteText("recipe.json", Recipe().dump());
+  std::vector<std::string> endings{ ".stl", ".ply", ".obj" };
+  if (HASP_WITH_LIB3MF)
+    endings.push_back(".3mf");
+  json first;
+  for (const std::string& ending : endings)
+  {
+    SCOPED_TRACE(ending);
+    const std::string file = this->Path("guide" + ending);
+    const HaspRun run =
+      RunHasp({ "guide", this->Path("head.mha"), "--recipe", this->Path("recipe.json"), "--output",
+        file, "--check", "--force", "--json", "--least-share", "1" });
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json mesh = json::parse(run.out).at("certificate").at("mesh");
+    if (first.is_null())
+      first = mesh;
+    EXPECT_EQ(mesh.at("triangles"), first.at("triangles"));
+    EXPECT_NEAR(mesh.at("volume_mm3"), first.at("volume_mm3").get<double>(), 0.01);
+    const HaspRun info = RunHasp({ "info", file, "--json" });
+    ASSERT_EQ(info.exitCode, 0) << info.err;
+    const json part = json::parse(info.out).at("passport").at("part");
+    EXPECT_EQ(part.at("does_not_hold"), true);
+    EXPECT_EQ(part.at("name"), "guide");
+    EXPECT_EQ(part.at("hash").get<std::string>().size(),
+      HASP_WITH_OPENSSL ? (ending == ".stl" ? 16U : 64U) : 0U);
+  }
 }
 
 TEST_F(HaspGuide, AnInterruptedCheckLeavesNothing)

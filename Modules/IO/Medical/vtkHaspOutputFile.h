@@ -2,6 +2,7 @@
 #define vtkHaspOutputFile_h
 
 #include "vtkHaspIOMedicalModule.h" // for export macro
+#include "vtkHaspPartLabel.h"       // for what files say of a part
 
 #include <functional>  // for inspection
 #include <string>      // for paths
@@ -37,17 +38,43 @@ VTKHASPIOMEDICAL_EXPORT void WriteVolume(
 VTKHASPIOMEDICAL_EXPORT void WriteSegmentation(
   vtkImageData* labels, const std::vector<Segment>& segments, const std::string& path);
 
+/// What an inspection of a part's file found. A part that does not hold is written once more, the
+/// same but for its label, which says so: throw to have no file at all.
+enum class PartVerdict
+{
+  Holds,
+  DoesNotHold
+};
+/// Is given the name of the whole file, with the ending it will have, before it is put in place. If
+/// it throws, the file is gone and the earlier one as it was.
+using InspectPart = std::function<PartVerdict(const std::string& pendingFile)>;
+
 /// By the extension; world millimetres in LPS, which the header or a comment says ("Hasp <version>
-/// SPACE=LPS; UNIT=mm"). LoadSurface reads each back bit by bit, .stl rounded to float32.
+/// SPACE=LPS; UNIT=mm"), and after it the label. The same bytes every time. LoadSurface reads each
+/// back bit by bit, .stl rounded to float32, .3mf within 2e-7 of a coordinate and 1e-6 mm besides.
 ///   .stl  binary, float32, normals from the triangles' corners
 ///   .ply  binary little-endian, float or double as the points are
-///   .obj  text, each coordinate as the shortest decimal that reads back the same
+///   .obj  text, each coordinate as the shortest decimal that reads back the same; one object
+///   .3mf  zip, by lib3mf (HASP_ENABLE_LIB3MF), which cuts float32 off after six decimals
 /// Refused: no triangles, polygons or strips (run vtkTriangleFilter), points that are not finite
-/// (.stl: in float32), more than 2^32 - 1 triangles.
-/// `inspect` is given the name of the whole file before it is put in place: if it throws, the file
-/// is gone and the earlier one as it was.
+/// (.stl, .3mf: in float32), more than 2^32 - 1 triangles, a label that is none
+/// (ValidatePartLabel); as .3mf what lib3mf finds not closed, not 2-manifold or not wound one way,
+/// and more than 2^31 - 1 points or triangles.
+/// Limit: lib3mf sets the program's locale to "C".
 VTKHASPIOMEDICAL_EXPORT void WriteSurface(vtkPolyData* surface, const std::string& path,
-  const std::function<void(const std::string& pendingFile)>& inspect = {});
+  const PartLabel& label = {}, const InspectPart& inspect = {});
+
+/// An object of a file of several.
+struct NamedSurface
+{
+  std::string name; ///< one that IsPartName takes; may be empty
+  vtkPolyData* surface = nullptr;
+};
+
+/// .3mf: one object each, in this order, under their names; else as WriteSurface. The label's name
+/// is that of the whole.
+VTKHASPIOMEDICAL_EXPORT void WriteSurfaces(const std::vector<NamedSurface>& surfaces,
+  const std::string& path, const PartLabel& label = {}, const InspectPart& inspect = {});
 
 /// These bytes, whatever the file's ending.
 VTKHASPIOMEDICAL_EXPORT void WriteBytes(std::string_view bytes, const std::string& path);

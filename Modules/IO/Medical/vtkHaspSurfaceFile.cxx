@@ -21,6 +21,7 @@ Reader ReaderOf(const std::filesystem::path& file)
   return ending == ".stl"   ? ReadStl
          : ending == ".ply" ? ReadPly
          : ending == ".obj" ? ReadObj
+         : ending == ".3mf" ? ReadThreeMf
          : ending == ".vtp" ? ReadVtp
                             : nullptr;
 }
@@ -52,11 +53,12 @@ LoadedSurface LoadSurface(
   if (!std::filesystem::exists(status))
     ThrowFileError(file, "there is no such file");
   if (!std::filesystem::is_regular_file(status))
-    ThrowFileError(file, "is no file; surfaces are read from .stl, .ply, .obj and .vtp files");
+    ThrowFileError(
+      file, "is no file; surfaces are read from .stl, .ply, .obj, .3mf and .vtp files");
   RefuseCells(path, "triangles");
   const Reader reader = ReaderOf(file);
   if (!reader)
-    ThrowFileError(file, "is of no kind that is read: .stl, .ply, .obj or .vtp");
+    ThrowFileError(file, "is of no kind that is read: .stl, .ply, .obj, .3mf or .vtp");
   LoadedSurface loaded = reader(file, settings, progress);
   ReportProgress(progress, 1.0);
   return loaded;

@@ -23,7 +23,7 @@ std::filesystem::path FolderOf(const std::filesystem::path& file)
 
 } // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& file) : Target(file)
+AtomicFile::AtomicFile(const std::filesystem::path& file, std::string_view ending) : Target(file)
 {
   if (file.filename().empty())
     ThrowFileError(file, "cannot be written: no file name is given");
@@ -35,7 +35,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& file) : Target(file)
   do
   {
     std::ostringstream unique;
-    unique << ".hasp-" << getpid() << '-' << counter++ << ".tmp"; // names may name a patient
+    unique << ".hasp-" << getpid() << '-' << counter++ << ending; // names may name a patient
     name = FolderOf(file) / unique.str();
     this->Noted.emplace(name); // before it is there: a signal may come in between
     this->Descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

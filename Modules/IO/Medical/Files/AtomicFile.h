@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 namespace hasp
 {
@@ -15,7 +16,8 @@ namespace hasp
 class AtomicFile
 {
 public:
-  explicit AtomicFile(const std::filesystem::path& file);
+  /// `ending`: of the temporary name, for readers that go by it; one of ours and never the file's.
+  explicit AtomicFile(const std::filesystem::path& file, std::string_view ending = ".tmp");
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

@@ -245,6 +245,10 @@ LoadedSurface SurfaceBuilder::Finish(
   loaded.passport.points = this->Points.size();
   loaded.passport.triangles = this->Triangles.size();
   loaded.passport.coordinateType = CoordinateType(loaded.surface);
+  loaded.passport.label = notes.label;
+  if (notes.label.doesNotHold)
+    loaded.passport.warnings.push_back("the file says that this part DOES NOT HOLD: it was kept "
+                                       "although its certificate is red");
   return loaded;
 }
 

@@ -24,11 +24,15 @@ struct Place
 class SurfaceNotes
 {
 public:
-  /// Looks for SPACE=, and for POINTS= and TRIANGLES= as Hasp writes them where a format declares
-  /// no counts.
+  /// Looks for SPACE=, for what Hasp writes of a part (PartText.h), and for POINTS= and TRIANGLES=
+  /// as it writes them where a format declares no counts.
   void Look(std::string_view text);
   bool lps = false, ras = false, otherSpace = false;
   std::int64_t points = -1, triangles = -1; ///< -1: not said
+  PartLabel label;                          ///< of Hasp's own; what no label may hold is not taken
+
+private:
+  void TakeLabel(PartLabel said);
 };
 
 /// Collects points and faces of any format, holds them to the same rules, and makes the surface.

@@ -15,6 +15,8 @@ LoadedSurface ReadPly(const std::filesystem::path& file, const SurfaceReadSettin
   const ProgressFunction& progress);
 LoadedSurface ReadObj(const std::filesystem::path& file, const SurfaceReadSettings& settings,
   const ProgressFunction& progress);
+LoadedSurface ReadThreeMf(const std::filesystem::path& file, const SurfaceReadSettings& settings,
+  const ProgressFunction& progress);
 LoadedSurface ReadVtp(const std::filesystem::path& file, const SurfaceReadSettings& settings,
   const ProgressFunction& progress);
 

@@ -2,6 +2,8 @@
 
 #include "Files/Words.h"
 
+#include <stdexcept>
+
 namespace hasp
 {
 namespace
@@ -23,7 +25,39 @@ std::string_view ValueOf(std::string_view text, std::string_view key)
   return rest.substr(0, rest.find_first_not_of(LettersAndDigits));
 }
 
+/// What the text says as PartText writes it.
+PartLabel LabelIn(std::string_view text)
+{
+  PartLabel label;
+  label.doesNotHold = text.find("; DOES NOT HOLD") != text.npos;
+  label.hash = ValueOf(text, "HASH=");
+  if (const std::size_t at = text.find("; PART="); at != text.npos)
+  {
+    const std::string_view rest = text.substr(at + 7);
+    label.name = Trimmed(rest.substr(0, rest.find(';')));
+  }
+  return label;
+}
+
 } // namespace
+
+void SurfaceNotes::TakeLabel(PartLabel said)
+{
+  this->label.doesNotHold |= said.doesNotHold;
+  said.doesNotHold = false;
+  try
+  {
+    ValidatePartLabel(said);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return; // somebody else's words
+  }
+  if (!said.name.empty())
+    this->label.name = said.name;
+  if (!said.hash.empty())
+    this->label.hash = said.hash;
+}
 
 void SurfaceNotes::Look(std::string_view text)
 {
@@ -33,6 +67,8 @@ void SurfaceNotes::Look(std::string_view text)
     this->ras |= IsWord(space, "ras");
     this->otherSpace |= !IsWord(space, "lps") && !IsWord(space, "ras");
   }
+  if (const std::size_t at = text.find("Hasp "); at != text.npos)
+    this->TakeLabel(LabelIn(text.substr(at)));
   ToInteger(ValueOf(text, "POINTS="), this->points);
   ToInteger(ValueOf(text, "TRIANGLES="), this->triangles);
 }

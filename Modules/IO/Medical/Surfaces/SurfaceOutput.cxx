@@ -37,29 +37,84 @@ void CheckMesh(vtkPolyData* surface, const TriangleMesh& mesh, bool single)
                                     (single ? " in float32" : ""));
 }
 
+using Encode = std::function<void(const PartLabel& label, PieceWriter& into)>;
+
+/// Writes, has the file inspected, writes it once more if it does not hold, and puts it in place.
+void WriteLabelled(const std::filesystem::path& file, std::string_view ending,
+  const PartLabel& label, const Encode& encode, const InspectPart& inspect)
+{
+  const auto fill = [&](AtomicFile& output, const PartLabel& said)
+  {
+    PieceWriter pieces(output);
+    encode(said, pieces);
+    pieces.Flush();
+  };
+  AtomicFile output(file, ending);
+  fill(output, label);
+  if (!inspect || inspect(output.TemporaryName().string()) == PartVerdict::Holds)
+    return output.Commit();
+  PartLabel red = label;
+  red.doesNotHold = true;
+  AtomicFile marked(file, ending);
+  fill(marked, red);
+  marked.Commit();
+}
+
+/// What all writers refuse of a surface.
+TriangleMesh CheckedMesh(vtkPolyData* surface, bool single)
+{
+  TriangleMesh mesh = MakeTriangleMesh(surface);
+  CheckMesh(surface, mesh, single);
+  return mesh;
+}
+
 } // namespace
 
-void WriteSurface(vtkPolyData* surface, const std::string& path,
-  const std::function<void(const std::string&)>& inspect)
+void WriteSurface(
+  vtkPolyData* surface, const std::string& path, const PartLabel& label, const InspectPart& inspect)
 {
-  const TriangleMesh mesh = MakeTriangleMesh(surface);
   const std::filesystem::path file = std::filesystem::u8path(path);
   const std::string ending = LowerExtension(file);
+  if (ending == ".3mf")
+    return WriteSurfaces({ { label.name, surface } }, path, label, inspect);
   const auto write = ending == ".stl"   ? WriteStl
                      : ending == ".ply" ? WritePly
                      : ending == ".obj" ? WriteObj
                                         : nullptr;
   if (!write)
     ThrowFileError(
-      file, "surfaces are written as .stl, .ply or .obj; give the name one of these endings");
-  CheckMesh(surface, mesh, ending == ".stl");
-  AtomicFile output(file);
-  PieceWriter pieces(output);
-  write(mesh, surface->GetPoints()->GetDataType() != VTK_DOUBLE, pieces);
-  pieces.Flush();
-  if (inspect)
-    inspect(output.TemporaryName().string());
-  output.Commit();
+      file, "surfaces are written as .stl, .ply, .obj or .3mf; give the name one of these endings");
+  ValidatePartLabel(label);
+  const TriangleMesh mesh = CheckedMesh(surface, ending == ".stl");
+  const bool narrow = surface->GetPoints()->GetDataType() != VTK_DOUBLE;
+  WriteLabelled(
+    file, ending, label,
+    [&](const PartLabel& said, PieceWriter& into) { write(mesh, narrow, said, into); }, inspect);
+}
+
+void WriteSurfaces(const std::vector<NamedSurface>& surfaces, const std::string& path,
+  const PartLabel& label, const InspectPart& inspect)
+{
+  const std::filesystem::path file = std::filesystem::u8path(path);
+  if (LowerExtension(file) != ".3mf")
+    ThrowFileError(file, "several surfaces are written as .3mf; give the name that ending");
+  if (surfaces.empty())
+    throw std::invalid_argument("there are no surfaces, and nothing to write");
+  ValidatePartLabel(label);
+  std::vector<NamedMesh> meshes;
+  for (const NamedSurface& surface : surfaces)
+  {
+    ValidatePartLabel({ .name = surface.name, .hash = {} });
+    meshes.push_back({ surface.name, CheckedMesh(surface.surface, true) });
+  }
+  WriteLabelled(
+    file, ".3mf", label,
+    [&](const PartLabel& said, PieceWriter& into)
+    {
+      const std::vector<char> bytes = EncodeThreeMf(meshes, said);
+      into.Add(bytes.data(), bytes.size());
+    },
+    inspect);
 }
 
 } // namespace hasp

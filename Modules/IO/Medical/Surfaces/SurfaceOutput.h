@@ -1,7 +1,9 @@
 #pragma once
 #include "Files/AtomicFile.h"
 #include "Grid/TriangleMesh.h"
+#include "vtkHaspPartLabel.h"
 
+#include <string>
 #include <vector>
 
 namespace hasp
@@ -36,8 +38,17 @@ private:
 };
 
 /// One function a format; WriteSurface picks. `narrow`: the points are float32.
-void WriteStl(const TriangleMesh& mesh, bool narrow, PieceWriter& into);
-void WritePly(const TriangleMesh& mesh, bool narrow, PieceWriter& into);
-void WriteObj(const TriangleMesh& mesh, bool narrow, PieceWriter& into);
+void WriteStl(const TriangleMesh& mesh, bool narrow, const PartLabel& label, PieceWriter& into);
+void WritePly(const TriangleMesh& mesh, bool narrow, const PartLabel& label, PieceWriter& into);
+void WriteObj(const TriangleMesh& mesh, bool narrow, const PartLabel& label, PieceWriter& into);
+
+struct NamedMesh
+{
+  std::string name; ///< may be empty
+  TriangleMesh mesh;
+};
+
+/// The bytes of a .3mf. Throws std::runtime_error for what lib3mf refuses.
+std::vector<char> EncodeThreeMf(const std::vector<NamedMesh>& meshes, const PartLabel& label);
 
 } // namespace hasp

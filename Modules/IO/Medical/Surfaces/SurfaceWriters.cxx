@@ -1,3 +1,4 @@
+#include "Surfaces/PartText.h"
 #include "Surfaces/SurfaceOutput.h"
 
 #include <glm/geometric.hpp>
@@ -9,8 +10,6 @@ namespace hasp
 {
 namespace
 {
-
-const std::string Maker = "Hasp " HASP_VERSION " SPACE=LPS; UNIT=mm";
 
 /// The machine is little-endian, and so are the formats.
 template <typename T>
@@ -37,9 +36,9 @@ void AddDecimal(T number, char after, PieceWriter& into)
 
 } // namespace
 
-void WriteStl(const TriangleMesh& mesh, bool, PieceWriter& into)
+void WriteStl(const TriangleMesh& mesh, bool, const PartLabel& label, PieceWriter& into)
 {
-  std::string header = Maker;
+  std::string header = PartText(label, 80);
   header.resize(80, ' ');
   AddText(header, into);
   into.Add(static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -56,10 +55,10 @@ void WriteStl(const TriangleMesh& mesh, bool, PieceWriter& into)
   }
 }
 
-void WritePly(const TriangleMesh& mesh, bool narrow, PieceWriter& into)
+void WritePly(const TriangleMesh& mesh, bool narrow, const PartLabel& label, PieceWriter& into)
 {
   const std::string type = narrow ? "float" : "double";
-  AddText("ply\nformat binary_little_endian 1.0\ncomment " + Maker + "\nelement vertex " +
+  AddText("ply\nformat binary_little_endian 1.0\ncomment " + PartText(label) + "\nelement vertex " +
             std::to_string(mesh.points.size()) + "\nproperty " + type + " x\nproperty " + type +
             " y\nproperty " + type + " z\nelement face " + std::to_string(mesh.triangles.size()) +
             "\nproperty list uchar int vertex_indices\nend_header\n",
@@ -74,11 +73,13 @@ void WritePly(const TriangleMesh& mesh, bool narrow, PieceWriter& into)
 }
 
 /// OBJ declares no counts; the comment does, so that a file that was cut off is noticed.
-void WriteObj(const TriangleMesh& mesh, bool, PieceWriter& into)
+void WriteObj(const TriangleMesh& mesh, bool, const PartLabel& label, PieceWriter& into)
 {
-  AddText("# " + Maker + "; POINTS=" + std::to_string(mesh.points.size()) +
+  AddText("# " + PartText(label) + "; POINTS=" + std::to_string(mesh.points.size()) +
             "; TRIANGLES=" + std::to_string(mesh.triangles.size()) + "\n",
     into);
+  if (!label.name.empty())
+    AddText("o " + label.name + "\n", into);
   for (const glm::dvec3& point : mesh.points)
   {
     AddText("v ", into);

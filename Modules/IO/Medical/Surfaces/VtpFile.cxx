@@ -79,7 +79,7 @@ void ReadFaces(XMLProcess& process, const XMLSurfaceRecord& record, SurfaceBuild
 LoadedSurface ReadVtp(const std::filesystem::path& file, const SurfaceReadSettings& settings,
   const ProgressFunction& progress)
 {
-  XMLProcess process("surface", file,
+  XMLProcess process(XMLProcess::Vtk, "surface", file,
     { settings.decoderMemoryBytes, settings.decoderSilenceSeconds, settings.decoderTotalSeconds,
       ". Is it damaged? Write it again, or raise decoderMemoryBytes" },
     progress);

@@ -68,7 +68,7 @@ vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& file, const Grid
 {
   ReportProgress(progress, 0.0);
   const std::size_t bytes = geometry.Size() * vtkDataArray::GetDataTypeSize(vtkType);
-  XMLProcess process("image", file, LimitsOf(settings, bytes), progress);
+  XMLProcess process(XMLProcess::Vtk, "image", file, LimitsOf(settings, bytes), progress);
   const auto record = process.Answer<XMLImageRecord>();
   CheckStatus(file, record.status);
   if (record.vtkType != vtkType || record.sampleBytes != bytes)
@@ -83,7 +83,7 @@ vtkSmartPointer<vtkImageData> Load(const std::filesystem::path& file, const Grid
 
 OpenedVolume OpenXMLImage(const std::filesystem::path& file, const VolumeReadSettings& settings)
 {
-  XMLProcess process("image-header", file, LimitsOf(settings, 0), {});
+  XMLProcess process(XMLProcess::Vtk, "image-header", file, LimitsOf(settings, 0), {});
   const auto record = process.Answer<XMLImageRecord>();
   process.Finish();
   CheckStatus(file, record.status);

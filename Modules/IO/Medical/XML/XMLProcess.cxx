@@ -21,13 +21,18 @@ double WorkSeconds(const std::filesystem::path& file)
 
 } // namespace
 
-XMLProcess::XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,
-  const ProgressFunction& progress)
+const ChildProgram XMLProcess::Vtk = { "hasp-xml-decode", "HASP_XML_DECODER",
+  "the reader of VTK's XML files" };
+const ChildProgram XMLProcess::ThreeMf = { "hasp-3mf-decode", "HASP_3MF_DECODER",
+  "the reader of 3MF files" };
+
+XMLProcess::XMLProcess(const ChildProgram& program, const char* mode,
+  const std::filesystem::path& file, const Limits& limits, const ProgressFunction& progress)
   : Progress(progress),
-    Child({ "hasp-xml-decode", mode, std::to_string(limits.memoryBytes),
+    Child({ program.file, mode, std::to_string(limits.memoryBytes),
             std::to_string(static_cast<long>(std::ceil(limits.totalSeconds)) + 1) },
       file.native() + '\0',
-      { .program = { "hasp-xml-decode", "HASP_XML_DECODER", "the reader of VTK's XML files" },
+      { .program = program,
         .memoryBytes = limits.memoryBytes,
         .silenceSeconds = [most = limits.silenceSeconds + WorkSeconds(file)] { return most; },
         .totalSeconds = limits.totalSeconds,

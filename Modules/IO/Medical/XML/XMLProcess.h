@@ -8,9 +8,9 @@
 namespace hasp
 {
 
-/// The child process that parses VTK's XML files, which can crash VTK's readers: started for one
-/// file, read from as it answers, ended with this object. Errors as ChildProcess; progress is
-/// reported and may cancel. One thread.
+/// The child process that parses XML files, VTK's own or 3MF, which can crash their readers:
+/// started for one file, read from as it answers, ended with this object. Errors as ChildProcess;
+/// progress is reported and may cancel. One thread.
 class XMLProcess
 {
 public:
@@ -24,8 +24,11 @@ public:
   /// start.
   static constexpr std::size_t RoomBytes = std::size_t(64) << 20;
 
-  XMLProcess(const char* mode, const std::filesystem::path& file, const Limits& limits,
-    const ProgressFunction& progress);
+  static const ChildProgram Vtk;     ///< hasp-xml-decode
+  static const ChildProgram ThreeMf; ///< hasp-3mf-decode
+
+  XMLProcess(const ChildProgram& program, const char* mode, const std::filesystem::path& file,
+    const Limits& limits, const ProgressFunction& progress);
 
   /// Waits for the answer; its status is one that XMLWire.h names.
   template <typename Record>

@@ -1,6 +1,7 @@
 #pragma once
 #include "FragmentCutter.h"
 #include "Grid/AnalyticVolumes.h"
+#include "Grid/Phantom.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -58,6 +59,36 @@ inline hasp::CutRecipe OneCut(const glm::dvec3& point, double kerfMm = 1.0)
 {
   hasp::CutRecipe recipe;
   recipe.cuts = { { { point, { 1, 0, 0 }, { 0, 1, 0 }, 30.0, 30.0, kerfMm }, 8.0 } };
+  return recipe;
+}
+
+/// The phantom's jaws.
+inline BoneScan ScanOfJaw()
+{
+  BoneScan scan;
+  scan.grid = { { 105, 89, 67 }, { -62, -92, -108 }, glm::dvec3(1.2), glm::dmat3(1) };
+  scan.samples = hasp::SamplePhantom(scan.grid, {});
+  return scan;
+}
+/// The lower arch as Phantom has it, mm from its front along it, left positive.
+inline hasp::HorseshoeShape LowerArch()
+{
+  return { { 0, -58, -96 }, 22.0, 1.08, 61.0, 5.0, 5.5 };
+}
+/// Two cuts through the mandible's right body, as around a tumour there.
+inline hasp::CutRecipe JawCuts()
+{
+  const hasp::HorseshoeShape arch = LowerArch();
+  const auto blade = [&](double along)
+  {
+    const glm::dvec3 normal =
+      glm::normalize(arch.PointAt(along + 0.01) - arch.PointAt(along - 0.01));
+    return hasp::BoneCut{ { arch.PointAt(along), normal, { 0, 0, 1 }, 50.0, 200.0, 1.5 }, 8.0 };
+  };
+  hasp::CutRecipe recipe;
+  recipe.spacingMm = 0.8;
+  recipe.cuts = { blade(-10.0), blade(-40.0) };
+  recipe.resected = { arch.PointAt(-25.0) };
   return recipe;
 }
 

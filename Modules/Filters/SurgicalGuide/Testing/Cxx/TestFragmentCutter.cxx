@@ -317,24 +317,8 @@ TEST(FragmentCutter, LabelsSayWhoseBoneIsCutAndWhoseEachVoxelIs)
 
 TEST(FragmentCutter, TheMandibleOfThePhantomIsResectedAndNothingIsLost)
 {
-  // Two cuts through its right body, as around a tumour there.
-  hasp::PhantomSettings settings;
-  BoneScan scan;
-  scan.grid = { { 105, 89, 67 }, { -62, -92, -108 }, glm::dvec3(1.2), glm::dmat3(1) };
-  scan.samples = hasp::SamplePhantom(scan.grid, settings);
-  hasp::CutRecipe recipe;
-  recipe.spacingMm = 0.8;
-  // The lower arch as Phantom has it, mm from its front along it, left positive.
-  const hasp::HorseshoeShape arch{ { 0, -58, -96 }, 22.0, 1.08, 61.0, 5.0, 5.5 };
-  const auto blade = [&](double along)
-  {
-    const glm::dvec3 normal =
-      glm::normalize(arch.PointAt(along + 0.01) - arch.PointAt(along - 0.01));
-    return hasp::BoneCut{ { arch.PointAt(along), normal, { 0, 0, 1 }, 50.0, 200.0, 1.5 }, 8.0 };
-  };
-  recipe.cuts = { blade(-10.0), blade(-40.0) }; // each blade reaches the left side, too
-  recipe.resected = { arch.PointAt(-25.0) };
-  const hasp::CutBone cut = Cut(scan, recipe);
+  const hasp::HorseshoeShape arch = LowerArch(); // each blade reaches the left side, too
+  const hasp::CutBone cut = Cut(ScanOfJaw(), JawCuts());
   ASSERT_EQ(cut.fragments.size(), 3U);
   EXPECT_TRUE(cut.cuts[0].parted && cut.cuts[1].parted);
   EXPECT_GT(cut.cuts[1].leftMm2, 100.0) << "the left ramus is the far side";

@@ -147,15 +147,17 @@ TEST_F(Writers, WhatFailsItsInspectionIsNotPutInPlace)
 {
   const auto file = this->Folder / "a.stl";
   WriteBytes(file, "the old file");
-  const auto refuse = [](const std::string&) { throw std::domain_error("no"); };
-  EXPECT_THROW(hasp::WriteSurface(Surface(), file.string(), refuse), std::domain_error);
+  const auto refuse = [](const std::string&) -> hasp::PartVerdict
+  { throw std::domain_error("no"); };
+  EXPECT_THROW(hasp::WriteSurface(Surface(), file.string(), {}, refuse), std::domain_error);
   EXPECT_EQ(ReadBytes(file), "the old file");
   std::string inspected;
-  hasp::WriteSurface(Surface(), file.string(),
+  hasp::WriteSurface(Surface(), file.string(), {},
     [&](const std::string& pending)
     {
       inspected = ReadBytes(pending);
       EXPECT_EQ(ReadBytes(file), "the old file");
+      return hasp::PartVerdict::Holds;
     });
   EXPECT_EQ(inspected.size(), 84U + 60 * 50);
   EXPECT_EQ(ReadBytes(file), inspected);
@@ -171,8 +173,9 @@ TEST_F(Writers, ASignalHandlerCanRemoveWhatIsUnderWay)
     EXPECT_EQ(this->FilesThere(), 2U);
     hasp::RemovePendingFiles();
     EXPECT_EQ(this->FilesThere(), 1U);
+    return hasp::PartVerdict::Holds;
   };
-  EXPECT_THROW(hasp::WriteSurface(Surface(), file.string(), remove), std::runtime_error);
+  EXPECT_THROW(hasp::WriteSurface(Surface(), file.string(), {}, remove), std::runtime_error);
   EXPECT_EQ(ReadBytes(file), "the old file");
   for (int n = 0; n < 40; ++n) // more than are noted at once: each is forgotten again
     hasp::WriteSurface(Surface(), file.string());
