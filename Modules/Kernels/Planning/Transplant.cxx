@@ -294,6 +294,11 @@ std::vector<DonorSegment> LayOutSegments(const Transplant& transplant)
   return segments;
 }
 
+glm::dvec3 PlaceOnAxis(const DonorBone& donor, double wayMm)
+{
+  return AxisLine(donor.axis).At(wayMm);
+}
+
 std::vector<PlacedVessel> PlaceVessel(
   std::span<const DonorSegment> segments, std::span<const glm::dvec3> vessel)
 {

@@ -104,6 +104,10 @@ std::vector<TransplantJoint> MitreJoints(std::span<const glm::dvec3> line);
 /// "segments[1]". Any thread. O(segments x places of the axis).
 std::vector<DonorSegment> LayOutSegments(const Transplant& transplant);
 
+/// Where the donor's axis is `wayMm` from its first place; beyond its ends straight on. The axis
+/// has two places at least. O(places).
+glm::dvec3 PlaceOnAxis(const DonorBone& donor, double wayMm);
+
 /// The parts of the vessel along each segment, in the defect: between the segment's planes. Empty
 /// for segments that it does not run along.
 struct PlacedVessel
