@@ -156,7 +156,7 @@ void Write(const CutOptions& options, const CutBone& cut, const nlohmann::ordere
   {
     const std::filesystem::path folder = std::filesystem::u8path(pendingName);
     std::filesystem::create_directory(folder);
-    WriteFragments(folder, cut, options.format, LabelOfRecipe("", options.cuts).hash);
+    WriteFragments(folder, cut, options.format, HashOfFile(options.cuts));
     if (options.labelImage)
     {
       const GridGeometry grid = ImageGeometry(volume);

@@ -1,10 +1,13 @@
 #include "BoneSolid.h"
 
+#include "FragmentLabels.h"
+
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/GridSolid.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <sstream>
 #include <stdexcept>
@@ -81,6 +84,29 @@ std::vector<std::uint8_t> MarkBone(const char* who, const BoneImage& bone, doubl
         mark[n] = mark[n] && double(grey.data[n]) >= isovalue;
     },
     bone.grey);
+  return mark;
+}
+
+std::vector<std::uint8_t> IslandNear(const char* who, const BoneImage& bone, double isovalue,
+  double ignoreBelowMm3, const glm::dvec3& place, double withinMm, const ProgressFunction& progress)
+{
+  const GridGeometry& ct = GeometryOf(bone.grey);
+  std::vector<std::uint8_t> mark = MarkBone(who, bone, isovalue, ignoreBelowMm3, progress);
+  double least = withinMm;
+  std::size_t seed = mark.size();
+  for (std::size_t s = 0; s < mark.size(); ++s)
+    if (mark[s])
+    {
+      const double away =
+        glm::distance(place, ct.IndexToWorld(glm::dvec3(SamplePlace(ct.dims, s))));
+      if (away <= least)
+        least = away, seed = s;
+    }
+  if (seed == mark.size())
+    return {};
+  FloodSamples(ct.dims, mark, seed, 1, 2);
+  for (std::uint8_t& m : mark)
+    m = m == 2;
   return mark;
 }
 

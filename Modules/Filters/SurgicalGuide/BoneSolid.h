@@ -23,6 +23,12 @@ struct BoneDistance
 std::vector<std::uint8_t> MarkBone(const char* who, const BoneImage& bone, double isovalue,
   double ignoreBelowMm3, const ProgressFunction& progress);
 
+/// The island of MarkBone that is nearest to a place: 1, else 0. Empty if there is none within
+/// `withinMm` of it.
+std::vector<std::uint8_t> IslandNear(const char* who, const BoneImage& bone, double isovalue,
+  double ignoreBelowMm3, const glm::dvec3& place, double withinMm,
+  const ProgressFunction& progress);
+
 /// keep   one byte a sample of `grey`: bone is value >= isovalue, there
 /// The grid has the volume's axes and reaches four spacings beyond what is kept. Throws
 /// std::invalid_argument, beginning with `who`, if nothing is kept or it had over 2e8 points.

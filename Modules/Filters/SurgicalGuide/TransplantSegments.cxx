@@ -1,10 +1,8 @@
 #include "TransplantSegments.h"
 
 #include "BoneSolid.h"
-#include "FragmentLabels.h"
 #include "FragmentPieces.h"
 
-#include "Distance/Coverage.h"
 #include "Distance/Csg.h"
 #include "Distance/GridSolid.h"
 #include "Distance/SharpContour.h"
@@ -56,33 +54,6 @@ glm::dvec3 MiddleOf(std::span<const glm::dvec3> line)
     left -= piece;
   }
   return line.back();
-}
-
-/// One byte a sample: the island of bone around a place.
-std::vector<std::uint8_t> IslandAt(const BoneImage& image, const SegmentSettings& settings,
-  const glm::dvec3& place, double withinMm, const ProgressFunction& progress)
-{
-  const GridGeometry& ct = GeometryOf(image.grey);
-  std::vector<std::uint8_t> mark =
-    MarkBone(Who, image, settings.isovalue, settings.ignoreBelowMm3, progress);
-  double least = withinMm;
-  std::size_t seed = mark.size();
-  for (std::size_t s = 0; s < mark.size(); ++s)
-    if (mark[s])
-    {
-      const double away =
-        glm::distance(place, ct.IndexToWorld(glm::dvec3(SamplePlace(ct.dims, s))));
-      if (away <= least)
-        least = away, seed = s;
-    }
-  if (seed == mark.size())
-    throw std::invalid_argument(
-      "transplant: there is no bone within donor.radiusMm of the middle of "
-      "donor.axis: is it in this volume's world, and the isovalue right?");
-  FloodSamples(ct.dims, mark, seed, 1, 2);
-  for (std::uint8_t& m : mark)
-    m = m == 2;
-  return mark;
 }
 
 /// A grid in the world's axes around a segment in the defect, and all that its planes may cut.
@@ -152,8 +123,12 @@ TransplantSegments::TransplantSegments(const BoneImage& image, const DonorBone& 
   if (donor.axis.size() < 2)
     throw std::invalid_argument("transplant: donor.axis has " + std::to_string(donor.axis.size()) +
                                 " places, must be at least 2");
-  const std::vector<std::uint8_t> keep =
-    IslandAt(image, settings, MiddleOf(donor.axis), donor.radiusMm, ShareOf(progress, 0.0, 0.2));
+  const std::vector<std::uint8_t> keep = IslandNear(Who, image, settings.isovalue,
+    settings.ignoreBelowMm3, MiddleOf(donor.axis), donor.radiusMm, ShareOf(progress, 0.0, 0.2));
+  if (keep.empty())
+    throw std::invalid_argument(
+      "transplant: there is no bone within donor.radiusMm of the middle of "
+      "donor.axis: is it in this volume's world, and the isovalue right?");
   this->Inside->donor = DistanceOfBone(
     Who, image.grey, settings.isovalue, keep, settings.spacingMm, ShareOf(progress, 0.2, 1.0));
   this->Inside->radiusMm = donor.radiusMm;

@@ -1,6 +1,6 @@
 #include "Planning/CutRecipeFile.h"
 
-#include "Planning/StrictJson.h"
+#include "Planning/CutRecipeJson.h"
 #include "Planning/ValueChecks.h"
 
 #include <fstream>
@@ -16,9 +16,8 @@ constexpr const char* Subject = "cut recipe";
 constexpr const char* Format = "hasp-cut-recipe-1";
 } // namespace
 
-CutRecipe ParseCutRecipe(const std::string& text)
+CutRecipe CutRecipeFromJson(const Json& json)
 {
-  const Json json = ParseJson(text, Subject);
   const StrictJson top(json, Subject, "",
     { "format", "isovalue", "spacingMm", "ignoreBelowMm3", "crumbBelowMm3", "cuts", "resected" });
   if (top.Text("format") != Format)
@@ -41,7 +40,7 @@ CutRecipe ParseCutRecipe(const std::string& text)
   return r;
 }
 
-std::string FormatCutRecipe(const CutRecipe& r)
+Json CutRecipeToJson(const CutRecipe& r)
 {
   ValidateCutRecipe(r);
   Json json = { { "format", Format }, { "isovalue", r.isovalue }, { "spacingMm", r.spacingMm },
@@ -56,7 +55,17 @@ std::string FormatCutRecipe(const CutRecipe& r)
   }
   for (const glm::dvec3& point : r.resected)
     json["resected"].push_back(ToJson(point));
-  return FormatJson(json, Subject);
+  return json;
+}
+
+CutRecipe ParseCutRecipe(const std::string& text)
+{
+  return CutRecipeFromJson(ParseJson(text, Subject));
+}
+
+std::string FormatCutRecipe(const CutRecipe& recipe)
+{
+  return FormatJson(CutRecipeToJson(recipe), Subject);
 }
 
 CutRecipe ReadCutRecipe(const std::string& path)

@@ -137,6 +137,7 @@ void Check(const Transplant& t)
     }
   }
   CheckDonor(checks, t.donor);
+  checks.Closed("startOffsetMm", t.startOffsetMm, 0.0, 500.0);
   checks.AboveUpTo("kerfMm", t.kerfMm, 0.0, 5.0);
   checks.Closed("betweenMm", t.betweenMm, 0.0, 100.0);
   if (t.vessel.size() == 1)
@@ -213,7 +214,7 @@ std::vector<DonorSegment> LayOutInOrder(const Transplant& t)
   const AxisLine axis(t.donor.axis);
   const double radius = t.donor.radiusMm;
   std::vector<DonorSegment> segments;
-  double at = t.donor.keepMm;
+  double at = t.donor.keepMm + t.startOffsetMm;
   glm::dvec3 before(0.0); // the slope of the plane before, none at the end that is kept
   for (std::size_t n = 0; n + 1 < t.joints.size(); ++n)
   {
@@ -233,8 +234,9 @@ std::vector<DonorSegment> LayOutInOrder(const Transplant& t)
   {
     std::ostringstream text;
     text << Subject << ": the donor is " << end - axis.Length() << " mm too short: its "
-         << segments.size() << " segments and " << t.donor.keepMm << " mm at each tip need " << end
-         << " mm, its axis has " << axis.Length() << " mm";
+         << segments.size() << " segments, " << t.startOffsetMm << " mm before them and "
+         << t.donor.keepMm << " mm that stay at each tip need " << end << " mm, its axis has "
+         << axis.Length() << " mm";
     throw std::runtime_error(text.str());
   }
   return segments;
@@ -301,6 +303,11 @@ std::vector<DonorSegment> LayOutSegments(const Transplant& transplant)
     segment.end.normal = -segment.end.normal;
   }
   return segments;
+}
+
+glm::dvec3 PlaceOnAxis(const DonorBone& donor, double wayMm)
+{
+  return AxisLine(donor.axis).At(wayMm);
 }
 
 std::vector<PlacedVessel> PlaceVessel(

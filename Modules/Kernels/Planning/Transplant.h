@@ -48,8 +48,10 @@ struct Transplant
   DonorBone donor;
   bool fromLastTip = false; ///< the first segment is the one nearest to the axis' last place, and
                             ///< the donor's axis runs against the joints' order
-  double kerfMm = 1.0;      ///< of the donor's saw, (0, 5]; taken from what is between the segments
-  double betweenMm = 1.5;   ///< bone between the saw cuts of two segments, at least, [0, 100]
+  double startOffsetMm =
+    0.0;                  ///< bone left over before the first cut, besides what is kept, [0, 500]
+  double kerfMm = 1.0;    ///< of the donor's saw, (0, 5]; taken from what is between the segments
+  double betweenMm = 1.5; ///< bone between the saw cuts of two segments, at least, [0, 100]
   std::vector<glm::dvec3> vessel; ///< the pedicle along the donor, mm; none or two places or more
   std::optional<SkinPaddle> paddle;
 
@@ -84,7 +86,8 @@ std::vector<TransplantJoint> MitreJoints(std::span<const glm::dvec3> line);
 /// Where on the donor its segments are cut: the joints' planes, moved back by the pose that puts
 /// the donor's axis on the line between two joints and its lateral side outward. Segments stand one
 /// after the other along the axis, as close as kerfs, betweenMm and tilted planes allow, keepMm
-/// from the tips. Where the axis is bowed a segment's chord lies on it at both ends.
+/// (and startOffsetMm, at the first) from the tips. Where the axis is bowed a segment's chord lies
+/// on it at both ends.
 ///
 /// Pure mathematics of planes and poses; when the plan moves, ask again.
 /// Throws std::invalid_argument on numbers out of their range (key, value, range), on a plane more
@@ -92,6 +95,10 @@ std::vector<TransplantJoint> MitreJoints(std::span<const glm::dvec3> line);
 /// std::runtime_error if the donor is too short (by how much). Segments are numbered from 0, as
 /// "segments[1]". Any thread. O(segments x places of the axis).
 std::vector<DonorSegment> LayOutSegments(const Transplant& transplant);
+
+/// Where the donor's axis is `wayMm` from its first place; beyond its ends straight on. The axis
+/// has two places at least. O(places).
+glm::dvec3 PlaceOnAxis(const DonorBone& donor, double wayMm);
 
 /// The parts of the vessel along each segment, in the defect: between the segment's planes. Empty
 /// for segments that it does not run along.

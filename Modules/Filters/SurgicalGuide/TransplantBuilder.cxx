@@ -1,0 +1,182 @@
+#include "TransplantBuilder.h"
+
+#include "BoneSolid.h"
+#include "DonorAxis.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace hasp
+{
+
+namespace
+{
+const TriangleMesh Nothing;
+
+/// Exact near 0, where an arc cosine is not.
+double AngleOf(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// With the donor's axis found, where that is asked for.
+TransplantRecipe WithAxis(
+  const BoneImage& donor, TransplantRecipe recipe, const ProgressFunction& progress)
+{
+  if (!recipe.findAxis)
+    return recipe;
+  recipe.donor.axis = FindDonorAxis(donor, recipe.donorIsovalue, recipe.resection.ignoreBelowMm3,
+    recipe.donor.axis.at(0), recipe.donor.axis.at(1), recipe.donor.radiusMm, progress);
+  recipe.findAxis = false;
+  return recipe;
+}
+
+/// The stump that a cut leaves: the largest piece with a face of it on the side away from the
+/// defect that stays in the patient. `outward`: of the joint, away from the defect.
+const TriangleMesh& StumpOf(
+  const CutBone& jaw, const CutRecipe& recipe, std::size_t cut, const glm::dvec3& outward)
+{
+  const bool inFront = glm::dot(recipe.cuts[cut].blade.normal, outward) > 0.0;
+  std::vector<int> numbers = inFront ? jaw.cuts[cut].front : jaw.cuts[cut].back;
+  std::sort(numbers.begin(), numbers.end()); // the largest first
+  for (const int number : numbers)
+    if (const BoneFragment& f = jaw.fragments[std::size_t(number - 1)]; !f.resected && !f.crumb)
+      return f.mesh;
+  return Nothing;
+}
+
+/// In the order of the joints: the axes' angle, and that of the wedge between the donor's cuts.
+void SayAngles(const std::vector<DonorSegment>& cuts, std::vector<MadeJoint>& joints)
+{
+  const auto wayOf = [&](std::size_t n)
+  { return joints[n + 1].joint.point - joints[n].joint.point; };
+  joints.front().wedgeRadians = cuts.front().startTiltRadians;
+  joints.back().wedgeRadians = cuts.back().endTiltRadians;
+  for (std::size_t n = 1; n + 1 < joints.size(); ++n)
+  {
+    joints[n].wedgeRadians = AngleOf(cuts[n - 1].end.normal, cuts[n].start.normal);
+    joints[n].bendRadians = AngleOf(wayOf(n - 1), wayOf(n));
+  }
+}
+
+void MeasureJoints(const TransplantRecipe& recipe, MadeTransplant& made)
+{
+  const std::size_t last = made.plan.joints.size() - 1;
+  const double reach = std::min(3.0 * recipe.donor.radiusMm, 100.0);
+  for (std::size_t n = 0; n <= last; ++n)
+  {
+    MadeJoint joint;
+    joint.joint = made.plan.joints[n];
+    const TriangleMesh& before =
+      n > 0 ? made.segments[n - 1].mesh
+            : StumpOf(made.recipient, recipe.resection, 0, -joint.joint.normal);
+    const TriangleMesh& after = n < last ? made.segments[n].mesh
+                                         : StumpOf(made.recipient, recipe.resection,
+                                             recipe.resection.cuts.size() - 1, joint.joint.normal);
+    joint.fit = MeasureJoint(joint.joint, before, after, reach);
+    const double shared = joint.fit.contactMm2 + joint.fit.gapMm2 + joint.fit.overlapMm2;
+    if (shared > 0.0)
+    {
+      joint.gapMm = joint.fit.gapMm3 / shared;
+      joint.overlapMm = joint.fit.overlapMm3 / shared;
+    }
+    made.joints.push_back(joint);
+  }
+}
+
+void Warn(const TransplantRecipe& recipe, MadeTransplant& made)
+{
+  const auto say = [&](const auto&... words)
+  {
+    std::ostringstream text;
+    (text << ... << words);
+    made.warnings.push_back(text.str());
+  };
+  for (std::size_t n = 0; n < made.recipient.cuts.size(); ++n)
+    if (!made.recipient.cuts[n].parted)
+      say("resection.cuts[", n, "] does not part the bone: still one piece");
+  if (std::none_of(made.recipient.fragments.begin(), made.recipient.fragments.end(),
+        [](const BoneFragment& f) { return f.resected; }))
+    say("resection.resected names no fragment: the bone in the defect is still there");
+  for (std::size_t n = 0; n < made.joints.size(); ++n)
+  {
+    const MadeJoint& joint = made.joints[n];
+    if (joint.fit.contactMm2 + joint.fit.gapMm2 + joint.fit.overlapMm2 == 0.0)
+      say("joints[", n, "]: its bones do not meet: their faces lie side by side");
+    if (joint.gapMm > recipe.mostGapMm)
+      say("joints[", n, "]: a gap of ", joint.gapMm, " mm, at most ", recipe.mostGapMm,
+        " mm are asked for");
+    if (joint.overlapMm > recipe.mostOverlapMm)
+      say("joints[", n, "]: an overlap of ", joint.overlapMm, " mm, at most ", recipe.mostOverlapMm,
+        " mm are asked for");
+  }
+}
+
+void CarrySoftTissue(const TransplantRecipe& recipe, MadeTransplant& made)
+{
+  std::vector<DonorSegment> cuts;
+  for (const PlacedSegment& segment : made.segments)
+    cuts.push_back(segment.cut);
+  made.vessel = PlaceVessel(cuts, recipe.vessel);
+  if (!recipe.vessel.empty())
+    for (std::size_t n = 0; n < cuts.size(); ++n)
+      if (std::none_of(made.vessel.begin(), made.vessel.end(),
+            [&](const PlacedVessel& part) { return part.segment == n; }))
+        made.warnings.push_back(
+          "segments[" + std::to_string(n) + "] has none of donor.vessel along it");
+  if (!recipe.paddle)
+    return;
+  try
+  {
+    made.paddle = PlacePaddle(cuts, *recipe.paddle);
+  }
+  catch (const std::invalid_argument& fault)
+  {
+    made.warnings.push_back(fault.what()); // the bone is made all the same
+  }
+}
+
+/// Where a segment was before it was moved.
+TriangleMesh MovedBack(const PlacedSegment& segment)
+{
+  TriangleMesh mesh = segment.mesh;
+  for (glm::dvec3& p : mesh.points)
+    p = segment.cut.donorToDefect.PlaceBack(p);
+  return mesh;
+}
+} // namespace
+
+MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor,
+  const TransplantRecipe& given, const ProgressFunction& progress)
+{
+  ValidateTransplantRecipe(given);
+  // What needs no voxel is refused before any is looked at.
+  if (!given.findAxis)
+    LayOutSegments(PlanTransplant(given));
+  const TransplantRecipe recipe = WithAxis(donor, given, ShareOf(progress, 0.0, 0.1));
+  MadeTransplant made;
+  made.plan = PlanTransplant(recipe);
+  const std::vector<DonorSegment> cuts = LayOutSegments(made.plan);
+  TransplantSegments bone(donor, recipe.donor,
+    { recipe.donorIsovalue, recipe.resection.spacingMm, recipe.resection.ignoreBelowMm3 },
+    ShareOf(progress, 0.1, 0.3));
+  made.segments = bone.Place(made.plan);
+  ReportProgress(progress, 0.5);
+  made.recipient = CutFragments(recipient, recipe.resection, ShareOf(progress, 0.5, 0.9));
+  for (const PlacedSegment& segment : made.segments)
+    made.onDonor.push_back(MovedBack(segment));
+  MeasureJoints(recipe, made);
+  SayAngles(cuts, made.joints);
+  made.donorCuts = DonorCuts(made.plan, cuts);
+  Warn(recipe, made);
+  CarrySoftTissue(recipe, made);
+  ReportProgress(progress, 1.0);
+  return made;
+}
+
+} // namespace hasp

@@ -1,0 +1,125 @@
+#include "Planning/TransplantRecipeFile.h"
+
+#include "Planning/CutRecipeJson.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr const char* Subject = "transplant recipe";
+constexpr const char* Format = "hasp-transplant-recipe-1";
+
+Json PointsToJson(const std::vector<glm::dvec3>& points)
+{
+  Json json = Json::array();
+  for (const glm::dvec3& point : points)
+    json.push_back(ToJson(point));
+  return json;
+}
+
+void DonorFromJson(const Json& value, TransplantRecipe& r)
+{
+  const StrictJson json(value, Subject, "donor",
+    { "isovalue", "axis", "findAxis", "lateral", "radiusMm", "keepMm", "fromLastTip",
+      "startOffsetMm", "kerfMm", "betweenMm", "vessel", "paddle" });
+  r.donorIsovalue = json.Number("isovalue");
+  r.donor.axis = json.Vectors("axis");
+  r.findAxis = json.Flag("findAxis");
+  r.donor.lateral = json.Vector("lateral");
+  r.donor.radiusMm = json.Number("radiusMm");
+  r.donor.keepMm = json.Number("keepMm");
+  r.fromLastTip = json.Flag("fromLastTip");
+  r.startOffsetMm = json.Number("startOffsetMm");
+  r.kerfMm = json.Number("kerfMm");
+  r.betweenMm = json.Number("betweenMm");
+  r.vessel = json.Vectors("vessel");
+  if (!json.Has("paddle"))
+    return;
+  const StrictJson paddle(json.Get("paddle"), Subject, "donor.paddle", { "outline", "perforator" });
+  r.paddle = SkinPaddle{ paddle.Vectors("outline"), paddle.Vector("perforator") };
+}
+
+Json DonorToJson(const TransplantRecipe& r)
+{
+  Json json = { { "isovalue", r.donorIsovalue }, { "axis", PointsToJson(r.donor.axis) },
+    { "findAxis", r.findAxis }, { "lateral", ToJson(r.donor.lateral) },
+    { "radiusMm", r.donor.radiusMm }, { "keepMm", r.donor.keepMm },
+    { "fromLastTip", r.fromLastTip }, { "startOffsetMm", r.startOffsetMm }, { "kerfMm", r.kerfMm },
+    { "betweenMm", r.betweenMm }, { "vessel", PointsToJson(r.vessel) } };
+  if (r.paddle)
+    json["paddle"] = { { "outline", PointsToJson(r.paddle->outline) },
+      { "perforator", ToJson(r.paddle->perforator) } };
+  return json;
+}
+
+/// Each key with its place, once for both ways.
+template <typename Choices, typename Visit>
+void ForEachGuideKey(Choices& guide, const Visit& visit)
+{
+  visit("gapMm", guide.gapMm);
+  visit("thicknessMm", guide.thicknessMm);
+  visit("widthMm", guide.widthMm);
+  visit("clearanceMm", guide.clearanceMm);
+  visit("wallMm", guide.wallMm);
+  visit("slotLengthMm", guide.slotLengthMm);
+  visit("guidingHeightMm", guide.guidingHeightMm);
+  visit("beyondMm", guide.beyondMm);
+  visit("pinDiameterMm", guide.pinDiameterMm);
+  visit("spacingMm", guide.spacingMm);
+}
+} // namespace
+
+TransplantRecipe ParseTransplantRecipe(const std::string& text)
+{
+  const Json json = ParseJson(text, Subject);
+  const StrictJson top(json, Subject, "",
+    { "format", "resection", "path", "outward", "rollDeg", "leastSegmentMm", "mostGapMm",
+      "mostOverlapMm", "donor", "guide" });
+  if (top.Text("format") != Format)
+    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
+  TransplantRecipe r;
+  r.resection = CutRecipeFromJson(top.Get("resection"));
+  r.path = top.Vectors("path");
+  r.outward = top.Vectors("outward");
+  r.rollDeg = top.Number("rollDeg");
+  r.leastSegmentMm = top.Number("leastSegmentMm");
+  r.mostGapMm = top.Number("mostGapMm");
+  r.mostOverlapMm = top.Number("mostOverlapMm");
+  DonorFromJson(top.Get("donor"), r);
+  const StrictJson guide(top.Get("guide"), Subject, "guide",
+    { "gapMm", "thicknessMm", "widthMm", "clearanceMm", "wallMm", "slotLengthMm", "guidingHeightMm",
+      "beyondMm", "pinDiameterMm", "spacingMm" });
+  ForEachGuideKey(r.guide, [&](const char* key, double& value) { value = guide.Number(key); });
+  ValidateTransplantRecipe(r);
+  return r;
+}
+
+std::string FormatTransplantRecipe(const TransplantRecipe& r)
+{
+  ValidateTransplantRecipe(r);
+  Json guide;
+  ForEachGuideKey(r.guide, [&](const char* key, double value) { guide[key] = value; });
+  return FormatJson({ { "format", Format }, { "resection", CutRecipeToJson(r.resection) },
+                      { "path", PointsToJson(r.path) }, { "outward", PointsToJson(r.outward) },
+                      { "rollDeg", r.rollDeg }, { "leastSegmentMm", r.leastSegmentMm },
+                      { "mostGapMm", r.mostGapMm }, { "mostOverlapMm", r.mostOverlapMm },
+                      { "donor", DonorToJson(r) }, { "guide", guide } },
+    Subject);
+}
+
+TransplantRecipe ReadTransplantRecipe(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+    throw std::runtime_error("transplant recipe: the file cannot be read");
+  return ParseTransplantRecipe(text.str());
+}
+
+} // namespace hasp
