@@ -89,26 +89,23 @@ double Compare(const LoadedSurface& surface, const LoadedSurface& back)
   return shift;
 }
 
-/// The triangles of one piece, with the points that are theirs.
+/// The triangles of one piece, with the points that are theirs, in their order.
 vtkSmartPointer<vtkPolyData> PieceOf(const TriangleMesh& mesh, const SurfacePiece& piece)
 {
   TriangleMesh part;
-  std::vector<glm::uint> number(mesh.points.size(), ~0U);
-  for (std::size_t n = 0; n < piece.triangles; ++n)
-  {
-    glm::uvec3 triangle = mesh.triangles[piece.firstTriangle + n];
-    for (int corner = 0; corner < 3; ++corner)
+  const auto first = mesh.triangles.begin() + std::ptrdiff_t(piece.firstTriangle);
+  part.triangles.assign(first, first + std::ptrdiff_t(piece.triangles));
+  std::vector<glm::uint> number(mesh.points.size());
+  for (const glm::uvec3& t : part.triangles)
+    number[t.x] = number[t.y] = number[t.z] = 1;
+  for (std::size_t n = 0; n < number.size(); ++n)
+    if (number[n] != 0)
     {
-      glm::uint& at = number[triangle[corner]];
-      if (at == ~0U)
-      {
-        at = static_cast<glm::uint>(part.points.size());
-        part.points.push_back(mesh.points[triangle[corner]]);
-      }
-      triangle[corner] = at;
+      number[n] = static_cast<glm::uint>(part.points.size());
+      part.points.push_back(mesh.points[n]);
     }
-    part.triangles.push_back(triangle);
-  }
+  for (glm::uvec3& t : part.triangles)
+    t = { number[t.x], number[t.y], number[t.z] };
   return MakePolyData(part);
 }
 

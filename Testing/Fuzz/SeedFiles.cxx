@@ -114,6 +114,8 @@ void MakeSurfaceSeeds(const std::filesystem::path& folder, const std::string& fi
     return;
   }
   WriteSurface(SmallSurface(), folder / ("binary" + ending));
+  if (ending == ".3mf")
+    return; // has no text form
   const char* text = ending == ".stl" ? TextStl : ending == ".ply" ? TextPly : TextObj;
   std::ofstream(folder / ("text" + ending), std::ios::binary) << text;
 }

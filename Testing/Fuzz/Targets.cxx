@@ -136,6 +136,9 @@ std::vector<Target> Targets()
     SlabTarget("slabs.mha", "input.mha"), SlabTarget("slabs.nrrd", "input.nrrd"),
     SlabTarget("slabs.nii", "input.nii"), { "hcells", "input.hcells", MakeCellSeeds, ReadCells },
     { "in.hcells", "input.hcells", MakeCellSeeds, ReadCells, SealCells } };
+#if HASP_WITH_LIB3MF
+  targets.push_back(SurfaceTarget("3mf"));
+#endif
 #if HASP_WITH_LIBARCHIVE
   targets.push_back({ "inv3", "input.inv3", MakeInvesaliusSeeds, ReadVolume });
 #endif

@@ -1,4 +1,5 @@
 #include "CanaryFiles.h"
+#include "ZipFile.h"
 
 #include "vtk_zlib.h"
 
@@ -215,6 +216,34 @@ NumberOfPolys="1"><PointData><DataArray type="Float32" Name=")" +
 <DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 9 0 0 0 9 0</DataArray></Points>
 <Polys><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>
 <DataArray type="Int64" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>)");
+  const std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?><!-- " + Name() + " -->";
+  const std::string packages = "http://schemas.openxmlformats.org/package/2006/";
+  const std::string model = "http://schemas.microsoft.com/3dmanufacturing/";
+  add(".3mf",
+    ZipFile({
+      { "[Content_Types].xml", xml + "<Types xmlns=\"" + packages +
+                                 "content-types\"><Default Extension=\"rels\" "
+                                 "ContentType=\"application/"
+                                 "vnd.openxmlformats-package.relationships+xml\"/><Default "
+                                 "Extension=\"model\" ContentType=\"application/"
+                                 "vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>" },
+      { "_rels/.rels",
+        xml + "<Relationships xmlns=\"" + packages + "relationships\"><Relationship Target=\"/3D/" +
+          Family + ".model\" Id=\"rel0\" Type=\"" + model + "2013/01/3dmodel\"/></Relationships>" },
+      { "3D/" + Family + ".model",
+        xml + "<model unit=\"millimeter\" xml:lang=\"en-US\" xmlns=\"" + model +
+          "core/2015/02\"><metadata name=\"Title\">" + Name() +
+          "</metadata><metadata name=\"Description\">Hasp 1 SPACE=LPS; PART=" + Name() +
+          "</metadata><metadata name=\"Designer\">" + Name() +
+          "</metadata><resources><object id=\"1\" type=\"model\" name=\"" + Name() +
+          "\" partnumber=\"" + Number +
+          "\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"9\" y=\"0\" z=\"0\"/>"
+          "<vertex x=\"0\" y=\"9\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"9\"/></vertices>"
+          "<triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\"/><triangle v1=\"0\" v2=\"1\" v3=\"3\"/>"
+          "<triangle v1=\"1\" v2=\"2\" v3=\"3\"/><triangle v1=\"0\" v2=\"3\" v3=\"2\"/>"
+          "</triangles></mesh></object></resources><build><item objectid=\"1\" partnumber=\"" +
+          Number + "\"/></build></model>" },
+    }));
   return inputs;
 }
 

@@ -184,7 +184,7 @@ TEST_F(HaspConvert, WhatAFileSaysOfItsPartGoesWithIt)
     EXPECT_EQ(passport.at("objects").size(), to.ends_with(".3mf") ? 1U : 0U);
     from = to;
   }
-  EXPECT_EQ(ReadBytes(this->Path("b.3mf")), ReadBytes(this->Path("c.3mf")));
+  EXPECT_TRUE(ReadBytes(this->Path("b.3mf")) == ReadBytes(this->Path("c.3mf")));
   // An open surface is no body.
   this->WriteText("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
   ExpectFailure(this->Convert("open.obj", "open.3mf"), 1, "not closed");
