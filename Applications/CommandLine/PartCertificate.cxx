@@ -16,8 +16,11 @@
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <iostream>
+#include <string_view>
 #include <vector>
 
 namespace hasp
@@ -53,15 +56,15 @@ TriangleMesh ReadBackStl(const std::string& stl)
   return WeldPoints(MakeTriangleMesh(reader->GetOutput()));
 }
 
-FitCertificate CertifyPart(
-  const TriangleMesh& part, vtkImageData* bone, const PartClaims& claims, Session& session)
+FitCertificate MeasurePart(
+  const TriangleMesh& part, const AnyGridView& bone, const PartClaims& claims, Session& session)
 {
   session.progress.Step("measuring the part as written");
   const auto start = std::chrono::steady_clock::now();
   FitCertificate certificate;
   try
   {
-    certificate = CertifyFit(part, ViewImage(bone), claims, SelfIntersectionsOfThisBuild(),
+    certificate = CertifyFit(part, bone, claims, SelfIntersectionsOfThisBuild(),
       [&session](double share)
       {
         session.progress.Share(share);
@@ -74,6 +77,28 @@ FitCertificate CertifyPart(
   }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back({ "certificate", 0, spent.count(), "measured; released again" });
+  return certificate;
+}
+
+void MarkAsFailed(const std::string& stl)
+{
+  constexpr std::string_view words = " DOES NOT HOLD";
+  std::string head(80, '\0');
+  std::fstream file(stl, std::ios::in | std::ios::out | std::ios::binary);
+  file.read(head.data(), 80);
+  const std::size_t end = std::min(head.find_last_not_of(std::string_view("\0 ", 2)) + 1,
+    head.size() - words.size()); // npos + 1 is 0
+  head.replace(end, words.size(), words);
+  file.seekp(0);
+  file.write(head.data(), 80);
+  if (!file.flush())
+    throw Failure(ExitCode::WrongUse, "the part does not hold, and its file cannot say so");
+}
+
+FitCertificate CertifyPart(
+  const TriangleMesh& part, vtkImageData* bone, const PartClaims& claims, Session& session)
+{
+  const FitCertificate certificate = MeasurePart(part, ViewImage(bone), claims, session);
   session.progress.Wipe();
   if (!session.json)
     std::cout << CertificateText(certificate);

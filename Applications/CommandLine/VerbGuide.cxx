@@ -18,12 +18,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
-#include <string_view>
 
 namespace hasp
 {
@@ -62,22 +59,6 @@ Guide MakeGuide(vtkImageData* volume, const GuideRecipe& recipe, Session& sessio
   const glm::dvec3& axis = guide.insertionAxis;
   session.result["insertion_axis"] = { axis.x, axis.y, axis.z };
   return guide;
-}
-
-/// Says in the head of a binary STL file, 80 bytes of text, that it does not hold.
-void MarkAsFailed(const std::string& stl)
-{
-  constexpr std::string_view words = " DOES NOT HOLD";
-  std::string head(80, '\0');
-  std::fstream file(stl, std::ios::in | std::ios::out | std::ios::binary);
-  file.read(head.data(), 80);
-  const std::size_t end = std::min(head.find_last_not_of(std::string_view("\0 ", 2)) + 1,
-    head.size() - words.size()); // npos + 1 is 0
-  head.replace(end, words.size(), words);
-  file.seekp(0);
-  file.write(head.data(), 80);
-  if (!file.flush())
-    throw Failure(ExitCode::WrongUse, "the guide does not hold, and its file cannot say so");
 }
 
 /// Prints the certificate; throws Failure: FailedCheck if it does not hold and is not forced.

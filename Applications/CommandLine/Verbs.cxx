@@ -19,6 +19,10 @@ void AddVerbs(CLI::App& app, Session& session)
   AddCertifyVerb(app, session);
   AddPlateVerb(app, session);
 #endif
+#if HASP_WITH_PLANS
+  AddPlanVerb(app, session);
+  AddRunVerb(app, session);
+#endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);
 }

@@ -26,6 +26,8 @@ void AddCutVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
 void AddCertifyVerb(CLI::App& app, Session& session);
 void AddPlateVerb(CLI::App& app, Session& session);
+void AddPlanVerb(CLI::App& app, Session& session);
+void AddRunVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 
 } // namespace hasp
