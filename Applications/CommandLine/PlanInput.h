@@ -31,7 +31,7 @@ auto TryPlan(ExitCode code, const Work& work)
   }
   catch (const std::exception& error)
   {
-    throw Failure(code, "the plan: " + SafeText(error));
+    throw Failure(code, SafeText(error)); // names the plan's file, key or object
   }
 }
 

@@ -18,7 +18,6 @@ namespace hasp
 {
 namespace
 {
-
 using Json = nlohmann::ordered_json;
 
 struct PlanOptions
@@ -66,6 +65,23 @@ Json DescribeParts(const PlanDocument& document)
   return parts;
 }
 
+/// What a step does, in our words: its own label may be anybody's.
+std::string TextOf(const Plan& before, const std::vector<PlanEdit>& edits)
+{
+  return edits.empty()
+           ? "Nothing"
+           : Label(before, edits[0]) +
+               (edits.size() > 1 ? " and " + std::to_string(edits.size() - 1) + " more" : "");
+}
+
+/// Of the step that undo takes back, or that redo makes again; empty if there is none.
+std::string NextStep(PlanHistory history, bool undo)
+{
+  if (undo)
+    history.Undo(); // to the plan that the step was for; then it is the next to redo
+  return history.ToRedo() ? TextOf(history.Current(), history.ToRedo()->edits) : "";
+}
+
 void Show(const PlanDocument& document, Session& session)
 {
   const Plan& plan = document.history.Current();
@@ -74,9 +90,10 @@ void Show(const PlanDocument& document, Session& session)
   result["next_id"] = document.history.NewId();
   result["objects"] = DescribeObjects(plan, session.showNames);
   result["parts"] = DescribeParts(document);
-  const PlanStep *undo = document.history.ToUndo(), *redo = document.history.ToRedo();
-  result["undo"] = undo ? Json(undo->label) : Json(nullptr);
-  result["redo"] = redo ? Json(redo->label) : Json(nullptr);
+  const std::string undo = document.history.ToUndo() ? NextStep(document.history, true) : "",
+                    redo = NextStep(document.history, false);
+  result["undo"] = undo.empty() ? Json(nullptr) : Json(undo);
+  result["redo"] = redo.empty() ? Json(nullptr) : Json(redo);
   for (const Json& object : result["objects"])
     Say(session, object["kind"].get<std::string>() + " " + object["id"].dump() +
                    (session.showNames ? "  " + object["name"].get<std::string>() : ""));
@@ -85,8 +102,8 @@ void Show(const PlanDocument& document, Session& session)
                    ? CalledObject(plan, part["object"].get<PlanId>()) + " is in date"
                    : part["why"].get<std::string>());
   Say(session, "the next object is " + std::to_string(document.history.NewId()) +
-                 (undo ? "; to undo: " + undo->label : "") +
-                 (redo ? "; to redo: " + redo->label : ""));
+                 (undo.empty() ? "" : "; to undo: " + undo) +
+                 (redo.empty() ? "" : "; to redo: " + redo));
 }
 
 void Begin(const PlanOptions& options, Session& session)
@@ -102,7 +119,6 @@ void Begin(const PlanOptions& options, Session& session)
       return PlanDocument{ PlanHistory(plan), {} };
     });
   StorePlan(options.plan, document);
-  session.result["hash"] = PlanHash(plan);
 }
 
 /// All edits of the file as one step, or none.
@@ -115,25 +131,19 @@ void ApplyEdits(PlanDocument& document, const std::string& path, Session& sessio
       std::vector<PlanEdit> edits = ParseEdits(text);
       if (edits.empty())
         throw Failure(ExitCode::BadInput, FileLabel(path) + ": it holds no edits");
-      std::string label = Label(document.history.Current(), edits[0]);
-      if (edits.size() > 1)
-        label += " and " + std::to_string(edits.size() - 1) + " more";
+      const std::string label = TextOf(document.history.Current(), edits);
       document.history.Do(std::move(edits), label);
+      Say(session, label);
     });
-  Say(session, document.history.ToUndo()->label);
 }
 
 void UndoOrRedo(PlanDocument& document, bool undo, Session& session)
 {
-  const PlanStep* step = undo ? document.history.ToUndo() : document.history.ToRedo();
-  const std::string verb = undo ? "undo" : "redo";
-  if (!step)
-    throw Failure(ExitCode::WrongUse, "the plan has no step to " + verb);
-  Say(session, (undo ? "Undone: " : "Redone: ") + step->label);
-  if (undo)
-    document.history.Undo();
-  else
-    document.history.Redo();
+  if (!(undo ? document.history.ToUndo() : document.history.ToRedo()))
+    throw Failure(
+      ExitCode::WrongUse, std::string("the plan has no step to ") + (undo ? "undo" : "redo"));
+  Say(session, (undo ? "Undone: " : "Redone: ") + NextStep(document.history, undo));
+  undo ? document.history.Undo() : document.history.Redo();
 }
 
 void Check(const std::string& folder, Session& session)
