@@ -76,15 +76,15 @@ TriangleMesh ReadBack(const std::string& pendingFile, Session& session)
   return ReadByVtk<vtkSTLReader>(pendingFile);
 }
 
-FitCertificate CertifyPart(
-  const TriangleMesh& part, vtkImageData* bone, const PartClaims& claims, Session& session)
+FitCertificate MeasurePart(
+  const TriangleMesh& part, const AnyGridView& bone, const PartClaims& claims, Session& session)
 {
   session.progress.Step("measuring the part as written");
   const auto start = std::chrono::steady_clock::now();
   FitCertificate certificate;
   try
   {
-    certificate = CertifyFit(part, ViewImage(bone), claims, SelfIntersectionsOfThisBuild(),
+    certificate = CertifyFit(part, bone, claims, SelfIntersectionsOfThisBuild(),
       [&session](double share)
       {
         session.progress.Share(share);
@@ -97,6 +97,13 @@ FitCertificate CertifyPart(
   }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back({ "certificate", 0, spent.count(), "measured; released again" });
+  return certificate;
+}
+
+FitCertificate CertifyPart(
+  const TriangleMesh& part, vtkImageData* bone, const PartClaims& claims, Session& session)
+{
+  const FitCertificate certificate = MeasurePart(part, ViewImage(bone), claims, session);
   session.progress.Wipe();
   if (!session.json)
     std::cout << CertificateText(certificate);

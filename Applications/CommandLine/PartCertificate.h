@@ -1,5 +1,6 @@
 #pragma once
 #include "Evaluation/FitCertificate.h"
+#include "Grid/GridView.h"
 
 #include <string>
 
@@ -19,6 +20,11 @@ TriangleMesh ReadPart(const std::string& path, Session& session);
 /// its own, so that a fault that it makes both ways is not seen here. Throws Failure: FailedCheck
 /// if it cannot be read.
 TriangleMesh ReadBack(const std::string& pendingFile, Session& session);
+
+/// Certifies a part, with CGAL where it is there; its time is listed among the resources. Throws
+/// Failure: FailedCheck for what cannot be measured.
+FitCertificate MeasurePart(
+  const TriangleMesh& part, const AnyGridView& bone, const PartClaims& claims, Session& session);
 
 /// Certifies a part, with CGAL where it is there, and hands the certificate to the session: its
 /// JSON under "certificate", its text on standard output without --json, its time among the

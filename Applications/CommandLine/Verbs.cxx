@@ -20,6 +20,10 @@ void AddVerbs(CLI::App& app, Session& session)
   AddPlateVerb(app, session);
   AddImplantVerb(app, session);
 #endif
+#if HASP_WITH_PLANS
+  AddPlanVerb(app, session);
+  AddRunVerb(app, session);
+#endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);
 }

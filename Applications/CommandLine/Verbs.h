@@ -27,6 +27,8 @@ void AddGuideVerb(CLI::App& app, Session& session);
 void AddCertifyVerb(CLI::App& app, Session& session);
 void AddPlateVerb(CLI::App& app, Session& session);
 void AddImplantVerb(CLI::App& app, Session& session);
+void AddPlanVerb(CLI::App& app, Session& session);
+void AddRunVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 
 } // namespace hasp

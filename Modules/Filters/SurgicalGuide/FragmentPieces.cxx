@@ -18,7 +18,6 @@ namespace hasp
 namespace
 {
 constexpr double BinMm = 1.5;
-constexpr double FarthestResectedMm = 3.0;
 
 glm::dvec3 Middle(const TriangleMesh& mesh, std::size_t triangle)
 {
@@ -192,6 +191,25 @@ std::vector<BoneFragment> FragmentsOf(const TriangleMesh& mesh, double crumbBelo
   return fragments;
 }
 
+std::pair<std::size_t, double> NearestFragment(
+  std::span<const BoneFragment> fragments, std::span<const MeshRays> rays, const glm::dvec3& place)
+{
+  std::size_t found = 0;
+  double least = 1e30;
+  for (std::size_t f = 0; f < fragments.size() && least > 0.0; ++f)
+  {
+    double away = 1e30;
+    if (rays[f].Hits(place + glm::dvec3(0.0, 3.1e-7, 1.7e-7)).size() % 2 == 1)
+      away = 0.0;
+    else
+      for (const glm::dvec3& p : fragments[f].mesh.points)
+        away = std::min(away, glm::distance(p, place));
+    if (away < least)
+      least = away, found = f;
+  }
+  return { found, least };
+}
+
 void MarkResected(std::vector<BoneFragment>& fragments, std::span<const glm::dvec3> places)
 {
   std::vector<MeshRays> rays;
@@ -200,27 +218,15 @@ void MarkResected(std::vector<BoneFragment>& fragments, std::span<const glm::dve
       rays.emplace_back(fragment.mesh);
   for (std::size_t n = 0; n < places.size(); ++n)
   {
-    BoneFragment* found = nullptr;
-    double least = 1e30;
-    for (std::size_t f = 0; f < fragments.size() && least > 0.0; ++f)
-    {
-      double away = 1e30;
-      if (rays[f].Hits(places[n] + glm::dvec3(0.0, 3.1e-7, 1.7e-7)).size() % 2 == 1)
-        away = 0.0;
-      else
-        for (const glm::dvec3& p : fragments[f].mesh.points)
-          away = std::min(away, glm::distance(p, places[n]));
-      if (away < least)
-        least = away, found = &fragments[f];
-    }
-    if (!found || least > FarthestResectedMm)
+    const auto [found, away] = NearestFragment(fragments, rays, places[n]);
+    if (!(away <= FarthestSeedMm))
     {
       std::ostringstream text;
-      text << "cuts: resected[" << n << "] is " << least
-           << " mm from all fragments, must be within " << FarthestResectedMm << " mm";
+      text << "cuts: resected[" << n << "] is " << away << " mm from all fragments, must be within "
+           << FarthestSeedMm << " mm";
       throw std::runtime_error(text.str());
     }
-    found->resected = true;
+    fragments[found].resected = true;
   }
 }
 

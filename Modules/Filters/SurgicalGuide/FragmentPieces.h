@@ -3,6 +3,7 @@
 #include "FragmentCutter.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hasp
@@ -28,6 +29,14 @@ private:
 /// The pieces of a contour as fragments, numbered by volume, hollows with the piece around them.
 /// A hollow that no piece is around is left out: such are the walls of nothing.
 std::vector<BoneFragment> FragmentsOf(const TriangleMesh& mesh, double crumbBelowMm3);
+
+/// A place that stands for a fragment lies in it, or this near to it.
+inline constexpr double FarthestSeedMm = 3.0;
+
+/// The fragment that a place lies in, and 0; else the one with the nearest point, and how far that
+/// is, 1e30 if there is none. rays   of each fragment's mesh
+std::pair<std::size_t, double> NearestFragment(
+  std::span<const BoneFragment> fragments, std::span<const MeshRays> rays, const glm::dvec3& place);
 
 /// Marks the fragment that each place lies in, or within 3 mm of. Throws std::runtime_error
 /// "resected[n] …" where there is none.

@@ -1,4 +1,5 @@
 #include "Grid/ParallelFor.h"
+#include "Grid/ThreadLimit.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,19 @@ TEST(ParallelFor, NothingToDoAndFaults)
   const auto fail = [](std::int64_t, std::int64_t) { throw std::runtime_error("body"); };
   EXPECT_THROW(hasp::ParallelFor(0, 10, 1, fail), std::runtime_error);
   EXPECT_GE(hasp::ParallelThreads(), 1);
+}
+
+TEST(ParallelFor, UsesAsManyThreadsAsItIsLimitedTo)
+{
+  for (const int threads : { 1, 2, 4 })
+  {
+    int seen = 0;
+    hasp::WithThreadLimit(threads, [&] { seen = hasp::ParallelThreads(); });
+    EXPECT_EQ(seen, hasp::ParallelThreads() == 1 && seen == 1 ? 1 : threads); // 1 without oneTBB
+  }
+  EXPECT_THROW(hasp::WithThreadLimit(-1, [] {}), std::invalid_argument);
+  EXPECT_THROW(hasp::WithThreadLimit(2, [] { throw std::runtime_error("reaches the caller"); }),
+    std::runtime_error);
 }
 
 } // namespace

@@ -1,0 +1,237 @@
+#include "PlanRebuild.h"
+
+#include "FragmentPieces.h"
+#include "GuideBuilder.h"
+#include "GuideClaims.h"
+#include "GuideSlots.h"
+#include "PlanBones.h"
+#include "PlateBuilder.h"
+#include "TransplantSegments.h"
+
+#include "Planning/PlanLists.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+namespace hasp
+{
+
+namespace
+{
+std::string Called(const Plan& plan, PlanId id)
+{
+  const char* noun = PlanNoun(plan, id);
+  return std::string(noun ? noun : "object") + " " + std::to_string(id);
+}
+
+void Append(TriangleMesh& mesh, const TriangleMesh& other, const PlanPose& pose)
+{
+  const auto first = std::uint32_t(mesh.points.size());
+  for (const glm::dvec3& p : other.points)
+    mesh.points.push_back(pose.Place(p));
+  for (const glm::uvec3& t : other.triangles)
+    mesh.triangles.push_back(t + first);
+}
+
+/// A copy of a scan with one bone alone: what is bone and not this one is as the emptiest sample.
+class OneBoneScan
+{
+public:
+  OneBoneScan(const BoneLabels& labels, double isovalue)
+  {
+    std::visit(
+      [&]<typename T>(const GridView<const T>& grey)
+      {
+        std::vector<T> copy(grey.data, grey.data + grey.geometry.Size());
+        const T least = *std::min_element(copy.begin(), copy.end());
+        for (std::size_t n = 0; n < copy.size(); ++n)
+          if (labels.numbers[n] != 1 && double(copy[n]) >= isovalue)
+            copy[n] = least;
+        this->Samples = std::move(copy);
+        this->Seen =
+          GridView<const T>{ std::get<std::vector<T>>(this->Samples).data(), grey.geometry };
+      },
+      labels.grey);
+  }
+  OneBoneScan(const OneBoneScan&) = delete;
+  OneBoneScan& operator=(const OneBoneScan&) = delete;
+  const AnyGridView& View() const { return this->Seen; }
+
+private:
+  std::variant<std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<std::uint8_t>,
+    std::vector<float>>
+    Samples;
+  AnyGridView Seen;
+};
+} // namespace
+
+/// Makes a part of each kind of object; an overload for each, so that a new one is not forgotten.
+struct PlanRebuild::Internals
+{
+  Internals(Plan of, PlanImages given)
+    : plan(std::move(of)),
+      images(std::move(given)),
+      bones(this->plan, this->images)
+  {
+  }
+
+  RebuiltPart MakeOf(const PlanFragment& fragment, const ProgressFunction& progress)
+  {
+    RebuiltPart part;
+    part.mesh = this->bones.Mesh(fragment.id, progress);
+    part.cuts = this->bones.Cuts(fragment.id);
+    return part;
+  }
+
+  RebuiltPart MakeOf(const PlanGroup& group, const ProgressFunction& progress)
+  {
+    RebuiltPart part;
+    for (const PlanId id : group.fragments)
+    {
+      const PlanFragment& fragment = *FindPlanObject<PlanFragment>(this->plan, id);
+      if (fragment.state == FragmentState::Kept)
+        Append(part.mesh, this->bones.Mesh(id, progress), fragment.scanToPlanned);
+    }
+    if (part.mesh.triangles.empty())
+      throw std::runtime_error("none of its fragments is kept");
+    return part;
+  }
+
+  RebuiltPart MakeOf(const PlanGuide& guide, const ProgressFunction& progress)
+  {
+    GuideRecipe recipe = guide.recipe;
+    const std::vector<GuideSlot> slots = SlotsOf(BladesOf(this->plan, guide), recipe);
+    recipe.slots.insert(recipe.slots.end(), slots.begin(), slots.end());
+    AnyGridView bone = GridView<const std::uint8_t>{};
+    if (FindPlanObject<PlanVolume>(this->plan, guide.bone))
+      bone = this->bones.Grey(guide.bone);
+    else
+    {
+      const PlanId one[] = { guide.bone };
+      this->oneBone =
+        std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), recipe.isovalue);
+      bone = this->oneBone->View();
+    }
+    BuiltGuide built = BuildGuide(bone, recipe, progress);
+    RebuiltPart part;
+    part.mesh = std::move(built.mesh);
+    part.check = { ClaimsOf(recipe, 0.95, built.made.withdrawal), bone };
+    return part;
+  }
+
+  RebuiltPart MakeOf(const PlanPlate& plate, const ProgressFunction& progress)
+  {
+    const PlateRecipe recipe = PlateRecipeOf(this->plan, plate);
+    RebuiltPart part;
+    BoneScan scan{ GridView<const std::uint8_t>{} };
+    BoneLabels labels;
+    if (plate.volume != 0)
+      scan.grey = this->bones.Grey(plate.volume);
+    else
+    {
+      if (recipe.fragments.empty())
+        throw std::runtime_error("none of its fragments is kept");
+      labels = this->bones.Labels(plate.fragments, progress);
+      scan = { labels.grey, labels.View() };
+    }
+    part.mesh = BuildPlate(scan, recipe, progress).mesh;
+    // Bone that was moved is in no scan, so that a plate's gap is not claimed.
+    PartClaims claims;
+    claims.isovalue = recipe.isovalue;
+    claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
+    part.check = { claims, scan.grey };
+    return part;
+  }
+
+  RebuiltPart MakeOf(const PlanImplant&, const ProgressFunction&)
+  {
+    throw std::runtime_error("implants cannot be made yet");
+  }
+
+  RebuiltPart MakeOf(const PlanTransplant& object, const ProgressFunction& progress)
+  {
+    const Transplant transplant = TransplantOf(this->plan, object);
+    const PlanId one[] = { object.donor };
+    const BoneLabels donor = this->bones.Labels(one, progress);
+    TransplantSegments segments({ donor.grey, donor.View(), 1 }, transplant.donor,
+      { this->bones.Isovalue(object.donor), this->bones.SpacingMm(object.donor) }, progress);
+    RebuiltPart part;
+    for (const PlacedSegment& placed : segments.Place(transplant))
+    {
+      Append(part.mesh, placed.mesh, {});
+      part.segments.push_back({ placed.cut, placed.volumeMm3 });
+    }
+    return part;
+  }
+
+  // PartInputs refuses these before.
+  RebuiltPart MakeOf(const PlanVolume&, const ProgressFunction&) { return {}; }
+  RebuiltPart MakeOf(const PlanSegmentation&, const ProgressFunction&) { return {}; }
+  RebuiltPart MakeOf(const PlanCut&, const ProgressFunction&) { return {}; }
+  RebuiltPart MakeOf(const PlanMeasure&, const ProgressFunction&) { return {}; }
+
+  RebuiltPart MakeObject(PlanId id, const ProgressFunction& progress)
+  {
+    RebuiltPart part;
+    ForEachPlanList(
+      [&]<typename T>(const PlanList<T>&)
+      {
+        if (const T* object = FindPlanObject<T>(this->plan, id))
+          part = this->MakeOf(*object, progress);
+      });
+    return part;
+  }
+
+  Plan plan;
+  PlanImages images;
+  PlanBones bones; ///< of the two above
+  std::unique_ptr<OneBoneScan> oneBone;
+};
+
+PlanRebuild::PlanRebuild(Plan plan, PlanImages images)
+  : Inside(std::make_unique<Internals>(std::move(plan), std::move(images)))
+{
+}
+
+PlanRebuild::~PlanRebuild() = default;
+
+RebuiltPart PlanRebuild::Make(PlanId object, const ProgressFunction& progress)
+{
+  std::vector<PartInput> inputs = PartInputs(this->Inside->plan, object);
+  const std::string before = Called(this->Inside->plan, object) + ": ";
+  try
+  {
+    RebuiltPart part = this->Inside->MakeObject(object, progress);
+    part.object = object;
+    part.inputs = std::move(inputs);
+    part.volumeMm3 = VolumeOf(part.mesh);
+    ReportProgress(progress, 1.0);
+    return part;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(before + error.what());
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(before + error.what());
+  }
+}
+
+std::vector<PlanId> ImagesOf(const Plan& plan, PlanId object)
+{
+  std::vector<PlanId> images;
+  for (const PartInput& input : PartInputs(plan, object))
+    if (FindPlanObject<PlanVolume>(plan, input.id) ||
+        FindPlanObject<PlanSegmentation>(plan, input.id))
+      images.push_back(input.id);
+  return images;
+}
+
+} // namespace hasp

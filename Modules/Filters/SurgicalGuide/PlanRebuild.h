@@ -1,0 +1,96 @@
+#ifndef PlanRebuild_h
+#define PlanRebuild_h
+
+#include "Evaluation/PartClaims.h"             // for PartClaims
+#include "FragmentCutter.h"                    // for CutMeasure
+#include "Grid/GridView.h"                     // for AnyGridView
+#include "Grid/Progress.h"                     // for ProgressFunction
+#include "Grid/TriangleMesh.h"                 // for TriangleMesh
+#include "Planning/DerivedPart.h"              // for PartInput
+#include "Planning/Plan.h"                     // for Plan
+#include "vtkHaspFiltersSurgicalGuideModule.h" // for export macro
+
+#include <map>      // for images
+#include <memory>   // for internals
+#include <optional> // for checks
+#include <vector>   // for segments
+
+/// Everything that a plan is for, made of it and its scans; free of VTK but for the export macro.
+namespace hasp
+{
+
+/// Samples by the ids of the volumes, and of the segmentations, that they are.
+using PlanImages = std::map<PlanId, AnyGridView>;
+
+struct PlanCutMeasure
+{
+  PlanId cut = 0;
+  CutMeasure measure; ///< but for `front` and `back`: their numbers are none of the plan's
+};
+
+/// One of a transplant's segments as it lies in the defect.
+struct PlanSegment
+{
+  DonorSegment cut;
+  double volumeMm3 = 0.0;
+};
+
+/// What a part must hold, and the bone that it lies on as it was made: for CertifyFit
+/// (Evaluation/FitCertificate.h).
+struct PartCheck
+{
+  PartClaims claims;
+  AnyGridView bone; ///< good until the next Make
+};
+
+struct RebuiltPart
+{
+  PlanId object = 0;
+  TriangleMesh mesh; ///< world mm; of a fragment, guide or implant in the scan, else as planned
+  std::vector<PartInput> inputs; ///< PartInputs of the plan
+  double volumeMm3 = 0.0;
+  std::vector<PlanCutMeasure> cuts;  ///< of a fragment that is a piece: all through what it is of
+  std::vector<PlanSegment> segments; ///< of a transplant, in the order of its joints
+  std::optional<PartCheck> check;    ///< of guides and plates
+};
+
+/// Makes parts of a plan. What several need, such as the pieces of a bone, is made once.
+///
+///  - a fragment: all bone connected with its seed, or the label's; a piece: what CutFragments
+///  leaves
+///    around its seed, of all cuts through the fragment that it is of, and through those that this
+///    one is a piece of
+///  - a group: its kept fragments where the reduction has them
+///  - a guide: BuildGuide on the scan, or on one fragment of it, with SlotsOf its cuts
+///  - a plate: BuildPlate on the scan, or on fragments where the reduction has them
+///  - an implant: see MakeOf(const PlanImplant&)
+///  - a transplant: TransplantSegments out of its donor, at TransplantOf
+///
+/// One thread at a time (RENDER, or a WORKER that owns it); uses all cores, the same meshes with
+/// any number of them. Memory: the meshes of all fragments asked for, and one to three bytes a
+/// sample of their scans. Limit: a plate's fragments are of one scan, so that it does not lie on a
+/// transplant's segments.
+class VTKHASPFILTERSSURGICALGUIDE_EXPORT PlanRebuild
+{
+public:
+  /// Of a valid plan. The views must outlive this. What an object needs must be among the images
+  /// when Make is called, and no sooner.
+  PlanRebuild(Plan plan, PlanImages images);
+  ~PlanRebuild();
+
+  /// Throws std::invalid_argument (nothing is made of such an object; a recipe, a missing volume or
+  /// segmentation) and std::runtime_error (no such part can be made); Cancelled. Messages begin
+  /// with the object: "guide 8: holes[0] …", and name cuts by their ids; no text of the plan.
+  RebuiltPart Make(PlanId object, const ProgressFunction& progress = {});
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Inside;
+};
+
+/// The images that Make(object) needs: ids of volumes and of segmentations.
+VTKHASPFILTERSSURGICALGUIDE_EXPORT std::vector<PlanId> ImagesOf(const Plan& plan, PlanId object);
+
+} // namespace hasp
+
+#endif

@@ -1,0 +1,180 @@
+#include "CutFixture.h"
+#include "Evaluation/MeshCheck.h"
+#include "PlanRebuild.h"
+#include "Planning/PlanEdits.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+using namespace cuttest;
+using namespace hasp;
+
+namespace
+{
+
+constexpr double Disc = M_PI * 36.0; // of the bar's section, mm2
+
+/// volume 1, the bar; bone 2 of it; cut 3 across it at 0, pieces 4 (left) and 5; cut 6 across 5 at
+/// 10, pieces 7 and 8 of it; segmentation 9, whose label 1 is what is right of -10, as bone 10;
+/// group 11 of 4 and 5, transplant 12 of 4.7 mm and more out of 2, whose first joint lies in cut
+/// 3's face of 4.
+Plan BarPlan()
+{
+  Plan plan;
+  const auto add = [&]<typename T>(T object)
+  {
+    object.id = plan.nextId;
+    plan = Apply(plan, AddObject<T>{ object });
+  };
+  const auto fragment = [](const auto& source)
+  {
+    PlanFragment made;
+    made.source = source;
+    return made;
+  };
+  add(PlanVolume{ 0, "", std::string(64, 'a') });
+  add(fragment(ComponentSource{ 1, 226.0, { 3, 0, 0 }, 0.5 }));
+  const auto blade = [](double x) {
+    return Osteotomy{ { x, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 30.0, 30.0, 1.0 };
+  };
+  add(PlanCut{ 0, "", blade(0), { 2 } });
+  add(fragment(PieceSource{ 2, { -10, 0, 0 } }));
+  add(fragment(PieceSource{ 2, { 10, 0, 0 } }));
+  add(PlanCut{ 0, "", blade(10), { 5 } });
+  add(fragment(PieceSource{ 5, { 5, 0, 0 } }));
+  add(fragment(PieceSource{ 5, { 15, 0, 0 } }));
+  add(PlanSegmentation{ 0, "", 1, std::string(64, 'b') });
+  add(fragment(LabelSource{ 9, 1, 226.0, 0.5 }));
+  add(PlanGroup{ 0, "", { 4, 5 } });
+  PlanTransplant transplant;
+  transplant.donor = 2;
+  transplant.first = { 3, 4 };
+  transplant.transplant.joints =
+    MitreJoints(std::vector<glm::dvec3>{ { -0.5, 0, 0 }, { 20, 0, 0 } });
+  transplant.transplant.outward = { { 0, 0, 1 } };
+  transplant.transplant.donor = { { { -26, 0, 0 }, { 26, 0, 0 } }, { 0, 0, 1 }, 6.0, 8.0 };
+  add(transplant);
+  return plan;
+}
+
+struct Bar
+{
+  BoneScan scan = ScanOfBar();
+  std::vector<std::uint8_t> labels = std::vector<std::uint8_t>(scan.samples.size());
+
+  Bar()
+  {
+    for (int k = 0; k < this->scan.grid.dims.z; ++k)
+      for (int j = 0; j < this->scan.grid.dims.y; ++j)
+        for (int i = 0; i < this->scan.grid.dims.x; ++i)
+          if (this->scan.grid.IndexToWorld(glm::dvec3(i, j, k)).x > -10.0)
+            this
+              ->labels[(std::size_t(k) * this->scan.grid.dims.y + j) * this->scan.grid.dims.x + i] =
+              1;
+  }
+  PlanImages Images() const
+  {
+    return { { 1, this->scan.View() },
+      { 9, GridView<const std::uint8_t>{ this->labels.data(), this->scan.grid } } };
+  }
+};
+
+std::string Refusal(PlanRebuild& rebuild, PlanId object)
+{
+  try
+  {
+    rebuild.Make(object);
+    return {};
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+}
+
+TEST(PlanRebuild, PiecesHaveTheClosedFormsVolumes)
+{
+  const Bar bar;
+  PlanRebuild rebuild(BarPlan(), bar.Images());
+  const double whole = Disc * 40.0 + 4.0 / 3.0 * M_PI * 216.0, end = 2.0 / 3.0 * M_PI * 216.0;
+  EXPECT_NEAR(rebuild.Make(2).volumeMm3, whole, 0.01 * whole);
+  const RebuiltPart left = rebuild.Make(4);
+  EXPECT_NEAR(left.volumeMm3, Disc * 19.5 + end, 0.01 * whole);
+  EXPECT_TRUE(CheckMesh(left.mesh).Sound());
+  ASSERT_EQ(left.cuts.size(), 1U);
+  EXPECT_EQ(left.cuts[0].cut, 3U);
+  EXPECT_NEAR(left.cuts[0].measure.areaMm2, Disc, 0.02 * Disc);
+  EXPECT_EQ(left.inputs, PartInputs(BarPlan(), 4));
+  // A piece of a piece: of both cuts.
+  const RebuiltPart middle = rebuild.Make(7);
+  EXPECT_NEAR(middle.volumeMm3, Disc * 9.0, 0.02 * Disc * 9.0);
+  ASSERT_EQ(middle.cuts.size(), 2U);
+  EXPECT_EQ(middle.cuts[1].cut, 6U);
+  EXPECT_NEAR(rebuild.Make(8).volumeMm3, Disc * 9.5 + end, 0.01 * whole);
+}
+
+TEST(PlanRebuild, ALabelIsABone)
+{
+  const Bar bar;
+  PlanRebuild rebuild(BarPlan(), bar.Images());
+  const double volume = Disc * 30.0 + 2.0 / 3.0 * M_PI * 216.0;
+  EXPECT_NEAR(rebuild.Make(10).volumeMm3, volume, 0.02 * volume); // labels are whole voxels
+}
+
+TEST(PlanRebuild, AGroupIsItsKeptFragmentsAsPlanned)
+{
+  const Bar bar;
+  Plan plan = BarPlan();
+  const glm::dquat turn = glm::angleAxis(0.5, glm::dvec3(0, 0, 1));
+  plan = Apply(plan, PoseFragments{ { { 5, { { 0, 0, 50 }, turn } } } });
+  PlanRebuild rebuild(plan, bar.Images());
+  const RebuiltPart both = rebuild.Make(11), left = rebuild.Make(4), right = rebuild.Make(5);
+  EXPECT_NEAR(both.volumeMm3, left.volumeMm3 + right.volumeMm3, 1e-6 * both.volumeMm3);
+  ASSERT_EQ(both.mesh.points.size(), left.mesh.points.size() + right.mesh.points.size());
+  EXPECT_EQ(both.mesh.points.back(), glm::dvec3(0, 0, 50) + turn * right.mesh.points.back());
+  PlanRebuild resected(Apply(plan, SetFragmentState{ { 5 } }), bar.Images());
+  EXPECT_EQ(resected.Make(11).mesh.points, left.mesh.points);
+  PlanRebuild none(Apply(plan, SetFragmentState{ { 4, 5 } }), bar.Images());
+  EXPECT_EQ(Refusal(none, 11), "group 11: none of its fragments is kept");
+}
+
+TEST(PlanRebuild, ATransplantIsRecutWhenTheCutMoves)
+{
+  const Bar bar;
+  Plan plan = BarPlan();
+  PlanRebuild rebuild(plan, bar.Images());
+  const RebuiltPart before = rebuild.Make(12);
+  ASSERT_EQ(before.segments.size(), 1U);
+  EXPECT_NEAR(before.segments[0].cut.lengthMm, 20.5, 1e-9);
+  EXPECT_NEAR(before.volumeMm3, Disc * 20.5, 0.02 * Disc * 20.5);
+  PlanCut cut = plan.cuts[0];
+  cut.blade.point.x = 4.0;
+  plan = Apply(plan, ChangeObject<PlanCut>{ cut });
+  PlanRebuild moved(plan, bar.Images());
+  EXPECT_NEAR(moved.Make(12).segments[0].cut.lengthMm, 16.5, 1e-9);
+}
+
+TEST(PlanRebuild, WhatIsMissingOrImpossibleIsNamedByIds)
+{
+  const Bar bar;
+  Plan plan = BarPlan();
+  EXPECT_EQ(ImagesOf(plan, 4), std::vector<PlanId>{ 1 });
+  EXPECT_EQ(ImagesOf(plan, 10), (std::vector<PlanId>{ 1, 9 }));
+  PlanRebuild blind(plan, {});
+  EXPECT_EQ(Refusal(blind, 4), "fragment 4: volume 1 is not among those given");
+  EXPECT_EQ(Refusal(blind, 3).find("cut 3: nothing is made of it"), 0U);
+  PlanImplant implant{ 13, "", 1, {} };
+  implant.recipe.outline = { { 0, 0, 6 }, { 5, 0, 6 }, { 0, 5, 6 } };
+  plan = Apply(plan, AddObject<PlanImplant>{ implant });
+  PlanFragment far = plan.fragments[0];
+  far.id = 14;
+  far.source = ComponentSource{ 1, 226.0, { 0, 0, 25 }, 0.5 };
+  plan = Apply(plan, AddObject<PlanFragment>{ far });
+  PlanRebuild rebuild(plan, bar.Images());
+  EXPECT_EQ(Refusal(rebuild, 13), "implant 13: implants cannot be made yet");
+  EXPECT_EQ(Refusal(rebuild, 14).find("fragment 14: there is no bone at source.seed"), 0U);
+  EXPECT_THROW(rebuild.Make(4, [](double) { return false; }), Cancelled);
+}
+
+} // namespace
