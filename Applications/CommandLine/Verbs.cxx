@@ -18,6 +18,7 @@ void AddVerbs(CLI::App& app, Session& session)
   AddGuideVerb(app, session);
   AddCertifyVerb(app, session);
   AddPlateVerb(app, session);
+  AddTransplantVerb(app, session);
 #endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);

@@ -26,6 +26,7 @@ void AddCutVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
 void AddCertifyVerb(CLI::App& app, Session& session);
 void AddPlateVerb(CLI::App& app, Session& session);
+void AddTransplantVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 
 } // namespace hasp
