@@ -4,6 +4,7 @@
 #include "FragmentCutter.h"
 #include "RecipePart.h"
 #include "Session.h"
+#include "VerbWork.h"
 #include "Verbs.h"
 #include "Version.h"
 #include "VolumeInput.h"
@@ -19,12 +20,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <new>
-#include <stdexcept>
 
 namespace hasp
 {
@@ -38,34 +36,6 @@ struct CutOptions
   int label = 1;
   bool labelImage = false;
 };
-
-double MillisecondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-    .count();
-}
-
-/// What reads, cuts or writes, its exceptions as failures of this kind.
-template <typename Work>
-auto Try(ExitCode code, const std::string& before, const Work& work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw; // no fault of the file; the caller says what to do
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(code, before + SafeText(error));
-  }
-}
 
 CutBone Cut(
   const CutOptions& options, const CutRecipe& recipe, vtkImageData* volume, Session& session)
@@ -117,13 +87,6 @@ nlohmann::ordered_json Describe(
   json["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
   json["intended_use"] = "research use only, not a medical device";
   return json;
-}
-
-std::string Line(const char* format, auto... figures)
-{
-  char text[200];
-  std::snprintf(text, sizeof text, format, figures...);
-  return text;
 }
 
 void Print(const CutBone& cut)

@@ -23,6 +23,7 @@ void AddVerbs(CLI::App& app, Session& session)
 #if HASP_WITH_PLANS
   AddPlanVerb(app, session);
   AddRunVerb(app, session);
+  AddTransplantVerb(app, session);
 #endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);

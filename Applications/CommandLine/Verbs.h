@@ -29,6 +29,7 @@ void AddPlateVerb(CLI::App& app, Session& session);
 void AddImplantVerb(CLI::App& app, Session& session);
 void AddPlanVerb(CLI::App& app, Session& session);
 void AddRunVerb(CLI::App& app, Session& session);
+void AddTransplantVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 
 } // namespace hasp

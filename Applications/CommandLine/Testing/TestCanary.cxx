@@ -116,6 +116,8 @@ TEST_F(Canary, RecipesGiveNothingAway)
       { "cut", this->Path("head.mha"), "--cuts", recipe, "--output", this->OutFile("x") });
     this->ExpectNone(
       { "plate", this->Path("head.mha"), "--recipe", recipe, "--output", this->OutFile("x.stl") });
+    this->ExpectNone(
+      { "transplant", this->Path("head.mha"), "--recipe", recipe, "--output", this->OutFile("x") });
   }
 #endif
 }

@@ -154,10 +154,10 @@ TriangleMesh MovedBack(const PlacedSegment& segment)
 MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor,
   const TransplantRecipe& given, const ProgressFunction& progress)
 {
-  ValidateTransplantRecipe(given);
   // What needs no voxel is refused before any is looked at.
+  const Transplant draft = PlanTransplant(given);
   if (!given.findAxis)
-    LayOutSegments(PlanTransplant(given));
+    LayOutSegments(draft);
   const TransplantRecipe recipe = WithAxis(donor, given, ShareOf(progress, 0.0, 0.1));
   MadeTransplant made;
   made.plan = PlanTransplant(recipe);
