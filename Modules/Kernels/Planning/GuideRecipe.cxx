@@ -86,7 +86,7 @@ void CheckBlade(const GuideRecipe& r, const char* list, std::size_t n, const Bla
 {
   check.Point(ListKey(list, n, "point"), blade.point);
   check.Unit(ListKey(list, n, "normal"), blade.normal);
-  if (const double along = std::abs(glm::dot(blade.normal, r.withdrawal)); along > 0.9)
+  if (const double along = std::abs(glm::dot(blade.normal, r.withdrawal)); along > MostSawCosine)
     check.Refuse(ListKey(list, n, "normal") + ": its cosine with withdrawal", along,
       "at most 0.9; the saw must come in along the withdrawal direction");
   check.AboveUpTo(ListKey(list, n, "kerfMm"), blade.kerfMm, 0.0, 20.0);

@@ -11,6 +11,9 @@ namespace hasp
 /// What printers add to a wall, mm: resin (SLA) and filament (FDM). See GuideRecipe::clearanceMm.
 inline constexpr double SlaClearanceMm = 0.25, FdmClearanceMm = 0.4;
 
+/// Of a saw plane's normal with the withdrawal direction: the saw must come in along that.
+inline constexpr double MostSawCosine = 0.9;
+
 /// A saw slot: a finite blade cut through the guide, and the box that leads the saw. Both are
 /// upright in the saw plane (SawAxes); upwards the blade has no end, so that the saw comes in.
 struct GuideSlot
