@@ -18,27 +18,43 @@ namespace
 {
 constexpr float DeepMm = 1000.0F; // in a shadow without an end
 
+template <typename T>
+bool IsBone(const GridView<const T>& ct, const std::vector<std::uint8_t>& keep, double isovalue,
+  const glm::dvec3& world)
+{
+  const GridGeometry& g = ct.geometry;
+  const auto at = LocateCell(g, g.WorldToIndex(world));
+  if (!at)
+    return false;
+  const glm::ivec3 nearest = at->cell + glm::ivec3(glm::round(at->local));
+  return TrilinearValue(CellCorners(ct, at->cell), at->local) >= isovalue &&
+         keep[ct.Offset(nearest.x, nearest.y, nearest.z)];
+}
+
+/// Of the places half a spacing apart along a ray, how far the first one in bone is.
+template <typename T>
+std::optional<double> FirstInBone(const GridView<const T>& ct,
+  const std::vector<std::uint8_t>& keep, double isovalue, const glm::dvec3& from,
+  const glm::dvec3& direction, double lengthMm)
+{
+  const glm::dvec3& spacing = ct.geometry.spacing;
+  const double step = 0.5 * std::min({ spacing.x, spacing.y, spacing.z });
+  for (double t = 0.0; t < lengthMm; t += step)
+    if (IsBone(ct, keep, isovalue, from + t * direction))
+      return t;
+  return std::nullopt;
+}
+
 /// Whether kept bone lies above a point of the working grid's top, along the withdrawal direction.
 template <typename T>
 bool BoneAbove(const GridView<const T>& ct, const std::vector<std::uint8_t>& keep, double isovalue,
   const glm::dvec3& from, const glm::dvec3& up)
 {
   const GridGeometry& g = ct.geometry;
-  const double step = 0.5 * std::min({ g.spacing.x, g.spacing.y, g.spacing.z });
   const glm::dvec3 size = glm::dvec3(g.dims) * g.spacing;
   const glm::dvec3 middle = g.IndexToWorld(0.5 * glm::dvec3(g.Cells()));
   const double end = glm::dot(middle - from, up) + 0.5 * glm::length(size);
-  for (double t = 0.0; t < end; t += step)
-  {
-    const auto at = LocateCell(g, g.WorldToIndex(from + t * up));
-    if (!at)
-      continue;
-    const glm::ivec3 nearest = at->cell + glm::ivec3(glm::round(at->local));
-    if (TrilinearValue(CellCorners(ct, at->cell), at->local) >= isovalue &&
-        keep[ct.Offset(nearest.x, nearest.y, nearest.z)])
-      return true;
-  }
-  return false;
+  return FirstInBone(ct, keep, isovalue, from, up, end).has_value();
 }
 
 /// Of each column of the grid, the distance across to the shadow of what lies above the grid.
@@ -64,6 +80,28 @@ std::vector<float> ShadowFromAbove(const AnyGridView& ct, const std::vector<std:
   return SignedEuclideanDistance(top, blocked);
 }
 } // namespace
+
+std::optional<double> WayToBone(const AnyGridView& ct, const std::vector<std::uint8_t>& keep,
+  double isovalue, const glm::dvec3& from, const glm::dvec3& direction, double lengthMm)
+{
+  constexpr int halvings = 30;
+  return std::visit(
+    [&](const auto& view) -> std::optional<double>
+    {
+      const glm::dvec3& spacing = view.geometry.spacing;
+      const auto first = FirstInBone(view, keep, isovalue, from, direction, lengthMm);
+      if (!first || *first == 0.0)
+        return first;
+      double in = *first, out = in - 0.5 * std::min({ spacing.x, spacing.y, spacing.z });
+      for (int n = 0; n < halvings; ++n)
+      {
+        const double middle = 0.5 * (in + out);
+        (IsBone(view, keep, isovalue, from + middle * direction) ? in : out) = middle;
+      }
+      return in;
+    },
+    ct);
+}
 
 GuideDistances DistanceToBone(const AnyGridView& ct, const std::vector<std::uint8_t>& keep,
   double isovalue, const GridGeometry& grid, const ProgressFunction& progress)

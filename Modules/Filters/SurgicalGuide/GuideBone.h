@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace hasp
@@ -11,6 +12,11 @@ namespace hasp
 
 /// Distances on a guide's working grid, mm, negative inside, x fastest; shared with solids.
 using GuideDistances = std::shared_ptr<const std::vector<float>>;
+
+/// How far it is along a ray (unit direction) to bone as below, within `lengthMm`; 0 from inside
+/// it. Bone thinner than half a sample's spacing may be missed. Any thread; one core; O(length).
+std::optional<double> WayToBone(const AnyGridView& ct, const std::vector<std::uint8_t>& keep,
+  double isovalue, const glm::dvec3& from, const glm::dvec3& direction, double lengthMm);
 
 /// Signed distance to bone: what is >= isovalue and marked in `keep`, one byte a sample of `ct`.
 /// Infinite everywhere if all or nothing of the grid is bone. Throws as Coverage; Cancelled. All

@@ -12,6 +12,7 @@
 #include "GuideWalls.h"
 #include "InsertionAxis.h"
 #include "OnePiece.h"
+#include "Planning/GuideSlots.h"
 
 #include <glm/geometric.hpp>
 
@@ -27,6 +28,7 @@ namespace hasp
 namespace
 {
 constexpr double FarthestLandmarkMm = 3.0;
+constexpr double BesideMm = 1.0; // apart are the lines of a blade that are looked for bone
 // Twice the wall that a printer makes (0.6 mm, PartClaims), for what samples may miss.
 constexpr double LeastBallMm = 0.6, BallCells = 1.25;
 constexpr double OpenMm = 0.03; // of the balls': so that smooth bone alone tells where its gap ends
@@ -111,8 +113,30 @@ InsertionAxis SearchAxis(
   const InsertionAxis found =
     FindInsertionAxis(ct, keep, *band, recipe.withdrawal, recipe.axisSearchDeg);
   recipe.withdrawal = found.direction;
+  recipe.axisSearchDeg = 0.0;
   ValidateGuideRecipe(recipe);
   return found;
+}
+
+/// A blade's slot with its point on the bone.
+GuideSlot SlotOnBone(const AnyGridView& ct, const std::vector<std::uint8_t>& keep,
+  const GuideRecipe& recipe, const Osteotomy& blade)
+{
+  const std::string name =
+    "guide: slots[" + std::to_string(recipe.slots.size()) + "], of a planned cut";
+  const GuideSlot slot = SlotOfBlade(blade, recipe.withdrawal, name);
+  const glm::dmat3 axes = SawAxes(slot.normal, recipe.withdrawal);
+  const double top = slot.depthMm, reach = 0.5 * slot.lengthMm;
+  for (double across = 0.0; std::abs(across) < reach;
+       across = across > 0.0 ? -across : BesideMm - across)
+  {
+    const glm::dvec3 from = slot.point + across * axes[1] + top * axes[2];
+    const auto way = WayToBone(ct, keep, recipe.isovalue, from, -axes[2], 2.0 * top);
+    if (way && *way > 0.0)
+      return MovedSlot(slot, recipe.withdrawal, top - *way);
+  }
+  throw std::runtime_error(name + ": its blade does not enter bone from the side that the guide "
+                                  "lifts off to; make it deeper or move it");
 }
 
 /// Solids of one list of parts.
@@ -190,8 +214,8 @@ SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const G
 
 } // namespace
 
-GuideSolid MakeGuideSolid(
-  const AnyGridView& ct, const GuideRecipe& given, const ProgressFunction& progress)
+GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& given,
+  std::span<const Osteotomy> blades, const ProgressFunction& progress)
 {
   ValidateGuideRecipe(given);
   GuideRecipe recipe = WithUnitDirections(given);
@@ -201,6 +225,10 @@ GuideSolid MakeGuideSolid(
   const std::vector<std::uint8_t> keep =
     KeepLargePieces(ct, recipe.isovalue, recipe.ignoreBelowMm3, Part(progress, 0.0, 0.1));
   const InsertionAxis axis = SearchAxis(ct, keep, recipe);
+  for (const Osteotomy& blade : blades)
+    recipe.slots.push_back(SlotOnBone(ct, keep, recipe, blade));
+  if (!blades.empty())
+    ValidateGuideRecipe(recipe);
   ReportProgress(progress, 0.15);
   const GuideParts parts = MakeGuideParts(recipe);
   const GuideFrame frame = MakeGuideFrame(recipe, volume, keep, parts.added);
@@ -212,13 +240,13 @@ GuideSolid MakeGuideSolid(
   SolidPointer solid = Compose(recipe, frame, parts, MakeGridSolid(distances, frame.grid),
     MakeGridSolid(blocked, frame.grid), Part(progress, 0.8, 1.0));
   ReportProgress(progress, 1.0);
-  return { std::move(solid), frame.grid, axis.direction, axis.undercut };
+  return { std::move(solid), frame.grid, std::move(recipe), axis.undercut };
 }
 
-BuiltGuide BuildGuide(
-  const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress)
+BuiltGuide BuildGuide(const AnyGridView& ct, const GuideRecipe& recipe,
+  std::span<const Osteotomy> blades, const ProgressFunction& progress)
 {
-  GuideSolid made = MakeGuideSolid(ct, recipe, Part(progress, 0.0, 0.7));
+  GuideSolid made = MakeGuideSolid(ct, recipe, blades, Part(progress, 0.0, 0.7));
   const TriangleMesh mesh =
     SharpContour(*made.solid, made.grid, {}, nullptr, Part(progress, 0.7, 1.0));
   return { OnePiece(mesh, "guide", "shorten the slots, widen the band, or move the landmarks"),

@@ -4,6 +4,9 @@
 #include "Grid/Progress.h"
 #include "Grid/TriangleMesh.h"
 #include "Planning/GuideRecipe.h"
+#include "Planning/Osteotomy.h"
+
+#include <span>
 
 namespace hasp
 {
@@ -13,8 +16,10 @@ namespace hasp
 struct GuideSolid
 {
   SolidPointer solid;
-  GridGeometry grid;      ///< its z is the withdrawal direction
-  glm::dvec3 withdrawal;  ///< unit: that of the recipe, or the one found
+  GridGeometry grid; ///< its z is the withdrawal direction
+  /// As it was made: its withdrawal is unit and that which was found (no search is left to make),
+  /// and the slots of the blades stand behind its own. What ClaimsOf asks for.
+  GuideRecipe recipe;
   double undercut = -1.0; ///< share of the bone's area that it does not reach, if it was searched
 };
 
@@ -25,10 +30,15 @@ struct GuideSolid
 /// The room is what is farther from bone than the gap, undercuts blocked out (GuideBone.h), and not
 /// in pores and clefts; the shell is what is nearer to bone than the outer wall, in the region and
 /// the room, with a round edge between the first two, where it is thick enough (GuideWalls.h).
+///
+/// blades   of planned cuts: the guide gets a slot for each (Planning/GuideSlots.h). The slot's
+///          point is where the blade's middle line, or the line nearest to that, enters bone from
+///          above; all of the box below the blade's top is looked at
+///
 /// Throws std::invalid_argument (recipe, volume) and std::runtime_error (no such guide can be
 /// made), naming the landmark, slot, hole or label; Cancelled. Any thread; all cores.
-GuideSolid MakeGuideSolid(
-  const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress = {});
+GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& recipe,
+  std::span<const Osteotomy> blades, const ProgressFunction& progress = {});
 
 /// A guide ready to be written. All of `made` but its surface is in `solid`.
 struct BuiltGuide
@@ -38,7 +48,7 @@ struct BuiltGuide
 };
 
 /// The same, contoured: one closed piece. Errors and threads as above.
-BuiltGuide BuildGuide(
-  const AnyGridView& ct, const GuideRecipe& recipe, const ProgressFunction& progress = {});
+BuiltGuide BuildGuide(const AnyGridView& ct, const GuideRecipe& recipe,
+  std::span<const Osteotomy> blades, const ProgressFunction& progress = {});
 
 } // namespace hasp

@@ -7,9 +7,10 @@ namespace hasp
 {
 
 /// What of a solid is thick enough: all within `ballMm + keptMm` of the places deeper than `ballMm`
-/// in it, and in it. Fins and films thinner than two balls are gone (the opening of mathematical
-/// morphology, with keptMm = 0; Serra 1982), tips of wedges as far as keptMm behind their last
-/// ball. Edges of 90 degrees stay sharp where keptMm >= 0.42 ballMm; at 0 they are round.
+/// in it, and in it (the opening of mathematical morphology, with keptMm = 0; Serra 1982). Fins and
+/// films thinner than two balls are gone, those of two balls and two spacings stay; tips of wedges
+/// are gone from keptMm behind their last ball on, within 1.1 spacings.
+/// Edges of 90 degrees stay sharp where keptMm >= 0.42 ballMm; at 0 they are round.
 ///
 /// solid    its values must be distances inside, where it is not deeper than ballMm
 /// grid     holds the solid, or all that matters of it: beyond it there is nothing

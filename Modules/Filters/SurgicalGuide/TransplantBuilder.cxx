@@ -155,12 +155,12 @@ MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor
   const TransplantRecipe& given, const ProgressFunction& progress)
 {
   // What needs no voxel is refused before any is looked at.
-  const Transplant draft = PlanTransplant(given);
+  const Transplant draft = JointsOf(given);
   if (!given.findAxis)
     LayOutSegments(draft);
   const TransplantRecipe recipe = WithAxis(donor, given, ShareOf(progress, 0.0, 0.1));
   MadeTransplant made;
-  made.plan = PlanTransplant(recipe);
+  made.plan = JointsOf(recipe);
   const std::vector<DonorSegment> cuts = LayOutSegments(made.plan);
   TransplantSegments bone(donor, recipe.donor,
     { recipe.donorIsovalue, recipe.resection.spacingMm, recipe.resection.ignoreBelowMm3 },

@@ -17,12 +17,22 @@
 
 vtkStandardNewMacro(vtkHaspGuideFilter);
 
-vtkHaspGuideFilter::vtkHaspGuideFilter() : Recipe(std::make_unique<hasp::GuideRecipe>()) {}
+vtkHaspGuideFilter::vtkHaspGuideFilter()
+  : Recipe(std::make_unique<hasp::GuideRecipe>()),
+    MadeRecipe(std::make_unique<hasp::GuideRecipe>())
+{
+}
 vtkHaspGuideFilter::~vtkHaspGuideFilter() = default;
 
 void vtkHaspGuideFilter::SetRecipe(const hasp::GuideRecipe& recipe)
 {
   *this->Recipe = recipe;
+  this->Modified();
+}
+
+void vtkHaspGuideFilter::SetBlades(const std::vector<hasp::Osteotomy>& blades)
+{
+  this->Blades = blades;
   this->Modified();
 }
 
@@ -65,10 +75,9 @@ int vtkHaspGuideFilter::RequestData(
   try
   {
     const hasp::BuiltGuide guide =
-      hasp::BuildGuide(hasp::ViewImage(image), *this->Recipe, progress);
+      hasp::BuildGuide(hasp::ViewImage(image), *this->Recipe, this->Blades, progress);
     output->ShallowCopy(hasp::MakePolyData(guide.mesh));
-    for (int a = 0; a < 3; ++a)
-      this->InsertionAxis[a] = guide.made.withdrawal[a];
+    *this->MadeRecipe = guide.made.recipe;
     this->UndercutShare = guide.made.undercut;
     return 1;
   }
@@ -85,7 +94,7 @@ int vtkHaspGuideFilter::RequestData(
 
 void vtkHaspGuideFilter::GetInsertionAxis(double direction[3]) const
 {
-  std::copy_n(this->InsertionAxis, 3, direction);
+  std::copy_n(&this->MadeRecipe->withdrawal.x, 3, direction);
 }
 
 double vtkHaspGuideFilter::GetUndercutShare() const
@@ -101,7 +110,8 @@ void vtkHaspGuideFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Thickness: " << this->Recipe->thicknessMm << " mm\n";
   os << indent << "Slots: " << this->Recipe->slots.size() << "\n";
   os << indent << "Holes: " << this->Recipe->holes.size() << "\n";
-  os << indent << "InsertionAxis: " << this->InsertionAxis[0] << ", " << this->InsertionAxis[1]
-     << ", " << this->InsertionAxis[2] << "\n";
+  const glm::dvec3& axis = this->MadeRecipe->withdrawal;
+  os << indent << "InsertionAxis: " << axis.x << ", " << axis.y << ", " << axis.z << "\n";
+  os << indent << "Blades: " << this->Blades.size() << "\n";
   os << indent << "UndercutShare: " << this->UndercutShare << "\n";
 }

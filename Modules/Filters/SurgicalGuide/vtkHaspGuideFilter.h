@@ -39,10 +39,12 @@
 
 #include <memory> // for the recipe
 #include <string> // for paths
+#include <vector> // for blades
 
 namespace hasp
 {
 struct GuideRecipe;
+struct Osteotomy;
 }
 
 class VTKHASPFILTERSSURGICALGUIDE_EXPORT vtkHaspGuideFilter : public vtkPolyDataAlgorithm
@@ -58,6 +60,16 @@ public:
   const hasp::GuideRecipe& GetRecipe() const
   {
     return *this->Recipe;
+  }
+
+  /// Blades of planned cuts (Planning/Plan.h, BladesOf), which the guide leads: a slot each behind
+  /// those of the recipe, with its point where the blade enters bone. None unless set.
+  void SetBlades(const std::vector<hasp::Osteotomy>& blades);
+  /// Of the guide made last: the recipe with its blades' slots and the insertion axis found, which
+  /// no search is left for. It makes the same guide without blades, and is what ClaimsOf asks for.
+  const hasp::GuideRecipe& GetMadeRecipe() const
+  {
+    return *this->MadeRecipe;
   }
 #endif
 
@@ -82,8 +94,8 @@ private:
   vtkHaspGuideFilter(const vtkHaspGuideFilter&) = delete;
   void operator=(const vtkHaspGuideFilter&) = delete;
 
-  std::unique_ptr<hasp::GuideRecipe> Recipe;
-  double InsertionAxis[3] = { 0.0, 0.0, 1.0 };
+  std::unique_ptr<hasp::GuideRecipe> Recipe, MadeRecipe;
+  std::vector<hasp::Osteotomy> Blades;
   double UndercutShare = -1.0;
 };
 

@@ -86,7 +86,7 @@ void CheckBlade(const GuideRecipe& r, const char* list, std::size_t n, const Bla
 {
   check.Point(ListKey(list, n, "point"), blade.point);
   check.Unit(ListKey(list, n, "normal"), blade.normal);
-  if (const double along = std::abs(glm::dot(blade.normal, r.withdrawal)); along > 0.9)
+  if (const double along = std::abs(glm::dot(blade.normal, r.withdrawal)); along > MostSawCosine)
     check.Refuse(ListKey(list, n, "normal") + ": its cosine with withdrawal", along,
       "at most 0.9; the saw must come in along the withdrawal direction");
   check.AboveUpTo(ListKey(list, n, "kerfMm"), blade.kerfMm, 0.0, 20.0);
@@ -162,11 +162,15 @@ void CheckLabels(const GuideRecipe& r)
   {
     const GuideLabel& label = r.labels[n];
     const std::string text = ListKey("labels", n, "text");
+    const bool written = label.kind == GuideLabelKind::Text;
+    if (!written && !label.text.empty())
+      check.Refuse(
+        text, "must be empty: what a label of the kind case says is told when it is made");
     if (label.text.size() > MostLetters)
       check.Refuse("the length of " + text, double(label.text.size()), "at most 40");
     if (label.text.find_first_not_of(Letters) != std::string::npos)
       check.Refuse(text, "must be of A to Z, 0 to 9, space and . - / + :");
-    if (label.text.find_first_not_of(' ') == std::string::npos)
+    if (written && label.text.find_first_not_of(' ') == std::string::npos)
       check.Refuse(text, "must have a letter");
     check.Point(ListKey("labels", n, "point"), label.point);
     check.Unit(ListKey("labels", n, "right"), label.right);
@@ -232,6 +236,22 @@ std::string GuideLabelText(const std::string& caseLabel, BodySide side, const st
       letter = '-';
   }
   return text;
+}
+
+GuideRecipe WithCaseLabels(
+  GuideRecipe recipe, const std::string& caseLabel, BodySide side, const std::string& planHash)
+{
+  const std::string text = GuideLabelText(caseLabel, side, planHash);
+  for (std::size_t n = 0; n < recipe.labels.size(); ++n)
+    if (GuideLabel& label = recipe.labels[n]; label.kind == GuideLabelKind::Case)
+    {
+      if (text.find_first_not_of(' ') == std::string::npos)
+        check.Refuse(
+          ListKey("labels", n), "is to name the case, and no case, side or plan is known");
+      label.text = text;
+      label.kind = GuideLabelKind::Text;
+    }
+  return recipe;
 }
 
 } // namespace hasp

@@ -11,6 +11,9 @@ namespace hasp
 /// What printers add to a wall, mm: resin (SLA) and filament (FDM). See GuideRecipe::clearanceMm.
 inline constexpr double SlaClearanceMm = 0.25, FdmClearanceMm = 0.4;
 
+/// Of a saw plane's normal with the withdrawal direction: the saw must come in along that.
+inline constexpr double MostSawCosine = 0.9;
+
 /// A saw slot: a finite blade cut through the guide, and the box that leads the saw. Both are
 /// upright in the saw plane (SawAxes); upwards the blade has no end, so that the saw comes in.
 struct GuideSlot
@@ -52,15 +55,23 @@ struct GuideHole
   bool operator==(const GuideHole&) const noexcept = default;
 };
 
+enum class GuideLabelKind
+{
+  Text, ///< as it stands in the recipe
+  Case  ///< case, side and plan, said when the part is made: WithCaseLabels. A plan's hash would
+        ///< change if a recipe in the plan had it
+};
+
 /// A line of text on the outer wall, read from outside.
 struct GuideLabel
 {
-  std::string text;        ///< A to Z, 0 to 9, space and . - / + : up to 40; see GuideLabelText
+  std::string text;        ///< A to Z, 0 to 9, space and . - / + : up to 40; of the kind Case empty
   glm::dvec3 point{ 0.0 }; ///< below its middle, on the bone, world mm
   glm::dvec3 right{ 1.0, 0.0, 0.0 }; ///< direction of writing; unit, along the wall
   double heightMm = 5.0;             ///< of letters; their strokes are a sixth of it, [3.6, 50]
   double depthMm = 1.0;              ///< letters stand out so far, or are cut in, (0, 5]
   bool engraved = false;             ///< cut in: at most half the thickness
+  GuideLabelKind kind = GuideLabelKind::Text;
 
   bool operator==(const GuideLabel&) const noexcept = default;
 };
@@ -144,5 +155,10 @@ enum class BodySide
 /// what there is room for.
 std::string GuideLabelText(
   const std::string& caseLabel, BodySide side, const std::string& planHash);
+
+/// The recipe to make a part from: its labels of the kind Case have become that text. Throws
+/// std::invalid_argument, naming the label, if there is one and nothing is known for it to say.
+GuideRecipe WithCaseLabels(
+  GuideRecipe recipe, const std::string& caseLabel, BodySide side, const std::string& planHash);
 
 } // namespace hasp

@@ -23,14 +23,17 @@ namespace hasp
 ///     "labels": [{ "text": "CASE 7 L", "point": [x,y,z], "right": [x,y,z], "heightMm": 5,
 ///                  "depthMm": 1, "engraved": false }, …] }
 ///
+/// A label may have "kind": "case" in place of "text"; without a kind it is a "text".
+///
 /// "hasp-guide-recipe-1" is read, too: it has no strokes, axisSearchDeg, edgeRadiusMm, clearanceMm,
 /// walls, flanges and labels, its slots are { point, normal, widthMm, lengthMm } and its holes
 /// { point, axis, diameterMm }. The guide is as it was: slots of that width, and holes, 500 mm
 /// deep, without boxes, sleeves and round edges.
 ///
-/// Strict: every key but "note" must be there, and no other; what ValidateGuideRecipe refuses is
-/// refused here, too. Errors are std::runtime_error (file, syntax) or std::invalid_argument
-/// (content) and say which key, never the file's name or text. Needs HASP_ENABLE_JSON. Any thread.
+/// Strict: every key but "note" and "kind" must be there, and no other; what ValidateGuideRecipe
+/// refuses is refused here, too. Errors are std::runtime_error (file, syntax) or
+/// std::invalid_argument (content) and say which key, never the file's name or text. Needs
+/// HASP_ENABLE_JSON. Any thread.
 GuideRecipe ParseGuideRecipe(const std::string& json);
 std::string FormatGuideRecipe(const GuideRecipe& recipe);
 

@@ -14,6 +14,9 @@ constexpr const char* FirstFormat = "hasp-guide-recipe-1";
 constexpr std::pair<GuideOutline, const char*> Outlines[] = { { GuideOutline::Open, "open" },
   { GuideOutline::Closed, "closed" }, { GuideOutline::Filled, "filled" } };
 
+constexpr std::pair<GuideLabelKind, const char*> LabelKinds[] = { { GuideLabelKind::Text, "text" },
+  { GuideLabelKind::Case, "case" } };
+
 /// Everything that both formats have.
 void ReadCommon(const StrictJson& top, GuideRecipe& r)
 {
@@ -89,9 +92,14 @@ void ReadHolesAndLabels(const StrictJson& top, GuideRecipe& r)
   for (const Json& value : top.List("labels"))
   {
     const StrictJson label(value, Subject, ListKey("labels", r.labels.size()),
-      { "text", "point", "right", "heightMm", "depthMm", "engraved" });
-    r.labels.push_back({ label.Text("text"), label.Vector("point"), label.Vector("right"),
-      label.Number("heightMm"), label.Number("depthMm"), label.Flag("engraved") });
+      { "kind", "text", "point", "right", "heightMm", "depthMm", "engraved" });
+    const GuideLabelKind kind =
+      label.Has("kind") ? label.Named("kind", LabelKinds) : GuideLabelKind::Text;
+    r.labels.push_back({ kind == GuideLabelKind::Case ? "" : label.Text("text"),
+      label.Vector("point"), label.Vector("right"), label.Number("heightMm"),
+      label.Number("depthMm"), label.Flag("engraved"), kind });
+    if (kind == GuideLabelKind::Case && label.Has("text"))
+      label.Fail("text", "must not be there: what a label of the kind case says is told when it is made");
   }
 }
 
@@ -190,9 +198,14 @@ Json GuideRecipeToJson(const GuideRecipe& r)
   json["labels"] = ListOf(r.labels,
     [](const GuideLabel& l) -> Json
     {
-      return { { "text", l.text }, { "point", hasp::ToJson(l.point) },
-        { "right", hasp::ToJson(l.right) }, { "heightMm", l.heightMm }, { "depthMm", l.depthMm },
-        { "engraved", l.engraved } };
+      Json label = Json::object();
+      if (l.kind == GuideLabelKind::Text)
+        label["text"] = l.text;
+      else
+        label["kind"] = NameOf(l.kind, LabelKinds);
+      label.update({ { "point", hasp::ToJson(l.point) }, { "right", hasp::ToJson(l.right) },
+        { "heightMm", l.heightMm }, { "depthMm", l.depthMm }, { "engraved", l.engraved } });
+      return label;
     });
   return json;
 }

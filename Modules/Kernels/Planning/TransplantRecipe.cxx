@@ -126,7 +126,7 @@ void ValidateTransplantRecipe(const TransplantRecipe& recipe)
   CheckGuide(recipe.guide);
 }
 
-Transplant PlanTransplant(const TransplantRecipe& recipe)
+Transplant JointsOf(const TransplantRecipe& recipe)
 {
   ValidateTransplantRecipe(recipe);
   const std::vector<BoneCut>& cuts = recipe.resection.cuts;

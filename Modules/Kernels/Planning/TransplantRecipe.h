@@ -77,7 +77,7 @@ void ValidateTransplantRecipe(const TransplantRecipe& recipe);
 /// Throws as ValidateTransplantRecipe; and std::invalid_argument on a face more than 60 degrees off
 /// a square cut, on a path that turns back, and on a segment shorter than leastSegmentMm
 /// ("segments[1]'s length is 12, must be …"). O(places).
-Transplant PlanTransplant(const TransplantRecipe& recipe);
+Transplant JointsOf(const TransplantRecipe& recipe);
 
 /// The blades that part the segments from the donor: two a segment, its start's and its end's, in
 /// the order of the segments, with the kerf outside of it. As wide and deep as four radii.

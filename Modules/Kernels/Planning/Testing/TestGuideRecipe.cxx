@@ -222,6 +222,32 @@ TEST(GuideRecipe, LabelsAreOfLettersThatCanBeWritten)
   EXPECT_EQ(r.labels[0].text.substr(28), "X L FFFFFFFF"); // these are not cut off
 }
 
+TEST(GuideRecipe, ALabelOfTheCaseIsWrittenWhenThePartIsMade)
+{
+  auto r = Good();
+  r.labels.push_back({ "", { 2, 2, 2 }, { 0, 1, 0 }, 5, 1, false, hasp::GuideLabelKind::Case });
+  const std::string file = hasp::FormatGuideRecipe(r);
+  EXPECT_NE(file.find("\"kind\": \"case\""), std::string::npos);
+  EXPECT_EQ(hasp::ParseGuideRecipe(file), r);
+  EXPECT_EQ(hasp::FormatGuideRecipe(Good()).find("kind"), std::string::npos);
+  const auto made = hasp::WithCaseLabels(r, "Case 7", hasp::BodySide::Left, std::string(64, 'e'));
+  EXPECT_EQ(made.labels[0], r.labels[0]);
+  EXPECT_EQ(made.labels[1].text, "CASE 7 L EEEEEEEE");
+  EXPECT_EQ(made.labels[1].kind, hasp::GuideLabelKind::Text);
+  EXPECT_EQ(hasp::FormatGuideRecipe(r), file); // what names the plan is not in the plan
+  EXPECT_EQ(hasp::WithCaseLabels(Good(), "", hasp::BodySide::None, ""), Good());
+  EXPECT_THROW(hasp::WithCaseLabels(r, "", hasp::BodySide::None, ""), std::invalid_argument);
+  EXPECT_NAMES(Refusal(
+                 [](hasp::GuideRecipe& recipe)
+                 { recipe.labels[0].kind = hasp::GuideLabelKind::Case; }),
+    "labels[0].text must be empty");
+  std::string both = file;
+  both.replace(both.find("\"kind\": \"case\""), 14, "\"kind\": \"case\", \"text\": \"A\"");
+  EXPECT_NAMES(Refusal(both), "labels[1].text must not be there");
+  both.replace(both.find("\"case\""), 6, "\"mine\"");
+  EXPECT_NAMES(Refusal(both), "labels[1].kind must be text or case");
+}
+
 TEST(GuideRecipe, AFileIsReplacedWholeOrNotAtAll)
 {
   const auto folder = std::filesystem::path(testing::TempDir());

@@ -53,7 +53,7 @@ std::string FaultOf(const std::function<void(hasp::TransplantRecipe&)>& change)
 {
   hasp::TransplantRecipe recipe = Valid();
   change(recipe);
-  return Fault([&] { hasp::LayOutSegments(hasp::PlanTransplant(recipe)); });
+  return Fault([&] { hasp::LayOutSegments(hasp::JointsOf(recipe)); });
 }
 
 TEST(TransplantRecipe, EveryNumberOutOfItsRangeIsNamed)
@@ -138,7 +138,7 @@ TEST(TransplantRecipe, SegmentsReachFromStumpToStumpAndFollowTheCuts)
   hasp::TransplantRecipe recipe = Valid();
   const auto lengths = [&]
   {
-    const auto segments = hasp::LayOutSegments(hasp::PlanTransplant(recipe));
+    const auto segments = hasp::LayOutSegments(hasp::JointsOf(recipe));
     return dvec3(segments.at(0).lengthMm, segments.at(1).lengthMm, segments.at(1).wedgeRadians);
   };
   EXPECT_LT(glm::distance(lengths(), dvec3(30, 40, 0.3)), 1e-12);
@@ -162,7 +162,7 @@ TEST(TransplantRecipe, ARollTurnsTheLateralSideAboutEachSegment)
 {
   hasp::TransplantRecipe recipe = Valid();
   recipe.rollDeg = 90.0;
-  const hasp::Transplant plan = hasp::PlanTransplant(recipe);
+  const hasp::Transplant plan = hasp::JointsOf(recipe);
   ASSERT_EQ(plan.outward.size(), 2U);
   EXPECT_LT(glm::distance(plan.outward[0], dvec3(0, -1, 0)), 1e-12);
   EXPECT_LT(glm::distance(plan.outward[1], glm::cross(Beyond, dvec3(0, 0, 1))), 1e-12);
@@ -172,7 +172,7 @@ TEST(TransplantRecipe, TheDonorsBladesTakeTheirKerfOutsideOfTheSegments)
 {
   hasp::TransplantRecipe recipe = Valid();
   recipe.startOffsetMm = 10.0;
-  const hasp::Transplant plan = hasp::PlanTransplant(recipe);
+  const hasp::Transplant plan = hasp::JointsOf(recipe);
   const auto segments = hasp::LayOutSegments(plan);
   EXPECT_NEAR(segments[0].fromMm, 75 + 10 + 1, 1e-12);
   const auto cuts = hasp::DonorCuts(plan, segments);

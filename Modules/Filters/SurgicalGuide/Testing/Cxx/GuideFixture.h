@@ -2,6 +2,7 @@
 #include "Evaluation/MeshCheck.h"
 #include "Grid/AnalyticVolumes.h"
 #include "Planning/GuideRecipe.h"
+#include "Planning/Osteotomy.h"
 #include "vtkHaspGuideFilter.h"
 #include "vtkHaspVolumeView.h"
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 /// A made-up bone, a recipe that fits it, and what the tests do with both.
 namespace guidetest
@@ -100,7 +102,8 @@ struct Answer
   vtkNew<vtkHaspGuideFilter> filter;
   std::string error;
 
-  explicit Answer(vtkImageData* ct, const hasp::GuideRecipe& recipe)
+  explicit Answer(vtkImageData* ct, const hasp::GuideRecipe& recipe,
+    const std::vector<hasp::Osteotomy>& blades = {})
   {
     vtkNew<vtkCallbackCommand> keep;
     keep->SetClientData(this);
@@ -110,6 +113,7 @@ struct Answer
     this->filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
     this->filter->SetInputData(ct);
     this->filter->SetRecipe(recipe);
+    this->filter->SetBlades(blades);
     this->filter->Update();
   }
   vtkPolyData* Guide() { return this->filter->GetOutput(); }

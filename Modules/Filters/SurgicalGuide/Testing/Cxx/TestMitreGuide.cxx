@@ -21,7 +21,7 @@ protected:
   {
     recipe.donor.axis = Bow();
     recipe.findAxis = false;
-    return hasp::PlanTransplant(recipe);
+    return hasp::JointsOf(recipe);
   }
   hasp::MitreGuide Guide(
     const hasp::Transplant& plan, const hasp::MitreGuideChoices& choices = {}) const
