@@ -7,6 +7,9 @@
 #include "ReportStability.h"
 #endif
 #include "ReportDistance.h"
+#if HASP_WITH_GUIDE_REPORT
+#include "ReportGuides.h"
+#endif
 #include "ReportHaptics.h"
 #include "ReportImport.h"
 #include "ReportStereo.h"
@@ -33,6 +36,13 @@ const std::vector<ReportEntry>& ReportRegistry()
         "error against time of distance transforms and contours that keep edges, against ITK's, "
         "OpenVDB's and VTK's",
         ReportDistance },
+#if HASP_WITH_GUIDE_REPORT
+      { "guides",
+        "are random parts sound, do they fit, does their certificate find what is wrong, and what "
+        "a "
+        "guide costs, against Booleans of meshes",
+        ReportGuides },
+#endif
       { "haptics",
         "contact points, levels and Snap-to-fit in a tick, and what they are off by, "
         "against plain code",

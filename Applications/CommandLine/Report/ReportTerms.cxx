@@ -163,6 +163,27 @@ std::vector<ReportTerm> DistanceTerms()
   };
 }
 
+std::vector<ReportTerm> GuideTerms()
+{
+  return {
+    { "guides.manifold", "share of random parts made that are sound; error: how many are not" },
+    { "guides.crashes", "random parts that ended their process or took 20 s" },
+    { "guides.fallback", "random parts that a method below the part's own gave up on" },
+    { "guides.refused",
+      "share of refusals, and of nonsense, with the error that names what is wrong" },
+    { "guides.planes",
+      "how far saw planes found in written guides are off the recipe's, at worst" },
+    { "guides.conservation",
+      "share of bone that fragments and kerfs do not account for, at worst" },
+    { "guides.certificate.found", "parts with a defect that are red for that very reason" },
+    { "guides.certificate.false", "clean parts that are red" },
+    { "guides.time", "from a recipe to an STL file that is read back and certified, median" },
+    { "guides.gap.p95", "95 % of the inner wall's area are within that of the gap asked for" },
+    { "guides.preview", "time until a changed guide is shown" },
+    { "guides.plan", "share of random plans that come back as they were saved" },
+  };
+}
+
 std::vector<ReportTerm> StereoTerms()
 {
   return {
@@ -204,6 +225,7 @@ std::vector<ReportTerm> TermsOf(const std::string& report)
                                   : report == "cells"      ? CellTerms()
                                   : report == "raycaching" ? RaycachingTerms()
                                   : report == "distance"   ? DistanceTerms()
+                                  : report == "guides"     ? GuideTerms()
                                   : report == "haptics"    ? HapticTerms()
                                   : report == "stereo"     ? StereoTerms()
                                                            : OthersOf(report);

@@ -3,9 +3,12 @@
 #include "FragmentPieces.h"
 #include "GuideBuilder.h"
 #include "GuideClaims.h"
-#include "GuideSlots.h"
+#include "ImplantBuilder.h"
+#include "ImplantClaims.h"
 #include "PlanBones.h"
 #include "PlateBuilder.h"
+#include "PlateClaims.h"
+#include "ReductionModel.h"
 #include "TransplantSegments.h"
 
 #include "Planning/PlanLists.h"
@@ -33,6 +36,14 @@ void Append(TriangleMesh& mesh, const TriangleMesh& other, const PlanPose& pose)
     mesh.points.push_back(pose.Place(p));
   for (const glm::uvec3& t : other.triangles)
     mesh.triangles.push_back(t + first);
+}
+
+std::vector<ScrewAxis> AxesOf(const std::vector<PlacedScrew>& screws)
+{
+  std::vector<ScrewAxis> axes;
+  for (const PlacedScrew& screw : screws)
+    axes.push_back({ screw.outer, screw.axis });
+  return axes;
 }
 
 /// A copy of a scan with one bone alone: what is bone and not this one is as the emptiest sample.
@@ -87,23 +98,26 @@ struct PlanRebuild::Internals
 
   RebuiltPart MakeOf(const PlanGroup& group, const ProgressFunction& progress)
   {
-    RebuiltPart part;
+    std::vector<PosedMesh> kept;
+    double spacing = 5.0; // UniteFragments' most
     for (const PlanId id : group.fragments)
     {
       const PlanFragment& fragment = *FindPlanObject<PlanFragment>(this->plan, id);
-      if (fragment.state == FragmentState::Kept)
-        Append(part.mesh, this->bones.Mesh(id, progress), fragment.scanToPlanned);
+      if (fragment.state != FragmentState::Kept)
+        continue;
+      const PlanPose& pose = fragment.scanToPlanned;
+      kept.push_back({ &this->bones.Mesh(id, progress), { pose.position, pose.orientation } });
+      spacing = std::min(spacing, this->bones.SpacingMm(id));
     }
-    if (part.mesh.triangles.empty())
+    if (kept.empty())
       throw std::runtime_error("none of its fragments is kept");
+    RebuiltPart part;
+    part.mesh = UniteFragments(kept, spacing, progress);
     return part;
   }
 
   RebuiltPart MakeOf(const PlanGuide& guide, const ProgressFunction& progress)
   {
-    GuideRecipe recipe = guide.recipe;
-    const std::vector<GuideSlot> slots = SlotsOf(BladesOf(this->plan, guide), recipe);
-    recipe.slots.insert(recipe.slots.end(), slots.begin(), slots.end());
     AnyGridView bone = GridView<const std::uint8_t>{};
     if (FindPlanObject<PlanVolume>(this->plan, guide.bone))
       bone = this->bones.Grey(guide.bone);
@@ -111,13 +125,13 @@ struct PlanRebuild::Internals
     {
       const PlanId one[] = { guide.bone };
       this->oneBone =
-        std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), recipe.isovalue);
+        std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), guide.recipe.isovalue);
       bone = this->oneBone->View();
     }
-    BuiltGuide built = BuildGuide(bone, recipe, progress);
+    BuiltGuide built = BuildGuide(bone, guide.recipe, BladesOf(this->plan, guide), progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
-    part.check = { ClaimsOf(recipe, 0.95, built.made.withdrawal), bone };
+    part.check = { ClaimsOf(built.made.recipe), bone };
     return part;
   }
 
@@ -136,18 +150,28 @@ struct PlanRebuild::Internals
       labels = this->bones.Labels(plate.fragments, progress);
       scan = { labels.grey, labels.View() };
     }
-    part.mesh = BuildPlate(scan, recipe, progress).mesh;
-    // Bone that was moved is in no scan, so that a plate's gap is not claimed.
+    BuiltPlate built = BuildPlate(scan, recipe, progress);
+    part.mesh = std::move(built.mesh);
     PartClaims claims;
-    claims.isovalue = recipe.isovalue;
-    claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
+    if (plate.volume != 0)
+      claims = ClaimsOf(recipe, AxesOf(built.made.screws));
+    else // bone that was moved is in no scan, so that its gap is not claimed
+    {
+      claims.isovalue = recipe.isovalue;
+      claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
+    }
     part.check = { claims, scan.grey };
     return part;
   }
 
-  RebuiltPart MakeOf(const PlanImplant&, const ProgressFunction&)
+  RebuiltPart MakeOf(const PlanImplant& implant, const ProgressFunction& progress)
   {
-    throw std::runtime_error("implants cannot be made yet");
+    const AnyGridView scan = this->bones.Grey(implant.volume);
+    BuiltImplant built = BuildImplant(scan, implant.recipe, progress);
+    RebuiltPart part;
+    part.mesh = std::move(built.mesh);
+    part.check = { ClaimsOf(implant.recipe, built.made.axis, built.made.holes), scan };
+    return part;
   }
 
   RebuiltPart MakeOf(const PlanTransplant& object, const ProgressFunction& progress)

@@ -51,7 +51,7 @@ struct RebuiltPart
   double volumeMm3 = 0.0;
   std::vector<PlanCutMeasure> cuts;  ///< of a fragment that is a piece: all through what it is of
   std::vector<PlanSegment> segments; ///< of a transplant, in the order of its joints
-  std::optional<PartCheck> check;    ///< of guides and plates
+  std::optional<PartCheck> check;    ///< of guides, plates and implants
 };
 
 /// Makes parts of a plan. What several need, such as the pieces of a bone, is made once.
@@ -60,10 +60,10 @@ struct RebuiltPart
 ///  leaves
 ///    around its seed, of all cuts through the fragment that it is of, and through those that this
 ///    one is a piece of
-///  - a group: its kept fragments where the reduction has them
-///  - a guide: BuildGuide on the scan, or on one fragment of it, with SlotsOf its cuts
+///  - a group: its kept fragments where the reduction has them, as one body (UniteFragments)
+///  - a guide: BuildGuide on the scan, or on one fragment of it, with a slot for each of its cuts
 ///  - a plate: BuildPlate on the scan, or on fragments where the reduction has them
-///  - an implant: see MakeOf(const PlanImplant&)
+///  - an implant: BuildImplant on the scan
 ///  - a transplant: TransplantSegments out of its donor, at TransplantOf
 ///
 /// One thread at a time (RENDER, or a WORKER that owns it); uses all cores, the same meshes with

@@ -1,6 +1,5 @@
 #pragma once
-#include "Planning/PlanFile.h"
-#include "RandomEdits.h"
+#include "RandomDocument.h"
 
 #include <gtest/gtest.h>
 
@@ -47,25 +46,6 @@ inline std::string ReadBytes(const std::filesystem::path& path)
 inline void WriteBytes(const std::filesystem::path& path, const std::string& bytes)
 {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-}
-
-/// A history of `steps` steps, some of them undone, and parts.
-inline hasp::PlanDocument RandomDocument(unsigned seed, int steps)
-{
-  RandomEdits random(seed);
-  hasp::PlanDocument document{ hasp::PlanHistory(random.MakePlan(random.Below(8))), {} };
-  for (int n = 0; n < steps; ++n)
-  {
-    hasp::PlanHistory& history = document.history;
-    history.Do(random.Next(history.Current(), history.NewId()));
-    if (random.Below(5) == 0)
-      history.Undo();
-  }
-  for (int n = random.Below(3); n > 0; --n)
-    document.parts.push_back({ 1, hasp::PartFormat(random.Below(4)),
-      { { 2, hasp::PartFacet(random.Below(2)), random.Hash() } }, random.Hash(),
-      random.Below(2) == 0 ? "" : random.Hash() });
-  return document;
 }
 
 /// The message that `act` throws; empty if it does not. None may tell the folder's name.

@@ -1,0 +1,227 @@
+#include "Grid/ParallelFor.h"
+#include "GuideTrials.h"
+#include "MeasuredRows.h"
+#include "PartLine.h"
+#include "ReportRegistry.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+
+namespace hasp
+{
+namespace
+{
+
+constexpr std::size_t BatchSize = 20; ///< parts a process: starting one costs as much as a part
+
+struct Tried
+{
+  std::vector<PartLine> lines;
+  std::vector<std::string> crashes; ///< "guide 17: exit code 139"
+};
+
+/// All parts of a batch; behind one that ends its process another goes on.
+Tried RunBatch(
+  const PartRunner& runner, const std::string& kind, std::uint32_t first, std::size_t count)
+{
+  Tried tried;
+  for (std::uint32_t next = first, end = first + std::uint32_t(count); next < end;)
+  {
+    const PartRun run = runner.run(kind, next, end - next);
+    std::istringstream output(run.output);
+    for (std::string text; std::getline(output, text);)
+      if (const auto line = ParsePartLine(text))
+      {
+        tried.lines.push_back(*line);
+        next = line->seed + 1;
+      }
+    if (next >= end)
+      break;
+    tried.crashes.push_back(kind + " " + std::to_string(next) + ": " +
+                            (run.ending.empty() ? "said nothing" : run.ending));
+    ++next;
+  }
+  return tried;
+}
+
+/// As many processes at a time as cores help.
+Tried RunAll(
+  ReportContext& context, const PartRunner& runner, const std::string& kind, std::size_t count)
+{
+  const auto seed = static_cast<std::uint32_t>(context.settings.seed * 100'000);
+  const std::size_t batches = (count + BatchSize - 1) / BatchSize;
+  constexpr std::size_t AtATime = 8;
+  Tried all;
+  for (std::size_t begin = 0; begin < batches; begin += AtATime)
+  {
+    context.progress(double(begin) / double(batches), "");
+    std::vector<Tried> some(std::min(AtATime, batches - begin));
+    ParallelFor(0, std::int64_t(some.size()), 1,
+      [&](std::int64_t low, std::int64_t high)
+      {
+        for (std::int64_t n = low; n < high; ++n)
+        {
+          const std::size_t first = (begin + std::size_t(n)) * BatchSize;
+          some[std::size_t(n)] =
+            RunBatch(runner, kind, seed + std::uint32_t(first), std::min(BatchSize, count - first));
+        }
+      });
+    for (const Tried& tried : some)
+    {
+      all.lines.insert(all.lines.end(), tried.lines.begin(), tried.lines.end());
+      all.crashes.insert(all.crashes.end(), tried.crashes.begin(), tried.crashes.end());
+    }
+  }
+  return all;
+}
+
+struct Sum
+{
+  std::array<std::size_t, 7> of{}; ///< by verdict
+  std::size_t parts = 0, triangles = 0;
+  double seconds = 0.0;
+  std::string wrong{}; ///< a few
+  std::vector<std::string> crashes{};
+
+  std::size_t Of(PartVerdict verdict) const { return this->of[std::size_t(verdict)]; }
+  std::size_t Made() const
+  {
+    return this->Of(PartVerdict::Sound) + this->Of(PartVerdict::Open) +
+           this->Of(PartVerdict::Crossed) + this->Of(PartVerdict::Empty);
+  }
+  void Add(const std::string& kind, const Tried& tried)
+  {
+    for (const PartLine& line : tried.lines)
+    {
+      ++this->parts;
+      ++this->of[std::size_t(line.verdict)];
+      this->triangles += line.triangles;
+      this->seconds += line.seconds;
+      if (line.verdict != PartVerdict::Sound && line.verdict != PartVerdict::Refused &&
+          this->wrong.size() < 400)
+        this->wrong += "; " + kind + " " + std::to_string(line.seed) + ", verdict " +
+                       std::to_string(int(line.verdict)) + ", " + line.text;
+    }
+    this->parts += tried.crashes.size();
+    this->crashes.insert(this->crashes.end(), tried.crashes.begin(), tried.crashes.end());
+  }
+  ReportRow Row(const char* id, double value, const char* unit, const char* asked) const
+  {
+    ReportRow row;
+    row.id = id;
+    row.value = value;
+    row.unit = unit;
+    row.rival = asked;
+    row.n = int(this->parts);
+    return row;
+  }
+};
+
+std::string Said(const std::string& kind, const Sum& sum)
+{
+  return std::to_string(sum.parts) + " of kind " + kind + ": " +
+         std::to_string(sum.Of(PartVerdict::Sound)) + " made and sound, " +
+         std::to_string(sum.Of(PartVerdict::Refused)) + " refused by name, " +
+         std::to_string(sum.Made() - sum.Of(PartVerdict::Sound)) + " unsound, " +
+         std::to_string(sum.Of(PartVerdict::Wrong) + sum.Of(PartVerdict::FellBack)) + " else, " +
+         std::to_string(sum.crashes.size()) + " crashed; ";
+}
+
+void AddSoundness(ReportContext& context, const Sum& sum, const std::string& said)
+{
+  const double made = double(std::max<std::size_t>(1, sum.Made()));
+  ReportRow manifold = sum.Row("guides.manifold", double(sum.Of(PartVerdict::Sound)) / made,
+    "share", "closed, 2-manifold, outward, one piece, does not meet itself, all as 32-bit floats");
+  manifold.error = made - double(sum.Of(PartVerdict::Sound));
+  manifold.errorUnit = "parts that are not";
+  manifold.timeS = sum.seconds / double(std::max<std::size_t>(1, sum.parts));
+  manifold.data = said + "of " + std::to_string(sum.triangles / std::size_t(made)) +
+                  " triangles each, of small pieces of the phantom" + sum.wrong;
+#if !HASP_WITH_CGAL
+  manifold.data += "; whether they meet themselves was not looked at: this build has no CGAL";
+#endif
+  manifold.bars = { { 1.0, {} } };
+  ReportRow crashes = sum.Row("guides.crashes", double(sum.crashes.size()), "parts", "none");
+  for (std::size_t n = 0; n < sum.crashes.size() && n < 5; ++n)
+    crashes.data += (n > 0 ? "; " : "") + sum.crashes[n];
+  crashes.bars = { { {}, 0.0 } };
+  ReportRow fallback = sum.Row("guides.fallback", double(sum.Of(PartVerdict::FellBack)), "parts",
+    "none: each fault is one that the part itself names");
+  fallback.bars = { { {}, 0.0 } };
+  const double refused = double(sum.Of(PartVerdict::Refused)),
+               wrong = double(sum.Of(PartVerdict::Wrong));
+  ReportRow named =
+    sum.Row("guides.refused", refused + wrong > 0.0 ? refused / (refused + wrong) : 1.0, "share",
+      "what cannot be is refused, and the error names the key or the object");
+  named.n = int(refused + wrong);
+  named.bars = { { 1.0, {} } };
+  for (const ReportRow& row : { manifold, crashes, fallback, named })
+    context.report.rows.push_back(row);
+}
+
+/// The worst of what sound parts measured besides.
+ReportRow Worst(const Tried& tried, const char* id, const char* unit, double PartLine::*figure)
+{
+  ReportRow row;
+  row.id = id;
+  row.unit = unit;
+  row.better = Better::Lower;
+  double worst = 0.0, seconds = 0.0;
+  for (const PartLine& line : tried.lines)
+    if (line.verdict == PartVerdict::Sound && line.*figure >= 0.0) // below: it has none
+    {
+      ++row.n;
+      worst = std::max(worst, line.*figure);
+      seconds += line.seconds;
+    }
+  row.value = worst;
+  row.error = worst;
+  row.errorUnit = std::string(unit) + " at worst";
+  row.timeS = seconds / std::max(1, row.n);
+  return row;
+}
+
+} // namespace
+
+void TryParts(ReportContext& context, const PartRunner& runner, std::size_t parts, std::size_t cuts)
+{
+  if (!runner.absent.empty())
+  {
+    for (const char* id : { "guides.manifold", "guides.planes", "guides.conservation" })
+      context.report.rows.push_back(AbsentRow(id, "random parts", runner.absent));
+    return;
+  }
+  std::map<std::string, Tried> tried;
+  const std::size_t kinds =
+    runner.kinds.size() - std::size_t(std::count(runner.kinds.begin(), runner.kinds.end(), "cut"));
+  for (const std::string& kind : runner.kinds)
+  {
+    context.progress(0.0, "guides: random parts of kind " + kind);
+    tried[kind] = RunAll(context, runner, kind, kind == "cut" ? cuts : parts / kinds);
+  }
+  Sum all;
+  std::string said;
+  for (const auto& [kind, some] : tried)
+  {
+    Sum one;
+    one.Add(kind, some);
+    all.Add(kind, some);
+    said += Said(kind, one);
+  }
+  AddSoundness(context, all, said);
+  ReportRow planes = Worst(tried["guide"], "guides.planes", "mm", &PartLine::figure);
+  planes.rival = "the recipe's saw planes, against those fitted to the guide's walls as written";
+  planes.data = "random guides with one slot, which no other crosses; bars: 0.1 mm, 0.5 degrees";
+  const ReportRow degrees = Worst(tried["guide"], "", "degrees", &PartLine::second);
+  planes.bars = { { {}, 0.1 }, { {}, 0.5, "tilt, degrees", *degrees.value } };
+  ReportRow conserved = Worst(tried["cut"], "guides.conservation", "share", &PartLine::figure);
+  conserved.rival = "the bone's own volume: fragments and kerfs, each a mesh of its own";
+  conserved.data = "random osteotomies of vault, jaw and fibula of the phantom";
+  conserved.bars = { { {}, 1e-3 } };
+  context.report.rows.push_back(planes);
+  context.report.rows.push_back(conserved);
+}
+
+} // namespace hasp
