@@ -1,5 +1,7 @@
 #include "SeededPart.h"
 
+#include "SeededDraw.h"
+
 #include "Distance/Csg.h"
 #include "Distance/SharpContour.h"
 #include "Distance/SolidShapes.h"
@@ -14,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace hasp
 {
@@ -22,27 +23,6 @@ namespace
 {
 
 constexpr double SpacingMm = 0.5; // of the grid that parts are contoured on
-
-/// Numbers from a seed, the same everywhere: std's distributions are not.
-class Draw
-{
-public:
-  explicit Draw(std::uint32_t seed) : Random(seed) {}
-  double From(double least, double most)
-  {
-    return least + (most - least) * (double(this->Random()) / 4294967295.0);
-  }
-  std::size_t Below(std::size_t count) { return this->Random() % count; }
-  glm::dvec3 Direction()
-  {
-    const double z = this->From(-1.0, 1.0), turn = this->From(0.0, 6.283185307179586);
-    const double r = std::sqrt(1.0 - z * z);
-    return { r * std::cos(turn), r * std::sin(turn), z };
-  }
-
-private:
-  std::mt19937 Random;
-};
 
 /// What a seed draws, in its own axes: the bone's top at 0, the part lifts off along z.
 struct Scene
