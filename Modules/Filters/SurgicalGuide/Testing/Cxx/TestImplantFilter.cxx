@@ -27,7 +27,6 @@ hasp::ImplantRecipe Perforated()
   hasp::ImplantRecipe recipe = AroundTheHole(Head());
   recipe.mirror.reset();
   recipe.axis.reset();
-  recipe.spacingMm = 0.9;
   recipe.holeDiameterMm = 2.0;
   recipe.holePitchMm = 8.0;
   return recipe;
