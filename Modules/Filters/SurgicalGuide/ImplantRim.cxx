@@ -16,6 +16,8 @@ namespace
 {
 constexpr double LeastFacing = 0.5; // cosine, to the axis
 constexpr std::size_t LeastPlaces = 20;
+constexpr double CountedShare = 0.6; // of the places: the rest may be sunk or broken
+constexpr double LeastFarthestMm = 0.3;
 constexpr double MatchedMm = 2.0;
 constexpr double MostShiftMm = 6.0, MostTiltDeg = 8.0;
 
@@ -48,7 +50,7 @@ glm::dvec3 Step(const ImplicitSolid& mirrored, std::span<const glm::dvec3> place
   const glm::dmat3& axes, const glm::dvec3& middle, const RigidPose& pose)
 {
   const std::vector<double> sizes = Sizes(mirrored, places, pose);
-  const double farthest = std::max(3.0 * Quantile(sizes, 0.5), 0.5);
+  const double farthest = std::max(Quantile(sizes, CountedShare), LeastFarthestMm);
   const RigidPose back = pose.Inverse();
   glm::dmat3 squares(1e-9);
   glm::dvec3 sides(0.0);

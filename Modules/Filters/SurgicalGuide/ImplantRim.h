@@ -26,9 +26,9 @@ struct LaidTable
 };
 
 /// Heads are not quite symmetric: moves the mirrored side along the axis and tilts it so that it
-/// meets the places of the rim, least in squares (Gauss and Newton; places over three times the
-/// median off, and over 0.5 mm, do not count). It is not slid across: what is round does not tell
-/// how far.
+/// meets the places of the rim, least in squares (Gauss and Newton) of those three fifths of them
+/// that are nearest, and all within 0.3 mm: the rest may be sunk or broken. It is not slid across:
+/// what is round does not tell how far.
 ///
 /// mirrored   signed distance to the mirrored side, filled below its outer table
 /// Throws std::runtime_error, beginning with "implant", if there are fewer than 20 places, if less

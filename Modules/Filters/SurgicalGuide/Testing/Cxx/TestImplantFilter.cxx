@@ -117,8 +117,9 @@ TEST(ImplantFilter, WhatDoesNotKeepThePromiseIsFound)
   hasp::TriangleMesh pushed = mesh;
   for (glm::dvec3& p : pushed.points)
     p += 1.0 * Head().Hole().along;
-  EXPECT_NE(faults(claims, pushed).find("cannot be put on along its axis"), std::string::npos);
-  EXPECT_NE(faults(claims, pushed).find("holes[0]"), std::string::npos);
+  const std::string said = faults(claims, pushed);
+  EXPECT_NE(said.find("cannot be put on along its axis"), std::string::npos) << said;
+  EXPECT_NE(said.find("holes[0]"), std::string::npos) << said;
 }
 
 TEST(ImplantFilter, SaysWhatCannotBeMadeAndLeavesNothing)
