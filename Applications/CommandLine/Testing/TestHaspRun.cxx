@@ -175,6 +175,8 @@ TEST_F(HaspRunTest, AnyNumberOfThreadsAndASecondRunWriteTheSameBytes)
   EXPECT_EQ(run.at("parts").size(), 6U);
   EXPECT_EQ(run.at("parts")[0].at("cuts")[0].at("parted"), true);
   EXPECT_EQ(run.at("parts")[3].at("verdict"), "green");
+  EXPECT_EQ(run.at("parts")[3].at("certificate").at("slots").size(), 1U); // of the cut
+  EXPECT_EQ(run.at("parts")[4].at("certificate").at("slots").size(), 0U);
   EXPECT_EQ(this->OutOfDate(), std::vector<int>{});
 
   const HaspRun second = this->Make("second", { "--json" }); // needs no scan
