@@ -106,7 +106,7 @@ void Show(const PlanDocument& document, Session& session)
                  (redo.empty() ? "" : "; to redo: " + redo));
 }
 
-void Begin(const PlanOptions& options, Session& session)
+void Begin(const PlanOptions& options)
 {
   std::error_code error;
   if (std::filesystem::exists(options.plan, error))
@@ -193,7 +193,7 @@ void Run(const PlanOptions& options, Session& session)
   if (!options.caseLabel.empty() && !options.begin)
     throw Failure(ExitCode::WrongUse, "--case goes with --new; later it is an edit: caseLabel");
   if (options.begin)
-    return Begin(options, session);
+    return Begin(options);
   if (options.check)
     return Check(options.plan, session);
   PlanDocument document = OpenPlan(options.plan);
