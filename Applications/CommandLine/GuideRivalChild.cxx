@@ -3,6 +3,8 @@
 //
 // Usage: hasp-guide-rival VOLUME RECIPE OUT.stl
 // Output: seconds   (of surface, shell and Booleans; reading and writing do not count)
+#include "GuideRivalTools.h"
+
 #include "Grid/TriangleMesh.h"
 #include "Planning/GuideRecipeFile.h"
 #include "vtkHaspOutputFile.h"
@@ -12,22 +14,16 @@
 #include "vtkBooleanOperationPolyDataFilter.h"
 #include "vtkCleanPolyData.h"
 #include "vtkClipPolyData.h"
-#include "vtkCubeSource.h"
-#include "vtkCylinderSource.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtractVOI.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
-#include "vtkLinearSubdivisionFilter.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataConnectivityFilter.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 #include "vtkTriangleFilter.h"
 
 #include <glm/common.hpp>
@@ -43,10 +39,7 @@ namespace
 {
 
 using namespace hasp;
-using Mesh = vtkSmartPointer<vtkPolyData>;
 
-constexpr double AroundMm =
-  12.0;                        ///< of the landmarks, besides the width: the scan that is looked at
 constexpr double Facing = 0.2; ///< least cosine between the bone's normal and the way off it
 constexpr int Smoothings = 20; ///< of normals: scans are stepped
 constexpr int Round = 64;      ///< corners of a hole
@@ -175,74 +168,6 @@ TriangleMesh Shell(const TriangleMesh& patch, const GuideRecipe& recipe)
       shell.triangles.push_back({ a, b + count, a + count });
     }
   return shell;
-}
-
-Mesh Cleaned(vtkPolyDataAlgorithm* source)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(source->GetOutputPort());
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputConnection(triangles->GetOutputPort());
-  clean->ToleranceIsAbsoluteOn();
-  clean->SetAbsoluteTolerance(1e-6);
-  clean->ConvertPolysToLinesOff();
-  clean->ConvertLinesToPointsOff();
-  clean->Update();
-  return clean->GetOutput();
-}
-
-/// The filter is better on small triangles: each is cut into 4^finer.
-Mesh Placed(vtkPolyDataAlgorithm* source, const glm::dmat3& axes, const glm::dvec3& at, int finer)
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-      matrix->SetElement(row, column, axes[column][row]);
-    matrix->SetElement(row, 3, at[row]);
-  }
-  vtkNew<vtkTransform> transform;
-  transform->SetMatrix(matrix);
-  vtkNew<vtkLinearSubdivisionFilter> small;
-  small->SetInputData(Cleaned(source));
-  small->SetNumberOfSubdivisions(finer);
-  vtkNew<vtkTransformPolyDataFilter> move;
-  move->SetInputConnection(small->GetOutputPort());
-  move->SetTransform(transform);
-  return Cleaned(move);
-}
-
-std::vector<Mesh> Tools(const GuideRecipe& recipe)
-{
-  const double above = recipe.gapMm + recipe.thicknessMm + 8.0;
-  std::vector<Mesh> tools;
-  for (const GuideSlot& slot : recipe.slots)
-  {
-    const double below = std::min(slot.depthMm, AroundMm);
-    const glm::dmat3 axes = SawAxes(slot.normal, recipe.withdrawal);
-    vtkNew<vtkCubeSource> box;
-    box->SetXLength(SlotWidthMm(recipe, slot.kerfMm));
-    box->SetYLength(slot.lengthMm);
-    box->SetZLength(above + below);
-    tools.push_back(Placed(box, axes, slot.point + 0.5 * (above - below) * axes[2], 3));
-  }
-  for (const GuideHole& hole : recipe.holes)
-  {
-    const double below = std::min(hole.depthMm, AroundMm);
-    const glm::dmat3 axes =
-      SawAxes(std::abs(hole.axis.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), hole.axis);
-    const glm::dvec3 up = glm::normalize(hole.axis);
-    const glm::dvec3 x = glm::normalize(axes[1] - glm::dot(axes[1], up) * up);
-    vtkNew<vtkCylinderSource> drill; // along its y
-    drill->SetHeight(above + below);
-    drill->SetRadius(0.5 * hole.diameterMm);
-    drill->SetResolution(Round);
-    tools.push_back(
-      Placed(drill, { x, up, glm::cross(x, up) }, hole.point + 0.5 * (above - below) * up, 1));
-  }
-  return tools;
 }
 
 Mesh Guide(vtkImageData* image, const GuideRecipe& recipe)

@@ -37,8 +37,6 @@ namespace hasp
 namespace
 {
 
-constexpr int Runs = 5;
-
 FindSelfIntersectionsFunction SelfIntersections()
 {
 #if HASP_WITH_CGAL
@@ -128,10 +126,11 @@ void TrySubject(ReportContext& context, const GuideSubject& subject, const std::
     (std::filesystem::temp_directory_path() / ("hasp-guide-" + std::to_string(getpid()) + ".stl"))
       .string();
   Made made;
+  const int runs = context.settings.quick ? 3 : 5;
   std::vector<double> wall, cpu;
-  for (int run = 0; run < Runs; ++run)
+  for (int run = 0; run < runs; ++run)
   {
-    context.progress(double(run) / Runs, "");
+    context.progress(double(run) / runs, "");
     const Timing time = TimeOf([&] { made = MakeOnce(subject, stl); });
     wall.push_back(time.wallS);
     cpu.push_back(time.cpuS);
@@ -152,7 +151,7 @@ void TrySubject(ReportContext& context, const GuideSubject& subject, const std::
   time.errorUnit = "mm off the gap, 95 % of the inner wall";
   time.timeS = seconds.median;
   time.cpuS = QuartilesOf(cpu).median;
-  time.n = Runs;
+  time.n = runs;
   time.data = subject.data + "; recipe to STL file, read back and certified; " +
               std::to_string(made.mesh.triangles.size()) + " triangles; " +
               Verdict(made.certificate);

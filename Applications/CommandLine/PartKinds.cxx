@@ -53,23 +53,40 @@ double Make(Filter* filter, TriedPart& part)
   return seconds;
 }
 
+/// Is there nothing else whose walls could be taken for the slot's?
+bool IsFree(const GuideRecipe& recipe, const ClaimedSlot& slot)
+{
+  if (recipe.slots.size() != 1 || !recipe.flanges.empty() || !recipe.labels.empty())
+    return false;
+  for (const GuideHole& hole : recipe.holes)
+  {
+    const glm::dvec3 off = hole.point - slot.point;
+    const double reach = 0.5 * hole.diameterMm + recipe.sleeveWallMm + 1.0;
+    if (std::abs(glm::dot(off, slot.normal)) < 0.5 * slot.widthMm + reach &&
+        std::abs(glm::dot(off, slot.along)) < 0.5 * slot.lengthMm + reach)
+      return false;
+  }
+  return true;
+}
+
 /// The saw planes found in what was written: figure: mm off, second: degrees; -1 without any.
 void MeasurePlanes(
-  const RandomGuide& guide, vtkHaspGuideFilter* filter, const TriangleMesh& mesh, PartLine& line)
+  const GuideRecipe& recipe, vtkHaspGuideFilter* filter, const TriangleMesh& mesh, PartLine& line)
 {
   line.figure = line.second = -1.0;
-  if (line.verdict != PartVerdict::Sound || guide.recipe.slots.size() != 1)
-    return; // of slots that cross a wall may be either's
+  if (line.verdict != PartVerdict::Sound)
+    return;
   glm::dvec3 axis;
   filter->GetInsertionAxis(&axis.x);
   const TriangleTree tree(mesh);
   constexpr std::size_t LeastPlaces = 30; // of fewer there is no plane to speak of
-  for (const ClaimedSlot& slot : ClaimsOf(guide.recipe, 0.95, axis).slots)
-    if (const SlotFit fit = FitSlot(tree, slot); fit.places >= LeastPlaces)
-    {
-      line.figure = std::max(line.figure, fit.offsetMm);
-      line.second = std::max(line.second, fit.tiltDegrees);
-    }
+  for (const ClaimedSlot& slot : ClaimsOf(recipe, 0.95, axis).slots)
+    if (IsFree(recipe, slot))
+      if (const SlotFit fit = FitSlot(tree, slot); fit.places >= LeastPlaces)
+      {
+        line.figure = std::max(line.figure, fit.offsetMm);
+        line.second = std::max(line.second, fit.tiltDegrees);
+      }
 }
 
 PartLine TryGuide(std::uint32_t seed)
@@ -82,7 +99,7 @@ PartLine TryGuide(std::uint32_t seed)
   const double seconds = Make(filter.Get(), part);
   PartLine line = JudgePart(part);
   line.seconds = seconds;
-  MeasurePlanes(guide, filter, part.mesh, line);
+  MeasurePlanes(guide.recipe, filter, part.mesh, line);
   return line;
 }
 

@@ -92,7 +92,7 @@ void ReportGuides(ReportContext& context)
     settings.quick  ? 40
     : settings.soak ? 10'000
                     : 1000,
-    settings.quick ? 6 : 60);
+    settings.quick ? 4 : 60);
   TryCertificates(context, settings.quick ? 1 : 20);
   context.report.rows.push_back(AbsentRow("guides.preview",
     "a guide drawn as clustered cells straight from its field", "this build has no preview"));

@@ -207,13 +207,16 @@ void TryParts(ReportContext& context, const PartRunner& runner, std::size_t part
   {
     Sum one;
     one.Add(kind, some);
-    all.Add(kind, some);
+    if (kind == "cut")
+      all.crashes.insert(all.crashes.end(), some.crashes.begin(), some.crashes.end());
+    else
+      all.Add(kind, some);
     said += Said(kind, one);
   }
   AddSoundness(context, all, said);
   ReportRow planes = Worst(tried["guide"], "guides.planes", "mm", &PartLine::figure);
   planes.rival = "the recipe's saw planes, against those fitted to the guide's walls as written";
-  planes.data = "random guides with one slot, which no other crosses; bars: 0.1 mm, 0.5 degrees";
+  planes.data = "random guides with a slot that nothing else crosses; bars: 0.1 mm, 0.5 degrees";
   const ReportRow degrees = Worst(tried["guide"], "", "degrees", &PartLine::second);
   planes.bars = { { {}, 0.1 }, { {}, 0.5, "tilt, degrees", *degrees.value } };
   ReportRow conserved = Worst(tried["cut"], "guides.conservation", "share", &PartLine::figure);

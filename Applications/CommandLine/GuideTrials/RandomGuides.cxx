@@ -96,8 +96,8 @@ private:
           this->Random.From(2.0, 20.0), this->Random.From(3.0, 10.0) });
     if (this->Random.Below(6) == 0)
       r.labels.push_back({ "R-" + std::to_string(this->Random.Below(90)),
-        this->OnBone(0.0, this->Random.From(-2, 2)), this->Right, 12.2 * r.spacingMm, 0.6,
-        this->Random.Below(2) == 0 });
+        this->OnBone(0.0, this->Random.From(-2, 2)), this->Right, 12.2 * r.spacingMm,
+        2.1 * r.spacingMm, r.thicknessMm > 4.3 * r.spacingMm && this->Random.Below(2) == 0 });
   }
   /// Of the phantom, where the guide is and where it would be if it were pushed off.
   void Scan()
@@ -146,9 +146,9 @@ private:
   {
     this->Guide.kind = "hole in air";
     GuideRecipe& r = this->Guide.recipe;
-    r.holes.push_back({ this->OnBone(0, 0) + this->Random.From(19.0, 60.0) * this->Up, r.withdrawal,
-      2.0, 5.0, 0.0 });
-    this->Refuse("holes[" + std::to_string(r.holes.size() - 1) + "]");
+    r.holes = { { this->OnBone(0, 0) + this->Random.From(19.0, 60.0) * this->Up, r.withdrawal, 2.0,
+      5.0, 0.0 } };
+    this->Refuse("["); // this one, unless a landmark is over a fossa or the defect
   }
   void Crossing()
   {
@@ -168,7 +168,7 @@ private:
     r.strokes = { { { this->OnBone(-6, -3), this->OnBone(0, 4), this->OnBone(7, -2) },
                     this->Random.From(3.0, 6.0), false },
       { { this->OnBone(this->Random.From(-6, 6), this->Random.From(-3, 3)) },
-        this->Random.From(1.0, 3.0), true } };
+        this->Random.From(1.5, 3.0), true } };
   }
   void AllAtOnce()
   {

@@ -18,6 +18,7 @@ namespace hasp
 namespace
 {
 constexpr double StepMm = 0.25;
+constexpr double OtherMm = 1.0;
 
 /// A wall's places: u along, v across, d from the middle plane.
 struct Wall
@@ -25,7 +26,25 @@ struct Wall
   std::vector<glm::dvec3> places;
   std::array<double, 3> plane{}; ///< d = plane[0] + plane[1] u + plane[2] v
 
-  void Fit()
+  /// What lies more than OtherMm behind the plane, at first behind the middle one of all places, is
+  /// the wall of something else, such as a sleeve beside the slot. `out`: the sign of d that is
+  /// behind.
+  void Fit(double out)
+  {
+    std::vector<double> d;
+    for (const glm::dvec3& p : this->places)
+      d.push_back(p.z);
+    std::nth_element(d.begin(), d.begin() + std::ptrdiff_t(d.size() / 2), d.end());
+    this->plane = { d[d.size() / 2], 0.0, 0.0 };
+    for (std::size_t before = 0; before != this->places.size();)
+    {
+      before = this->places.size();
+      std::erase_if(
+        this->places, [&](const glm::dvec3& p) { return out * (p.z - this->At(p)) > OtherMm; });
+      this->FitAll();
+    }
+  }
+  void FitAll()
   {
     NormalEquations<3> equations;
     for (const glm::dvec3& p : this->places)
@@ -118,8 +137,8 @@ private:
       low = glm::min(low, glm::dvec2(p));
       high = glm::max(high, glm::dvec2(p));
     }
-    this->Upper.Fit();
-    this->Lower.Fit();
+    this->Upper.Fit(1.0);
+    this->Lower.Fit(-1.0);
     const glm::dvec2 middle = 0.5 * (low + high);
     const double up = this->Upper.At(middle), down = this->Lower.At(middle);
     this->Fit.tiltDegrees = std::max(this->Upper.TiltDegrees(), this->Lower.TiltDegrees());

@@ -77,4 +77,19 @@ TEST(SlotFit, SaysWhereItIsBlockedAndIfThereIsNone)
   EXPECT_FALSE(hasp::FitSlot(hasp::TriangleTree(motion(Plate())), away).blockedAt);
 }
 
+TEST(SlotFit, TheWallOfAnotherPartBehindIsNoWallOfTheSlot)
+{
+  // Over half of its height the slot has no wall on one side, but a block 1.4 mm behind.
+  const auto motion = parttest::AnyMotion(2);
+  const auto block = motion(parttest::Blocks({ -6, -0.6, 0.6, 2, 6 }, { -5, 5 }, { -2, 1, 2 },
+    [](int i, int, int k) { return i == 0 || i == 3 || (i == 2 && k == 0); }));
+  hasp::ClaimedSlot claim{ motion.to, motion.Turn({ 1, 0, 0 }), motion.Turn({ 0, 1, 0 }), 1.2,
+    8.0 };
+  const auto fit = hasp::FitSlot(hasp::TriangleTree(block), claim);
+  EXPECT_NEAR(fit.widthMm, 1.2, 1e-6);
+  EXPECT_NEAR(fit.leastWidthMm, 1.2, 1e-6);
+  EXPECT_LT(fit.tiltDegrees, 1e-4);
+  EXPECT_LT(fit.flatnessMm, 1e-6);
+}
+
 } // namespace
