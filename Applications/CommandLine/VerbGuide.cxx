@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -33,7 +34,8 @@ namespace
 struct GuideOptions
 {
   VolumeChoices volume;
-  std::string recipe, output;
+  std::string recipe, output, preview, caseLabel;
+  BodySide side = BodySide::None;
   bool check = false, force = false;
   double leastShare = 0.95;
 };
@@ -43,6 +45,26 @@ struct Guide
   vtkSmartPointer<vtkPolyData> surface;
   glm::dvec3 insertionAxis;
 };
+
+/// The field alone, 0.8 mm apart or as the recipe's grid: what `hasp render` draws as clustered
+/// cells.
+void WritePreview(
+  vtkImageData* volume, const GuideRecipe& recipe, const std::string& path, Session& session)
+{
+  session.progress.Step("sampling the guide");
+  vtkNew<vtkHaspGuideFilter> filter;
+  filter->SetInputData(volume);
+  filter->SetRecipe(recipe);
+  const auto start = std::chrono::steady_clock::now();
+  const vtkSmartPointer<vtkImageData> preview =
+    filter->MakePreview(std::max(0.8, recipe.spacingMm));
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  ThrowVtkError(ExitCode::BadInput, "no guide can be made of this recipe and volume");
+  session.resources.push_back(
+    { "preview", 1024 * preview->GetActualMemorySize(), spent.count(), "sampled from the recipe" });
+  WriteVolume(preview, path);
+  session.result["preview"] = FileLabel(path);
+}
 
 Guide MakeGuide(vtkImageData* volume, const GuideRecipe& recipe, Session& session)
 {
@@ -96,12 +118,19 @@ void Check(const std::string& stl, vtkImageData* volume, const GuideOptions& opt
 
 void Run(const GuideOptions& options, Session& session)
 {
-  RequireWritable(options.output, { ".stl" });
+  if (options.preview.empty())
+    RequireWritable(options.output, { ".stl" });
+  else
+    RequireWritable(options.preview, { ".mha" });
   if (options.force && !options.check)
     throw Failure(ExitCode::WrongUse, "--force is for guides that --check finds not to hold");
-  const GuideRecipe recipe = ReadRecipe(options.recipe);
+  GuideRecipe recipe = ReadRecipe(options.recipe);
+  if (!options.caseLabel.empty() || options.side != BodySide::None)
+    recipe = WithCaseLabels(std::move(recipe), options.caseLabel, options.side, "");
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
+  if (!options.preview.empty())
+    return WritePreview(volume.image, recipe, options.preview, session);
   const Guide guide = MakeGuide(volume.image, recipe, session);
   const auto inspect = [&](const std::string& pendingFile)
   {
@@ -135,7 +164,16 @@ void AddGuideVerb(CLI::App& app, Session& session)
   AddVolumeOptions(*verb, options->volume);
   verb->add_option("--recipe", options->recipe, "The .json file that says what to make")
     ->required();
-  verb->add_option("--output", options->output, "The .stl file; its folder must exist")->required();
+  CLI::Option_group* files = verb->add_option_group("Result", "One of");
+  files->add_option("--output", options->output, "The .stl file; its folder must exist");
+  files->add_option("--preview", options->preview,
+    "An .mha file of the guide's field instead, within a second: hasp render draws it, --isovalue "
+    "0");
+  files->require_option(1);
+  verb->add_option("--case-label", options->caseLabel, "What labels of the kind case say");
+  verb->add_option("--side", options->side, "Of the body, on the same labels")
+    ->transform(CLI::CheckedTransformer(
+      std::map<std::string, BodySide>{ { "left", BodySide::Left }, { "right", BodySide::Right } }));
   verb->add_flag("--check", options->check,
     "Read the file back, print its certificate, and keep it only if that holds");
   verb->add_flag("--force", options->force,
