@@ -104,13 +104,11 @@ void AddLeastShare(CLI::App& verb, double& share)
     ->capture_default_str();
 }
 
-void AddPartOptions(CLI::App& verb, PartOptions& options)
+CLI::Option* AddPartOptions(CLI::App& verb, PartOptions& options)
 {
   verb.add_option("--recipe", options.recipe, "The .json file that says what to make")->required();
-  verb
-    .add_option(
-      "--output", options.output, "The .stl, .3mf, .ply or .obj file; its folder must exist")
-    ->required();
+  CLI::Option* output = verb.add_option(
+    "--output", options.output, "The .stl, .3mf, .ply or .obj file; its folder must exist");
   verb.add_flag("--check", options.check,
     "Read the file back, print its certificate, and keep it only if that holds");
   verb.add_flag("--force", options.force,
@@ -118,6 +116,7 @@ void AddPartOptions(CLI::App& verb, PartOptions& options)
   verb.add_option("--html", options.html,
     "Write the certificate, with pictures, to this .html file, whether it holds or not");
   AddLeastShare(verb, options.leastShare);
+  return output->required();
 }
 
 void RequirePartOptions(const PartOptions& options)

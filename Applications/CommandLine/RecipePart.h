@@ -22,6 +22,7 @@ class vtkImageData;
 namespace CLI
 {
 class App;
+class Option;
 }
 
 /// What verbs share that make a part of a volume by a recipe.
@@ -57,8 +58,9 @@ struct PartOptions
   std::string html;         ///< of the certificate's page; empty: none
 };
 
-/// --recipe, --output, --check, --force, --html and --least-share.
-void AddPartOptions(CLI::App& verb, PartOptions& options);
+/// --recipe, --output, --check, --force, --html and --least-share. Returns --output, which is
+/// required.
+CLI::Option* AddPartOptions(CLI::App& verb, PartOptions& options);
 
 /// --least-share alone.
 void AddLeastShare(CLI::App& verb, double& share);

@@ -3,6 +3,7 @@
 #include "Distance/Coverage.h"
 #include "Distance/Csg.h"
 #include "Distance/GridSolid.h"
+#include "Distance/NearSurface.h"
 #include "Distance/SharpContour.h"
 #include "Grid/Trilinear.h"
 #include "GuideBone.h"
@@ -14,6 +15,7 @@
 #include "OnePiece.h"
 #include "Planning/GuideSlots.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -222,6 +224,10 @@ GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& given,
   const GridGeometry& volume = GeometryOf(ct);
   volume.Validate();
   CheckLandmarksInVolume(volume, recipe);
+  for (std::size_t n = 0; n < recipe.labels.size(); ++n)
+    if (recipe.labels[n].kind == GuideLabelKind::Case)
+      throw std::invalid_argument("guide: labels[" + std::to_string(n) +
+                                  "] is to name the case, which was not said (WithCaseLabels)");
   const std::vector<std::uint8_t> keep =
     KeepLargePieces(ct, recipe.isovalue, recipe.ignoreBelowMm3, Part(progress, 0.0, 0.1));
   const InsertionAxis axis = SearchAxis(ct, keep, recipe);
@@ -241,6 +247,24 @@ GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& given,
     MakeGridSolid(blocked, frame.grid), Part(progress, 0.8, 1.0));
   ReportProgress(progress, 1.0);
   return { std::move(solid), frame.grid, std::move(recipe), axis.undercut };
+}
+
+GuideSamples SampleGuide(
+  const GuideSolid& guide, double spacingMm, const ProgressFunction& progress)
+{
+  if (!(spacingMm >= guide.grid.spacing.x))
+    throw std::invalid_argument("guide: the preview's spacing is " + std::to_string(spacingMm) +
+                                " mm, must be at least the recipe's spacingMm (" +
+                                std::to_string(guide.grid.spacing.x) + ")");
+  GuideSamples samples{ guide.grid, {} };
+  samples.grid.spacing = glm::dvec3(spacingMm);
+  samples.grid.dims =
+    glm::ivec3(glm::ceil(glm::dvec3(guide.grid.Cells()) * guide.grid.spacing / spacingMm)) + 1;
+  samples.values =
+    DenseValues(EvaluateNearSurface(*guide.solid, samples.grid, 3.0 * spacingMm, progress));
+  for (float& value : samples.values)
+    value = -value;
+  return samples;
 }
 
 BuiltGuide BuildGuide(const AnyGridView& ct, const GuideRecipe& recipe,

@@ -7,6 +7,7 @@
 #include "Planning/Osteotomy.h"
 
 #include <span>
+#include <vector>
 
 namespace hasp
 {
@@ -39,6 +40,18 @@ struct GuideSolid
 /// made), naming the landmark, slot, hole or label; Cancelled. Any thread; all cores.
 GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& recipe,
   std::span<const Osteotomy> blades, const ProgressFunction& progress = {});
+
+/// A guide's values on a coarser grid of the same extent: a quick look without a mesh.
+struct GuideSamples
+{
+  GridGeometry grid;
+  std::vector<float> values; ///< x fastest; mm to the surface, INSIDE >= 0, cut off at 3 spacings
+};
+
+/// spacingMm   at least the working grid's, else std::invalid_argument
+/// Cancelled. Any thread; all cores; O(samples near the surface).
+GuideSamples SampleGuide(
+  const GuideSolid& guide, double spacingMm, const ProgressFunction& progress = {});
 
 /// A guide ready to be written. All of `made` but its surface is in `solid`.
 struct BuiltGuide

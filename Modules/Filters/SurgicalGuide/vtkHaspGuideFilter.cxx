@@ -92,6 +92,32 @@ int vtkHaspGuideFilter::RequestData(
   }
 }
 
+vtkSmartPointer<vtkImageData> vtkHaspGuideFilter::MakePreview(double spacingMm)
+{
+  vtkImageData* image = nullptr;
+  if (vtkAlgorithm* input = this->GetInputAlgorithm())
+  {
+    input->Update();
+    image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  }
+  if (!image)
+  {
+    vtkErrorMacro("has no image to make a preview from");
+    return nullptr;
+  }
+  try
+  {
+    const hasp::GuideSamples samples = hasp::SampleGuide(
+      hasp::MakeGuideSolid(hasp::ViewImage(image), *this->Recipe, this->Blades), spacingMm);
+    return hasp::MakeImage(samples.grid, samples.values);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return nullptr;
+  }
+}
+
 void vtkHaspGuideFilter::GetInsertionAxis(double direction[3]) const
 {
   std::copy_n(&this->MadeRecipe->withdrawal.x, 3, direction);

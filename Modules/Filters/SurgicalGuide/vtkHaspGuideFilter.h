@@ -36,10 +36,13 @@
 
 #include "vtkHaspFiltersSurgicalGuideModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the preview
 
 #include <memory> // for the recipe
 #include <string> // for paths
 #include <vector> // for blades
+
+class vtkImageData;
 
 namespace hasp
 {
@@ -76,6 +79,13 @@ public:
   /// The recipe from a file (Planning/GuideRecipeFile.h). On an error it is reported, the present
   /// recipe stays, and false is returned; always so in a build without HASP_ENABLE_JSON.
   bool ReadRecipe(const std::string& path);
+
+  /// A quick look at the guide of the present input, recipe and blades, without a mesh: an image in
+  /// the world's place, float, mm to the guide's surface, inside >= 0. Its isosurface at 0 is the
+  /// guide, to be drawn as clustered cells (vtkHaspClusteredCellFilter); edges are blunt by less
+  /// than a voxel. spacingMm: at least the recipe's. Errors as above, and null. The mesh is not
+  /// made, and what Update made stays.
+  vtkSmartPointer<vtkImageData> MakePreview(double spacingMm = 0.8);
 
   /// Of the guide made last: the unit direction it lifts off along, and the share of the bone's
   /// area around the landmarks that it does not reach, -1 if no search was asked for

@@ -99,7 +99,8 @@ void ReadHolesAndLabels(const StrictJson& top, GuideRecipe& r)
       label.Vector("point"), label.Vector("right"), label.Number("heightMm"),
       label.Number("depthMm"), label.Flag("engraved"), kind });
     if (kind == GuideLabelKind::Case && label.Has("text"))
-      label.Fail("text", "must not be there: what a label of the kind case says is told when it is made");
+      label.Fail(
+        "text", "must not be there: what a label of the kind case says is told when it is made");
   }
 }
 

@@ -237,9 +237,8 @@ TEST(GuideRecipe, ALabelOfTheCaseIsWrittenWhenThePartIsMade)
   EXPECT_EQ(hasp::FormatGuideRecipe(r), file); // what names the plan is not in the plan
   EXPECT_EQ(hasp::WithCaseLabels(Good(), "", hasp::BodySide::None, ""), Good());
   EXPECT_THROW(hasp::WithCaseLabels(r, "", hasp::BodySide::None, ""), std::invalid_argument);
-  EXPECT_NAMES(Refusal(
-                 [](hasp::GuideRecipe& recipe)
-                 { recipe.labels[0].kind = hasp::GuideLabelKind::Case; }),
+  EXPECT_NAMES(
+    Refusal([](hasp::GuideRecipe& recipe) { recipe.labels[0].kind = hasp::GuideLabelKind::Case; }),
     "labels[0].text must be empty");
   std::string both = file;
   both.replace(both.find("\"kind\": \"case\""), 14, "\"kind\": \"case\", \"text\": \"A\"");

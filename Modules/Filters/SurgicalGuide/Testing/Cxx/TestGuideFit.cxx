@@ -1,10 +1,14 @@
 #include "Evaluation/GuideGap.h"
+#include "Grid/Trilinear.h"
 #include "GuideFixture.h"
 #if HASP_WITH_CGAL
 #include "Evaluation/SelfIntersections.h"
 #endif
 
+#include <algorithm>
+#include <span>
 #include <tuple>
+#include <variant>
 
 using namespace guidetest;
 
@@ -138,6 +142,39 @@ TEST(GuideFilter, AGapOfZeroTouchesAndNoMore)
   const auto gap = hasp::MeasureGuideGap(hasp::ViewImage(ct), mesh, settings);
   EXPECT_GE(gap.share, 0.95);
   EXPECT_GT(gap.least, -0.05);
+}
+
+TEST(GuideFilter, APreviewIsTheSameSurface)
+{
+  const auto ct = ScanOf(Skull(), glm::dvec3(1), 0.2);
+  Answer answer(ct, Band());
+  ASSERT_EQ(answer.error, "");
+  const double spacing = 0.8;
+  const auto preview = answer.filter->MakePreview(spacing);
+  ASSERT_TRUE(preview);
+  // Points of the mesh lie where the preview's trilinear field is 0, within half a voxel: on
+  // edges, too, which it rounds.
+  const hasp::AnyGridView view = hasp::ViewImage(preview);
+  const auto& field = std::get<hasp::GridView<const float>>(view);
+  const auto mesh = hasp::MakeTriangleMesh(answer.Guide());
+  double most = 0;
+  for (const auto& p : mesh.points)
+  {
+    const auto value = hasp::SampleTrilinear(field, field.geometry.WorldToIndex(p));
+    ASSERT_TRUE(value.has_value());
+    most = std::max(most, std::abs(double(*value)));
+  }
+  EXPECT_LE(most, 0.5 * spacing);
+  // And there is nothing else: what is inside is as large.
+  double volume = 0;
+  for (const float value : std::span(field.data, field.geometry.Size()))
+    volume += std::clamp(0.5 + value / spacing, 0.0, 1.0) * spacing * spacing * spacing;
+  EXPECT_NEAR(volume, hasp::CheckMesh(mesh).volumeMm3, 0.05 * volume);
+  // What Update made is still there.
+  EXPECT_GT(answer.Guide()->GetNumberOfPolys(), 0);
+  EXPECT_EQ(answer.error, "");
+  EXPECT_FALSE(answer.filter->MakePreview(0.1));
+  EXPECT_NE(answer.error.find("preview's spacing"), std::string::npos);
 }
 
 } // namespace

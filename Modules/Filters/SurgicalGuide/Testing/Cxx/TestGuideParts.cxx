@@ -338,6 +338,11 @@ TEST(GuideParts, WhatDoesNotFitIsNamed)
     },
     "labels[0]");
   ExpectRefused(
+    [](R& r) {
+      r.labels = { { "", OnBall(0, 0), { 1, 0, 0 }, 8, 1, false, hasp::GuideLabelKind::Case } };
+    },
+    "labels[0] is to name the case");
+  ExpectRefused(
     [](R& r)
     {
       r.landmarks.clear();
