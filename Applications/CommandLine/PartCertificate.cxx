@@ -73,7 +73,12 @@ TriangleMesh ReadBack(const std::string& pendingFile, Session& session)
     {
       throw Failure(ExitCode::FailedCheck, failure.what());
     }
-  return ReadByVtk<vtkSTLReader>(pendingFile);
+  return ReadBackStl(pendingFile);
+}
+
+TriangleMesh ReadBackStl(const std::string& file)
+{
+  return ReadByVtk<vtkSTLReader>(file);
 }
 
 FitCertificate MeasurePart(

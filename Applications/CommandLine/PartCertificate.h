@@ -20,6 +20,8 @@ TriangleMesh ReadPart(const std::string& path, Session& session);
 /// its own, so that a fault that it makes both ways is not seen here. Throws Failure: FailedCheck
 /// if it cannot be read.
 TriangleMesh ReadBack(const std::string& pendingFile, Session& session);
+/// The same of .stl, whatever the file is called.
+TriangleMesh ReadBackStl(const std::string& file);
 
 /// Certifies a part, with CGAL where it is there; its time is listed among the resources. Throws
 /// Failure: FailedCheck for what cannot be measured.

@@ -29,7 +29,7 @@ Json Places(const std::vector<glm::dvec3>& places)
 Json DescribeSegment(const PlacedSegment& segment, std::size_t n)
 {
   const DonorSegment& cut = segment.cut;
-  const SegmentPose& pose = cut.donorToDefect;
+  const PlanPose& pose = cut.donorToDefect;
   const glm::dquat& turn = pose.orientation;
   return { { "file", SegmentFile(n) }, { "donor_file", DonorSegmentFile(n) },
     { "length_mm", cut.lengthMm }, { "shortest_mm", cut.shortestMm },

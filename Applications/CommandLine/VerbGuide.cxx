@@ -49,6 +49,8 @@ void WritePreview(vtkHaspGuideFilter* filter, const std::string& path, Session& 
 
 void Run(const GuideOptions& options, Session& session)
 {
+  if (options.part.output.empty() && options.preview.empty())
+    throw Failure(ExitCode::WrongUse, "--output or --preview is required");
   if (options.preview.empty())
     RequirePartOptions(options.part);
   else
@@ -90,12 +92,7 @@ void AddGuideVerb(CLI::App& app, Session& session)
   verb->footer("Example: hasp guide head.mha --recipe guide.json --output guide.stl --check\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the guide does not hold.");
   verb->callback(
-    [&session, options, output, preview]
-    {
-      if (output->empty() && preview->empty())
-        throw Failure(ExitCode::WrongUse, "--output or --preview is required");
-      session.run = [&session, options] { Run(*options, session); };
-    });
+    [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }
 
 } // namespace hasp
