@@ -16,7 +16,6 @@
 
 #include <chrono>
 #include <fstream>
-#include <new>
 #include <optional>
 
 namespace hasp
@@ -42,28 +41,6 @@ struct CheckedPart
   FitCertificate certificate;
 };
 
-/// `work`, what it throws as Failure: WrongUse.
-template <typename Work>
-void TryToWrite(const Work& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw; // no fault of the file; the caller says what to do
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::WrongUse, SafeText(error));
-  }
-}
-
 } // namespace
 
 PartRecipe ReadPartRecipe(const std::string& path)
@@ -88,8 +65,7 @@ vtkSmartPointer<vtkPolyData> RunPartFilter(
   const auto start = std::chrono::steady_clock::now();
   filter->Update();
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  ThrowVtkError(
-    ExitCode::BadInput, "no " + part + " can be made of this recipe and volume");
+  ThrowVtkError(ExitCode::BadInput, "no " + part + " can be made of this recipe and volume");
   vtkSmartPointer<vtkPolyData> made = filter->GetOutput();
   session.resources.push_back(
     { part, 1024 * made->GetActualMemorySize(), spent.count(), "made from the recipe" });
@@ -155,17 +131,17 @@ void WritePart(vtkPolyData* surface, const PartOptions& options, vtkImageData* b
     ThrowFaults(checked->certificate, "the " + options.part + " does not hold and was not kept");
   };
   const PartLabel label{ .name = options.part, .hash = HashOfFile(options.recipe) };
-  TryToWrite([&] { WriteSurface(surface, options.output, label, inspect); });
+  Try(ExitCode::WrongUse, "", [&] { WriteSurface(surface, options.output, label, inspect); });
   session.result["output"] = FileLabel(options.output);
   if (!checked)
     return session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
   if (checked->certificate.Holds())
     return writePage(options.output, "");
   writePage(options.output, "It was forced: the " + options.part +
-    " is kept although it does not hold, and its file says so.");
+                              " is kept although it does not hold, and its file says so.");
   session.result["certificate"]["forced"] = true;
-  SayWarning(session,
-    "the " + options.part + " does not hold; it is kept, and its file says so (--force)");
+  SayWarning(
+    session, "the " + options.part + " does not hold; it is kept, and its file says so (--force)");
 }
 
 } // namespace hasp

@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "Session.h"
+#include "VerbWork.h"
 #include "vtkHaspFileNames.h"
 
 #include "Planning/GuideRecipe.h"
@@ -13,7 +14,6 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
-#include <exception>
 #include <functional>
 #include <string>
 #include <variant>
@@ -34,14 +34,7 @@ template <typename Read>
 auto ReadRecipeFile(const std::string& path, const Read& read)
 {
   RequireInput(path);
-  try
-  {
-    return read(path);
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::BadInput, FileLabel(path) + ": " + SafeText(error));
-  }
+  return Try(ExitCode::BadInput, FileLabel(path) + ": ", [&] { return read(path); });
 }
 
 /// A recipe of what its "format" says; what says nothing is read as a guide's.

@@ -74,8 +74,7 @@ PartLabel LabelOf(const Plan& plan, PlanId object, const std::vector<PartInput>&
 }
 
 /// Certifies a file as it was written; its words are in the report.
-PartVerdict Certify(
-  const RebuiltPart& part, const std::string& stl, Json& report, Session& session)
+PartVerdict Certify(const RebuiltPart& part, const std::string& stl, Json& report, Session& session)
 {
   const FitCertificate certificate =
     MeasurePart(ReadBack(stl, session), part.check->bone, part.check->claims, session);
@@ -155,8 +154,8 @@ std::string WriteParts(const Plan& plan, const std::vector<PartFile>& parts,
       for (glm::dvec3& point : mesh.points)
         point = fragment->scanToPlanned.Place(point);
       const std::string planned = NameOfPart(plan, part.object, "-planned");
-      WriteSurface(MakePolyData(mesh), (folder / planned).string(),
-        LabelOf(plan, part.object, part.inputs));
+      WriteSurface(
+        MakePolyData(mesh), (folder / planned).string(), LabelOf(plan, part.object, part.inputs));
       json["planned"] = { { "file", planned },
         { "sha256", Sha256(ReadWholeFile((folder / planned).string())) } };
     }

@@ -2,6 +2,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "GuideClaims.h"
+#include "ImplantClaims.h"
 #include "PartCertificate.h"
 #include "PlateClaims.h"
 #include "RecipePart.h"
@@ -15,9 +16,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <exception>
 #include <memory>
-#include <new>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -49,32 +48,24 @@ PartClaims ClaimsOfGuide(const GuideRecipe& recipe, const CertifyOptions& option
   return ClaimsOf(recipe, options.leastShare, axis);
 }
 
-/// Where its screws go in the recipe does not say: they are laid on the bone again.
-PartClaims ClaimsOfPlate(
-  const PlateRecipe& recipe, vtkImageData* bone, const CertifyOptions& options)
-{
-  if (!options.axis.empty())
-    throw Failure(ExitCode::WrongUse, "--insertion-axis is for guides");
-  try
-  {
-    return ClaimsOf(recipe, FindScrewAxes(ViewImage(bone), recipe), options.leastShare);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw; // no fault of the recipe
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(ExitCode::BadInput, SafeText(error));
-  }
-}
-
+/// Where a plate's screws, or an implant's axis and holes, are the recipe does not say: they are
+/// laid on the bone again.
 PartClaims ClaimsOfRecipe(
   const PartRecipe& recipe, vtkImageData* bone, const CertifyOptions& options)
 {
-  if (const auto* plate = std::get_if<PlateRecipe>(&recipe))
-    return ClaimsOfPlate(*plate, bone, options);
-  return ClaimsOfGuide(std::get<GuideRecipe>(recipe), options);
+  if (const auto* guide = std::get_if<GuideRecipe>(&recipe))
+    return ClaimsOfGuide(*guide, options);
+  if (!options.axis.empty())
+    throw Failure(ExitCode::WrongUse, "--insertion-axis is for guides");
+  return Try(ExitCode::BadInput, "",
+    [&]
+    {
+      if (const auto* plate = std::get_if<PlateRecipe>(&recipe))
+        return ClaimsOf(*plate, FindScrewAxes(ViewImage(bone), *plate), options.leastShare);
+      const auto& implant = std::get<ImplantRecipe>(recipe);
+      const PlacedImplant placed = PlaceImplant(ViewImage(bone), implant);
+      return ClaimsOf(implant, placed.axis, placed.holes);
+    });
 }
 
 void Run(const CertifyOptions& options, Session& session)

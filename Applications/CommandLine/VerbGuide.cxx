@@ -69,7 +69,8 @@ void Run(const GuideOptions& options, Session& session)
   glm::dvec3 axis;
   filter->GetInsertionAxis(&axis.x);
   session.result["insertion_axis"] = { axis.x, axis.y, axis.z };
-  WritePart(guide, options.part, volume.image,
+  WritePart(
+    guide, options.part, volume.image,
     [&] { return ClaimsOf(filter->GetMadeRecipe(), options.part.leastShare); }, session);
 }
 

@@ -87,8 +87,8 @@ void Run(const ImplantOptions& options, Session& session)
   const vtkSmartPointer<vtkPolyData> implant = RunPartFilter(filter, "implant", session);
   session.progress.Wipe();
   SayFound(implant, session);
-  WritePart(implant, options.part, volume.image, [&] { return ClaimsOfImplant(recipe, implant); },
-    session);
+  WritePart(
+    implant, options.part, volume.image, [&] { return ClaimsOfImplant(recipe, implant); }, session);
 }
 
 } // namespace

@@ -82,7 +82,8 @@ void Run(const PlateOptions& options, Session& session)
   const std::vector<ScrewAxis> screws = ScrewsOf(plate);
   session.progress.Wipe();
   SayScrews(screws, session);
-  WritePart(plate, options.part, volume.image,
+  WritePart(
+    plate, options.part, volume.image,
     [&] { return ClaimsOf(recipe, screws, options.part.leastShare); }, session);
 }
 

@@ -84,4 +84,24 @@ TEST_F(HaspImplant, WritesAnImplantAndSaysWhatWasFound)
   EXPECT_EQ(ReadBytes(this->Path("implant.stl")), first);
 }
 
+TEST_F(HaspImplant, IsHeldToItsRecipe)
+{
+  this->Head();
+  const HaspRun made = this->Implant(Recipe(), { "--check" });
+  ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
+  const auto certify = [this](const std::vector<std::string>& more = {})
+  {
+    std::vector<std::string> words{ "certify", this->Path("implant.stl"), "--bone",
+      this->Path("head.mha"), "--recipe", this->Path("implant.json") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  };
+  EXPECT_EQ(certify().exitCode, 0); // its axis and holes are found again
+  ExpectFailure(certify({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
+  json thicker = Recipe();
+  thicker["thicknessMm"] = 6;
+  this->WriteText("implant.json", thicker.dump());
+  ExpectFailure(certify(), 3, "mm thick");
+}
+
 } // namespace

@@ -3,6 +3,7 @@
 #include "Planning/GuideRecipe.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -20,6 +21,24 @@ double ThinnerMm(const GuideRecipe& recipe)
     if (label.engraved)
       cut = std::max(cut, label.depthMm);
   return std::max(0.2, 0.5 * recipe.spacingMm) + 0.25 * recipe.edgeRadiusMm + cut;
+}
+/// What stands on the shell, at most: the walls of boxes, flanges and sleeves above it.
+double BesideMm3(const GuideRecipe& recipe)
+{
+  const double shell = recipe.gapMm + recipe.thicknessMm, wall = recipe.wallMm;
+  double sum = 0.0;
+  for (const GuideSlot& slot : recipe.slots)
+  {
+    const double width = SlotWidthMm(recipe, slot.kerfMm);
+    const double section = (slot.lengthMm + 2 * wall) * (width + 2 * wall) - slot.lengthMm * width;
+    sum += section * std::max(slot.guidingHeightMm - shell, 0.0);
+  }
+  for (const GuideFlange& flange : recipe.flanges)
+    sum += flange.lengthMm * wall * std::max(flange.heightMm - shell, 0.0);
+  for (const GuideHole& hole : recipe.holes)
+    sum += glm::pi<double>() * recipe.sleeveWallMm * (hole.diameterMm + recipe.sleeveWallMm) *
+           std::max(hole.sleeveHeightMm - shell, 0.0);
+  return sum;
 }
 } // namespace
 
@@ -40,6 +59,7 @@ PartClaims ClaimsOf(
   shell.thicknessMm = recipe.thicknessMm;
   claims.leastWallMm = std::min(claims.leastWallMm, recipe.thicknessMm - recipe.spacingMm);
   shell.thicknessToleranceMm = ThinnerMm(recipe);
+  shell.besideMm3 = BesideMm3(recipe);
   claims.shell = shell;
   for (const GuideSlot& slot : recipe.slots)
   {

@@ -1,11 +1,20 @@
 #include "ImplantClaims.h"
 
+#include "ImplantBuilder.h"
+
 #include "Planning/ImplantRecipe.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hasp
 {
+
+PlacedImplant PlaceImplant(const AnyGridView& scan, const ImplantRecipe& recipe)
+{
+  ImplantSolid made = MakeImplantSolid(scan, recipe);
+  return { made.axis, std::move(made.holes) };
+}
 
 PartClaims ClaimsOf(
   const ImplantRecipe& recipe, const glm::dvec3& axis, std::span<const glm::dvec3> holes)

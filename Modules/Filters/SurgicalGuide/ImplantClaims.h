@@ -2,14 +2,28 @@
 #define ImplantClaims_h
 
 #include "Evaluation/PartClaims.h"
+#include "Grid/GridView.h"
 #include "vtkHaspFiltersSurgicalGuideModule.h" // for export macro
 
-#include <span> // for the holes
+#include <span>   // for the holes
+#include <vector> // for those found
 
 namespace hasp
 {
 
 struct ImplantRecipe;
+
+/// Where an implant comes to lie.
+struct PlacedImplant
+{
+  glm::dvec3 axis;               ///< unit, out of the head
+  std::vector<glm::dvec3> holes; ///< places on their axes, world mm
+};
+
+/// What a recipe does not say: how its implant lies on a scan; no mesh is made. Throws as
+/// vtkHaspImplantFilter reports. Any thread; all cores; most of an implant's time.
+VTKHASPFILTERSSURGICALGUIDE_EXPORT PlacedImplant PlaceImplant(
+  const AnyGridView& scan, const ImplantRecipe& recipe);
 
 /// What an implant of vtkHaspImplantFilter promises, for CertifyFit (Evaluation/FitCertificate.h)
 /// to hold its file to. Free of VTK.

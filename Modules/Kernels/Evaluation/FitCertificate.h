@@ -91,7 +91,8 @@ using FindSelfIntersectionsFunction =
 ///  - walls: claims.leastWallMm, what the printer can do, all over (WallThickness); a shell's
 ///    thickness less its tolerance all over (ShellThickness) but where it ends in a claimed cut
 ///  - gap: its tolerance, on leastGapShare of the inner wall; at least InnerShare of the wall that
-///    a shell of this volume and thickness has must face bone; nothing of the part in bone
+///    a shell of this volume (less besideMm3) and thickness has must face bone; nothing of the part
+///    in bone
 ///  - slots: nothing in the way, the narrowest place no narrower than claimed by the tolerance, the
 ///    fitted width no wider, flat and in place within it; so is its tilt, at the ends of its height
 ///  - holes: likewise, by the fitted cylinder

@@ -134,11 +134,12 @@ void JudgeGap(const GuideGap& gap, const ClaimedShell& shell, double volumeMm3, 
 {
   if (!(gap.innerWallMm2 > 0.0))
     return Add(faults, FitFaultKind::Gap, "no wall faces bone within reach");
-  const double asShell = std::abs(volumeMm3) / shell.thicknessMm;
+  const double asShell = std::max(std::abs(volumeMm3) - shell.besideMm3, 0.0) / shell.thicknessMm;
   if (gap.innerWallMm2 < InnerShare * asShell)
     Add(faults, FitFaultKind::Gap,
-      Text("only %.0f mm2 face bone within reach, a shell of this volume has %.0f",
-        gap.innerWallMm2, asShell));
+      Text(
+        "only %.0f mm2 face bone within reach, a shell of this volume has %.0f; at least %.0f must",
+        gap.innerWallMm2, asShell, InnerShare * asShell));
   if (gap.share < shell.leastGapShare)
     Add(faults, FitFaultKind::Gap,
       Text("only %.1f %% of the inner wall is within %.2f mm of the gap of %.2f, at least %.1f %% "

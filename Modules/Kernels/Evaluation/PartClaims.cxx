@@ -62,6 +62,7 @@ void ValidateClaims(const PartClaims& claims)
     RequireFrom0("leastGapShare", claims.shell->leastGapShare, 1.0);
     RequireAbove0("thicknessMm", claims.shell->thicknessMm, 50.0);
     RequireAbove0("thicknessToleranceMm", claims.shell->thicknessToleranceMm, 50.0);
+    RequireFrom0("besideMm3", claims.shell->besideMm3, 1e7);
   }
   for (std::size_t n = 0; n < claims.slots.size(); ++n)
   {

@@ -42,6 +42,7 @@ struct ClaimedShell
   double leastGapShare = 0.95;       ///< of the inner wall that must be within it; [0, 1]
   double thicknessMm = 2.5;          ///< (0, 50]
   double thicknessToleranceMm = 0.4; ///< (0, 50]
+  double besideMm3 = 0.0;            ///< of the part that is no shell: boxes, sleeves; [0, 1e7]
 };
 
 /// What a part promises, whoever made it: what a certificate holds it to. Plain values; world =
