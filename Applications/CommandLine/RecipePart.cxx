@@ -88,7 +88,7 @@ CLI::Option* AddPartOptions(CLI::App& verb, PartOptions& options)
   verb.add_flag("--check", options.check,
     "Read the file back, print its certificate, and keep it only if that holds");
   verb.add_flag("--force", options.force,
-    "Keep a " + options.part + " that does not hold all the same; its file says so");
+    "Keep what --check finds not to hold all the same: exit code 0, and its file says so");
   verb.add_option("--html", options.html,
     "Write the certificate, with pictures, to this .html file, whether it holds or not");
   AddLeastShare(verb, options.leastShare);
@@ -99,8 +99,7 @@ void RequirePartOptions(const PartOptions& options)
 {
   RequireWritable(options.output, { ".stl", ".3mf", ".ply", ".obj" });
   if (options.force && !options.check)
-    throw Failure(
-      ExitCode::WrongUse, "--force is for a " + options.part + " that --check finds not to hold");
+    throw Failure(ExitCode::WrongUse, "--force is for parts that --check finds not to hold");
   if (options.html.empty())
     return;
   if (!options.check)

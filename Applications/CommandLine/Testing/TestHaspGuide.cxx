@@ -81,7 +81,7 @@ TEST_F(HaspGuide, AGuideThatDoesNotHoldIsThreeAndNotKept)
 TEST_F(HaspGuide, AGuideThatIsForcedSaysSoInItsFile)
 {
   this->FinePhantom();
-  ExpectFailure(this->Guide(Recipe(), { "--force" }), 1, "--force is for guides that --check");
+  ExpectFailure(this->Guide(Recipe(), { "--force" }), 1, "--force is for parts that --check");
   const HaspRun run =
     this->Guide(Recipe(), { "--check", "--force", "--json", "--least-share", "1" });
   ASSERT_EQ(run.exitCode, 0) << run.err;

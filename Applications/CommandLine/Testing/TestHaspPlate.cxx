@@ -122,7 +122,7 @@ TEST_F(HaspPlate, APlateIsHeldToItsRecipe)
 TEST_F(HaspPlate, APlateThatDoesNotHoldIsKeptByForceAlone)
 {
   this->Head();
-  ExpectFailure(this->Plate(Recipe(), { "--force" }), 1, "--force is for plates that --check");
+  ExpectFailure(this->Plate(Recipe(), { "--force" }), 1, "--force is for parts that --check");
   json recipe = Recipe();
   recipe["gapMm"] = 0; // a scan's surface is not that smooth: it touches bone
   ExpectFailure(this->Plate(recipe, { "--check" }), 3, "was not kept");

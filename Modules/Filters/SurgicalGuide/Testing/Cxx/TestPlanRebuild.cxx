@@ -122,17 +122,14 @@ TEST(PlanRebuild, ALabelIsABone)
   EXPECT_NEAR(rebuild.Make(10).volumeMm3, volume, 0.02 * volume); // labels are whole voxels
 }
 
-/// The middle of the box of what of a mesh lies between two heights.
-glm::dvec3 Middle(const TriangleMesh& mesh, double lowZ, double highZ)
+/// What of a mesh lies over z = 25, points alone.
+TriangleMesh Upper(const TriangleMesh& mesh)
 {
-  glm::dvec3 low(1e9), high(-1e9);
+  TriangleMesh upper;
   for (const glm::dvec3& p : mesh.points)
-    if (p.z > lowZ && p.z < highZ)
-    {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  return 0.5 * (low + high);
+    if (p.z > 25.0)
+      upper.points.push_back(p);
+  return upper;
 }
 
 TEST(PlanRebuild, AGroupIsItsKeptFragmentsAsPlanned)
@@ -148,9 +145,21 @@ TEST(PlanRebuild, AGroupIsItsKeptFragmentsAsPlanned)
   EXPECT_EQ(check.pieces, 2U); // they lie apart
   EXPECT_EQ(check.borderEdges + check.crowdedEdges + check.turnedEdges + check.pinchedPoints, 0U);
   EXPECT_NEAR(both.volumeMm3, left.volumeMm3 + right.volumeMm3, 0.01 * both.volumeMm3);
-  EXPECT_LT(glm::distance(Middle(both.mesh, 25.0, 100.0),
-              glm::dvec3(0, 0, 50) + turn * Middle(right.mesh, -25.0, 25.0)),
-    0.1);
+  // As far in each of its own directions as the fragment is: edges are rounded by 0.8 spacings.
+  const auto farthest = [](const TriangleMesh& mesh, const glm::dvec3& direction)
+  {
+    double most = -1e9;
+    for (const glm::dvec3& p : mesh.points)
+      most = std::max(most, glm::dot(p, direction));
+    return most;
+  };
+  for (const glm::dvec3& direction :
+    { glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1) })
+  {
+    const glm::dvec3 placed = turn * direction; // of what lies 50 mm higher
+    const double lift = glm::dot(glm::dvec3(0, 0, 50), placed);
+    EXPECT_NEAR(farthest(Upper(both.mesh), placed), farthest(right.mesh, direction) + lift, 0.3);
+  }
   PlanRebuild resected(Apply(plan, SetFragmentState{ { 5 } }), bar.Images());
   EXPECT_NEAR(resected.Make(11).volumeMm3, left.volumeMm3, 0.01 * left.volumeMm3);
   PlanRebuild none(Apply(plan, SetFragmentState{ { 4, 5 } }), bar.Images());
