@@ -1,0 +1,127 @@
+#include "Failure.h"
+#include "GuideRivals.h"
+#include "Pairing.h"
+#include "ReportGuides.h"
+#include "ReportRegistry.h"
+#include "VtkMessages.h"
+#include "vtkHaspClusteredCellFilter.h"
+#include "vtkHaspClusteredCells.h"
+#include "vtkHaspGuideFilter.h"
+#include "vtkHaspVolumeView.h"
+
+#include "Evaluation/SurfaceDistance.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace hasp
+{
+namespace
+{
+
+constexpr double PreviewSpacingMm = 0.8;
+
+struct Preview
+{
+  vtkSmartPointer<vtkImageData> field;
+  std::size_t cells = 0;
+};
+
+/// From the recipe to what a mapper draws.
+Preview PreviewOnce(const GuideSubject& subject)
+{
+  vtkNew<vtkHaspGuideFilter> filter;
+  filter->SetInputData(subject.image);
+  filter->SetRecipe(subject.recipe);
+  Preview preview;
+  preview.field = filter->MakePreview(std::max(PreviewSpacingMm, subject.recipe.spacingMm));
+  ThrowVtkError(ExitCode::FailedCheck, "no preview of a guide for the report");
+  vtkNew<vtkHaspClusteredCellFilter> cells;
+  cells->SetInputData(preview.field);
+  cells->SetIsoValue(0.0);
+  cells->Update();
+  ThrowVtkError(ExitCode::FailedCheck, "no active cells of a preview for the report");
+  preview.cells = std::size_t(cells->GetOutput()->GetNumberOfCells());
+  return preview;
+}
+
+struct Misses
+{
+  double rmsMm = 0.0, p95Mm = 0.0, p99Mm = 0.0, maxMm = 0.0;
+  glm::dvec3 maxAt{ 0.0 };
+};
+
+/// How far the points lie off the preview's surface; what has none near it is off by all of that.
+Misses MissesOf(const std::vector<glm::dvec3>& points, vtkImageData* field)
+{
+  const double reachMm = 4.0 * field->GetSpacing()[0];
+  const auto nearest = DistanceToIsosurface(ViewImage(field), 0.0, points, reachMm);
+  Misses misses;
+  std::vector<double> off;
+  double squares = 0.0;
+  for (std::size_t n = 0; n < points.size(); ++n)
+  {
+    const double mm = nearest[n] ? std::abs(nearest[n]->distance) : reachMm;
+    if (off.empty() || mm > misses.maxMm)
+    {
+      misses.maxMm = mm;
+      misses.maxAt = points[n];
+    }
+    squares += mm * mm;
+    off.push_back(mm);
+  }
+  std::sort(off.begin(), off.end());
+  misses.rmsMm = std::sqrt(squares / double(off.size()));
+  misses.p95Mm = off[off.size() * 95 / 100];
+  misses.p99Mm = off[off.size() * 99 / 100];
+  return misses;
+}
+
+} // namespace
+
+void TryPreview(ReportContext& context, const GuideSubject& subject, const TriangleMesh& finished,
+  const std::string& at)
+{
+  constexpr int Runs = 3;
+  Preview preview;
+  std::vector<double> wall, cpu;
+  for (int run = 0; run < Runs; ++run)
+  {
+    const Timing time = TimeOf([&] { preview = PreviewOnce(subject); });
+    wall.push_back(time.wallS);
+    cpu.push_back(time.cpuS);
+  }
+  const Misses misses = MissesOf(finished.points, preview.field);
+  const Quartiles seconds = QuartilesOf(wall);
+  ReportRow row;
+  row.id = "guides.preview" + at;
+  row.value = row.timeS = seconds.median;
+  row.q1 = seconds.q1;
+  row.q3 = seconds.q3;
+  row.cpuS = QuartilesOf(cpu).median;
+  row.unit = "s";
+  row.better = Better::Lower;
+  row.rival = "the finished guide, guides.time" + at + ": its points are what the error is of";
+  row.error = misses.rmsMm;
+  row.errorUnit = "mm RMS";
+  row.n = Runs;
+  const double voxelMm = preview.field->GetSpacing()[0];
+  char text[240];
+  std::snprintf(text, sizeof text,
+    "; recipe to field and %zu active cells, voxels of %.3g mm; 95 %% of points within %.3f mm, "
+    "99 %% within %.3f, at most %.3f (%.2f voxels) at (%.1f, %.1f, %.1f)",
+    preview.cells, voxelMm, misses.p95Mm, misses.p99Mm, misses.maxMm, misses.maxMm / voxelMm,
+    misses.maxAt.x, misses.maxAt.y, misses.maxAt.z);
+  row.data = subject.data + text;
+  if (at.empty())
+    row.bars = { { {}, 1.0 } };
+  context.report.rows.push_back(row);
+}
+
+} // namespace hasp
