@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <sstream>
 #include <vector>
 
 namespace hasp
@@ -107,18 +107,18 @@ void TryPreview(ReportContext& context, const GuideSubject& subject, const Trian
   row.cpuS = QuartilesOf(cpu).median;
   row.unit = "s";
   row.better = Better::Lower;
-  row.rival = "the finished guide, guides.time" + at + ": its points are what the error is of";
+  row.rival = "the finished guide, whose points the error is of: guides.time" + at;
   row.error = misses.rmsMm;
   row.errorUnit = "mm RMS";
   row.n = Runs;
-  const double voxelMm = preview.field->GetSpacing()[0];
-  char text[240];
-  std::snprintf(text, sizeof text,
-    "; recipe to field and %zu active cells, voxels of %.3g mm; 95 %% of points within %.3f mm, "
-    "99 %% within %.3f, at most %.3f (%.2f voxels) at (%.1f, %.1f, %.1f)",
-    preview.cells, voxelMm, misses.p95Mm, misses.p99Mm, misses.maxMm, misses.maxMm / voxelMm,
-    misses.maxAt.x, misses.maxAt.y, misses.maxAt.z);
-  row.data = subject.data + text;
+  std::ostringstream text;
+  text.precision(3);
+  text << subject.data << "; recipe to field and " << preview.cells << " active cells, voxels of "
+       << preview.field->GetSpacing()[0] << " mm; 95 % of points within " << misses.p95Mm
+       << " mm, 99 % within " << misses.p99Mm << ", at most " << misses.maxMm << " ("
+       << misses.maxMm / preview.field->GetSpacing()[0] << " voxels) at (" << misses.maxAt.x << ", "
+       << misses.maxAt.y << ", " << misses.maxAt.z << ")";
+  row.data = text.str();
   if (at.empty())
     row.bars = { { {}, 1.0 } };
   context.report.rows.push_back(row);

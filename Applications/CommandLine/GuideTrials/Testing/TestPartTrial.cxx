@@ -72,8 +72,7 @@ TEST(PartTrial, EveryKindOfPartCounts)
     EXPECT_NE(Row(open, "guides.manifold").data.find(kind + std::string(" 100000, not one closed")),
       std::string::npos);
     EXPECT_EQ(Row(open, "guides.conservation").bars.at(1).figure, 0.0);
-    const hasp::Report wrong =
-      Tried({ { kind, PartVerdict::Wrong } });
+    const hasp::Report wrong = Tried({ { kind, PartVerdict::Wrong } });
     EXPECT_EQ(*Row(wrong, "guides.refused").value, 0.0) << kind;
     const hasp::Report fell = Tried({ { kind, PartVerdict::FellBack } });
     EXPECT_EQ(*Row(fell, "guides.fallback").value, 1.0) << kind;
