@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace hasp
@@ -83,6 +84,18 @@ Misses MissesOf(const std::vector<glm::dvec3>& points, vtkImageData* field)
   return misses;
 }
 
+std::string Said(const Preview& preview, const Misses& misses)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << "; recipe to field and " << preview.cells << " active cells, voxels of "
+       << preview.field->GetSpacing()[0] << " mm; 95 % of points within " << misses.p95Mm
+       << " mm, 99 % within " << misses.p99Mm << ", at most " << misses.maxMm << " ("
+       << misses.maxMm / preview.field->GetSpacing()[0] << " voxels) at (" << misses.maxAt.x << ", "
+       << misses.maxAt.y << ", " << misses.maxAt.z << ")";
+  return text.str();
+}
+
 } // namespace
 
 void TryPreview(ReportContext& context, const GuideSubject& subject, const TriangleMesh& finished,
@@ -101,24 +114,17 @@ void TryPreview(ReportContext& context, const GuideSubject& subject, const Trian
   const Quartiles seconds = QuartilesOf(wall);
   ReportRow row;
   row.id = "guides.preview" + at;
+  row.unit = std::string("s");
   row.value = row.timeS = seconds.median;
   row.q1 = seconds.q1;
   row.q3 = seconds.q3;
   row.cpuS = QuartilesOf(cpu).median;
-  row.unit = "s";
   row.better = Better::Lower;
   row.rival = "the finished guide, whose points the error is of: guides.time" + at;
   row.error = misses.rmsMm;
   row.errorUnit = "mm RMS";
   row.n = Runs;
-  std::ostringstream text;
-  text.precision(3);
-  text << subject.data << "; recipe to field and " << preview.cells << " active cells, voxels of "
-       << preview.field->GetSpacing()[0] << " mm; 95 % of points within " << misses.p95Mm
-       << " mm, 99 % within " << misses.p99Mm << ", at most " << misses.maxMm << " ("
-       << misses.maxMm / preview.field->GetSpacing()[0] << " voxels) at (" << misses.maxAt.x << ", "
-       << misses.maxAt.y << ", " << misses.maxAt.z << ")";
-  row.data = text.str();
+  row.data = subject.data + Said(preview, misses);
   if (at.empty())
     row.bars = { { {}, 1.0 } };
   context.report.rows.push_back(row);
