@@ -102,13 +102,11 @@ Made MakeOnce(const GuideSubject& subject, const std::string& stl)
   filter->SetRecipe(subject.recipe);
   filter->Update();
   ThrowVtkError(ExitCode::FailedCheck, "no guide for the report");
-  glm::dvec3 axis;
-  filter->GetInsertionAxis(&axis.x);
   Made made;
   WriteSurface(filter->GetOutput(), stl);
   made.mesh = ReadBackStl(stl);
   made.certificate = CertifyFit(
-    made.mesh, ViewImage(subject.image), ClaimsOf(subject.recipe, 0.95, axis), SelfIntersections());
+    made.mesh, ViewImage(subject.image), ClaimsOf(filter->GetMadeRecipe()), SelfIntersections());
   return made;
 }
 
@@ -174,6 +172,7 @@ void TrySubject(ReportContext& context, const GuideSubject& subject, const std::
   row.bars = { { {}, 0.1 } };
   context.report.rows.push_back(time);
   context.report.rows.push_back(row);
+  TryPreview(context, subject, made.mesh, at);
 }
 
 } // namespace
@@ -208,7 +207,7 @@ void TryGuideTimes(ReportContext& context)
   if (cranium.image)
     TrySubject(context, cranium, "");
   else
-    for (const char* id : { "guides.time", "guides.gap.p95" })
+    for (const char* id : { "guides.time", "guides.gap.p95", "guides.preview" })
       context.report.rows.push_back(AbsentRow(id, "the demo's guide on a real CT", why));
   context.progress(0.0, "guides: a guide on the phantom");
   TrySubject(context, PhantomSubject(), "@phantom");

@@ -1,7 +1,7 @@
 // hasp-part-trial: random parts and cuts, in a process of its own, so that a crash or a loop
 // without an end costs `hasp report guides` one part.
 //
-// Usage: hasp-part-trial kinds               a kind a line
+// Usage: hasp-part-trial kinds               a kind a line, and its shares
 //        hasp-part-trial KIND FIRST COUNT    a PartLine for each seed, as soon as it is there
 #include "PartKinds.h"
 #include "VtkMessages.h"
@@ -16,7 +16,7 @@ int main(int argc, char** argv)
   const hasp::VtkMessageCapture capture([](const std::string&) {});
   if (argc == 2 && std::string_view(argv[1]) == "kinds")
     for (const hasp::PartKind& kind : hasp::PartKinds())
-      std::puts(kind.name);
+      std::printf("%s %u\n", kind.name, kind.shares);
   if (argc != 4)
     return argc == 2 ? 0 : 2;
   for (const hasp::PartKind& kind : hasp::PartKinds())

@@ -10,6 +10,7 @@ namespace hasp
 struct PartKind
 {
   const char* name;
+  unsigned shares; ///< of all random parts; 0: no part, but counted by itself
   PartLine (*tryOne)(std::uint32_t seed);
 };
 

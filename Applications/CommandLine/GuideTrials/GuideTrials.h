@@ -20,17 +20,21 @@ struct PartRun
   std::string output; ///< PartLines, as far as it came
   std::string ending; ///< empty: it came to its end; else "exit code 139", "120 s"
 };
+struct RandomKind
+{
+  std::string name;       ///< "guide", "plate" ...; "cut" for osteotomies, which are no parts
+  std::size_t shares = 0; ///< of all parts; 0 of cuts
+};
 struct PartRunner
 {
   std::string absent{}; ///< why there is no such program
-  std::vector<std::string>
-    kinds{}; ///< "guide", "plate" ...; "cut" for osteotomies, which are no parts
+  std::vector<RandomKind> kinds{};
   std::function<PartRun(const std::string& kind, std::uint32_t first, std::size_t count)> run{};
 };
 
-/// guides.manifold, guides.crashes, guides.fallback, guides.refused: so many random parts, in turn
-/// of all kinds; guides.planes: the saw planes of those that are guides, fitted to what was
-/// written; guides.conservation: so many osteotomies.
+/// guides.manifold, guides.crashes, guides.fallback, guides.refused: so many random parts, of each
+/// kind its shares of them; guides.planes: the saw planes of those that are guides, fitted to what
+/// was written; guides.conservation: so many osteotomies, which no other row counts.
 void TryParts(
   ReportContext& context, const PartRunner& runner, std::size_t parts, std::size_t cuts);
 

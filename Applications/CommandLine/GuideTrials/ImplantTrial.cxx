@@ -2,13 +2,6 @@
 
 #include "RandomImplants.h"
 
-#include "Evaluation/MeshCheck.h"
-#if HASP_WITH_CGAL
-#include "Evaluation/SelfIntersections.h"
-#endif
-
-#include <glm/vec3.hpp>
-
 #include <exception>
 #include <map>
 
@@ -17,45 +10,37 @@ namespace hasp
 namespace
 {
 
-/// What is wrong with a mesh, or "".
-std::string FaultOf(TriangleMesh mesh)
-{
-  for (glm::dvec3& p : mesh.points)
-    p = glm::dvec3(glm::vec3(p));
-  const MeshCheck check = CheckMesh(mesh);
-  if (!check.Sound())
-    return "is not sound";
-  if (check.pieces != 1)
-    return "is in " + std::to_string(check.pieces) + " pieces";
-#if HASP_WITH_CGAL
-  if (!FindSelfIntersections(mesh).empty())
-    return "meets itself";
-#endif
-  return {};
-}
-
 /// Makes one, and counts it; says what went otherwise.
 std::string TryOne(const RandomImplant& random, const ImplantSkull& skull,
   const MakeImplantFunction& make, ImplantTrial& trial)
 {
+  TriedPart part = TriedImplant(random);
   try
   {
-    const std::string fault = FaultOf(make(skull.View(), random.recipe));
-    if (!fault.empty())
-      return fault;
-    if (!random.says.empty())
-      return "was made, must be refused: " + random.says;
-    ++trial.made;
+    part.mesh = AsWritten(make(skull.View(), random.recipe));
   }
   catch (const std::exception& error)
   {
-    if (random.says.empty() || std::string(error.what()).find(random.says) == std::string::npos)
-      return std::string("said: ") + error.what();
-    ++trial.refused;
+    part.error = error.what();
   }
-  return {};
+  const PartLine line = JudgePart(part);
+  trial.made += line.verdict == PartVerdict::Sound;
+  trial.refused += line.verdict == PartVerdict::Refused;
+  return line.verdict == PartVerdict::Sound || line.verdict == PartVerdict::Refused
+           ? ""
+           : std::string(PartVerdictName(line.verdict)) + ", " + line.text;
 }
 } // namespace
+
+TriedPart TriedImplant(const RandomImplant& implant)
+{
+  TriedPart part;
+  part.kind = ImplantNonsenseName(implant.nonsense);
+  part.mayBeRefused = false; // but for what it must be refused for
+  part.refusal = implant.says;
+  part.owner = "implant";
+  return part;
+}
 
 ImplantTrial TryImplants(
   std::uint32_t firstSeed, std::size_t count, std::uint32_t step, const MakeImplantFunction& make)
@@ -72,8 +57,7 @@ ImplantTrial TryImplants(
     ++trial.recipes;
     const std::string wrong = TryOne(random, skull, make, trial);
     if (!wrong.empty())
-      trial.wrong.push_back("seed " + std::to_string(seed) + ", " +
-                            ImplantNonsenseName(random.nonsense) + ": " + wrong);
+      trial.wrong.push_back("seed " + std::to_string(seed) + ": " + wrong);
   }
   return trial;
 }

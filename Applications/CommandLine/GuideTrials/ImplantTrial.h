@@ -24,8 +24,8 @@ struct ImplantTrial
 /// Makes an implant of a volume, or throws what is wrong.
 using MakeImplantFunction = std::function<TriangleMesh(const AnyGridView&, const ImplantRecipe&)>;
 
-/// Makes `count` of them, seeds `firstSeed`, `firstSeed + step` and so on; coordinates are rounded
-/// to 32-bit floats, as files keep them. Self-intersections are looked for where CGAL is there.
+/// Makes `count` of them, seeds `firstSeed`, `firstSeed + step` and so on; they are
+/// judged AsWritten. Self-intersections are looked for where CGAL is there.
 ImplantTrial TryImplants(
   std::uint32_t firstSeed, std::size_t count, std::uint32_t step, const MakeImplantFunction& make);
 

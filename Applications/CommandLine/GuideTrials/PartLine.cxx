@@ -5,6 +5,8 @@
 #include "Evaluation/SelfIntersections.h"
 #endif
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -39,6 +41,35 @@ PartVerdict OfMesh(const TriedPart& part)
 }
 
 } // namespace
+
+const char* PartVerdictName(PartVerdict verdict)
+{
+  switch (verdict)
+  {
+    case PartVerdict::Sound:
+      return "sound";
+    case PartVerdict::Refused:
+      return "refused";
+    case PartVerdict::Open:
+      return "not one closed 2-manifold piece, outward";
+    case PartVerdict::Crossed:
+      return "meets itself";
+    case PartVerdict::Empty:
+      return "no part and no error";
+    case PartVerdict::Wrong:
+      return "made against, or refused for other than, what is expected";
+    case PartVerdict::FellBack:
+      return "an error of something below";
+  }
+  return "";
+}
+
+TriangleMesh AsWritten(TriangleMesh mesh)
+{
+  for (glm::dvec3& p : mesh.points)
+    p = glm::dvec3(glm::vec3(p));
+  return WeldPoints(mesh);
+}
 
 std::string FormatPartLine(const PartLine& line)
 {

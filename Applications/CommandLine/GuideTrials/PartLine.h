@@ -20,6 +20,9 @@ enum class PartVerdict
   FellBack ///< a method below the part's own gave up
 };
 
+/// In words: "sound", "meets itself".
+const char* PartVerdictName(PartVerdict verdict);
+
 /// A line of hasp-part-trial, the child process that makes random parts.
 struct PartLine
 {
@@ -43,8 +46,11 @@ struct TriedPart
   std::string refusal{};    ///< if it must be refused: the error has these words
   std::string owner{};      ///< "guide": errors of its own begin so, "guide: ..."
   std::string error{};      ///< what was thrown or reported; empty if nothing
-  TriangleMesh mesh{};      ///< as read back from its file and welded
+  TriangleMesh mesh{};      ///< AsWritten, or read back from its file and welded
 };
+
+/// A mesh as a binary STL file keeps it: coordinates of 32 bits, points of one place made one.
+TriangleMesh AsWritten(TriangleMesh mesh);
 
 /// Without CGAL nothing is said of parts that meet themselves. Any thread.
 PartLine JudgePart(const TriedPart& part);

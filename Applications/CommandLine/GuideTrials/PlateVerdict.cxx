@@ -1,36 +1,37 @@
 #include "RandomPlates.h"
 
-#include "Evaluation/MeshCheck.h"
-#if HASP_WITH_CGAL
-#include "Evaluation/SelfIntersections.h"
-#endif
-
 namespace hasp
 {
+
+GridGeometry RandomPlateScan()
+{
+  GridGeometry grid;
+  grid.spacing = glm::dvec3(1.5);
+  grid.origin = { -84, -105, -120 };
+  grid.dims = { 113, 129, 130 };
+  return grid;
+}
+
+TriedPart TriedPlate(const RandomPlate& plate)
+{
+  TriedPart part;
+  part.kind = plate.kind;
+  part.mayBeRefused = plate.outcome != PlateOutcome::Sound;
+  part.refusal = plate.words;
+  part.owner = "plate";
+  return part;
+}
 
 std::string WrongWithPlate(
   const RandomPlate& plate, const std::string& error, const TriangleMesh& mesh)
 {
-  const std::string name = std::string(plate.kind) + ": ";
-  if (!error.empty())
-  {
-    if (!mesh.triangles.empty())
-      return name + "there is an error and a mesh: " + error;
-    if (plate.outcome == PlateOutcome::Sound)
-      return name + "refused: " + error;
-    const std::string& words = plate.outcome == PlateOutcome::Refused ? plate.words : "plate: ";
-    return error.find(words) != std::string::npos ? "" : name + "another error: " + error;
-  }
-  if (plate.outcome == PlateOutcome::Refused)
-    return name + "made, must be refused: " + plate.words;
-  const MeshCheck check = CheckMesh(mesh);
-  if (!check.Sound() || check.pieces != 1)
-    return name + "not one closed 2-manifold piece, outward";
-#if HASP_WITH_CGAL
-  if (const std::size_t pairs = CountSelfIntersections(mesh); pairs > 0)
-    return name + "meets itself, " + std::to_string(pairs) + " pairs of triangles";
-#endif
-  return {};
+  TriedPart part = TriedPlate(plate);
+  part.error = error;
+  part.mesh = mesh;
+  const PartLine line = JudgePart(part);
+  return line.verdict == PartVerdict::Sound || line.verdict == PartVerdict::Refused
+           ? ""
+           : std::string(PartVerdictName(line.verdict)) + ", " + line.text;
 }
 
 } // namespace hasp

@@ -1,6 +1,7 @@
 #pragma once
 #include "Grid/GridView.h"
 #include "Grid/Phantom.h"
+#include "PartLine.h"
 #include "Planning/ImplantRecipe.h"
 
 #include <cstdint>
@@ -53,5 +54,8 @@ struct RandomImplant
 };
 /// Every other one is sound, the others take the nonsenses in turn. O(1).
 RandomImplant RandomImplantRecipe(std::uint32_t seed, const ImplantSkull& skull);
+
+/// The implant before it is made, for JudgePart.
+TriedPart TriedImplant(const RandomImplant& implant);
 
 } // namespace hasp

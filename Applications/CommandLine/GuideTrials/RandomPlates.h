@@ -1,6 +1,7 @@
 #pragma once
 #include "Grid/Phantom.h"
 #include "Grid/TriangleMesh.h"
+#include "PartLine.h"
 #include "Planning/PlateRecipe.h"
 
 #include <cstdint>
@@ -35,12 +36,17 @@ struct RandomPlate
 RandomPlate RandomPlateRecipe(std::uint32_t seed, const PhantomSettings& head = {});
 inline constexpr std::uint32_t RandomPlateKinds = 11;
 
+/// A scan that holds them all: the default head, voxels of 1.5 mm.
+GridGeometry RandomPlateScan();
+
+/// The plate before it is made, for JudgePart.
+TriedPart TriedPlate(const RandomPlate& plate);
+
 /// What is wrong with what came of it; empty: nothing.
 ///
 /// error   what the builder threw or the filter reported; empty if nothing
 /// mesh    the plate, as read back from its file and welded; empty after an error
-/// A plate must be one closed 2-manifold piece, outward, that does not meet itself (looked for with
-/// CGAL alone). An error must be the one expected, and leave no mesh. Any thread.
+/// As JudgePart says. Any thread.
 std::string WrongWithPlate(
   const RandomPlate& plate, const std::string& error, const TriangleMesh& mesh);
 

@@ -166,7 +166,8 @@ std::vector<ReportTerm> DistanceTerms()
 std::vector<ReportTerm> GuideTerms()
 {
   return {
-    { "guides.manifold", "share of random parts made that are sound; error: how many are not" },
+    { "guides.manifold",
+      "share of random guides, plates and implants made that are sound; error: how many are not" },
     { "guides.crashes", "random parts that ended their process or took 20 s" },
     { "guides.fallback", "random parts that a method below the part's own gave up on" },
     { "guides.refused",
@@ -174,12 +175,14 @@ std::vector<ReportTerm> GuideTerms()
     { "guides.planes",
       "how far saw planes found in written guides are off the recipe's, at worst" },
     { "guides.conservation",
-      "share of bone that fragments and kerfs do not account for, at worst" },
+      "share of bone that fragments and kerfs of random cuts do not account for, at worst" },
     { "guides.certificate.found", "parts with a defect that are red for that very reason" },
     { "guides.certificate.false", "clean parts that are red" },
     { "guides.time", "from a recipe to an STL file that is read back and certified, median" },
     { "guides.gap.p95", "95 % of the inner wall's area are within that of the gap asked for" },
-    { "guides.preview", "time until a changed guide is shown" },
+    { "guides.preview",
+      "from a recipe to the active cells that show the guide, median; error: how far the finished "
+      "mesh's points are off what they show" },
     { "guides.plan", "share of random plans that come back as they were saved" },
   };
 }

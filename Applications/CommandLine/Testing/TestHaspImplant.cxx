@@ -102,7 +102,7 @@ TEST_F(HaspImplant, IsHeldToItsRecipe)
   ExpectFailure(certify({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
   recipe["holeDiameterMm"] = 3.4;
   this->WriteText("implant.json", recipe.dump());
-  ExpectFailure(certify(), 3, "must 3.40");
+  ExpectFailure(certify(), 3, "must have 3.40");
 }
 
 } // namespace

@@ -23,6 +23,12 @@ TEST_F(HaspReport, RandomPartsAreSoundAndCertificatesFindWhatIsWrong)
   for (const char* id : { "manifold", "crashes", "fallback", "refused", "planes", "conservation",
          "plan", "gap.p95@phantom", "certificate.found", "certificate.false" })
     EXPECT_EQ(Row(report, std::string("guides.") + id).value("bar_missed", true), false) << id;
+  EXPECT_EQ(Row(report, "guides.manifold").at("n"), 32) << "parts, without cuts";
+  const auto manifold = Row(report, "guides.manifold").at("data").get<std::string>();
+  for (const char* kind : { "16 of kind guide", "8 of kind plate", "8 of kind implant" })
+    EXPECT_NE(manifold.find(kind), std::string::npos) << manifold;
+  EXPECT_GT(value("preview@phantom"), 0.0);
+  EXPECT_LE(Row(report, "guides.preview@phantom").at("error"), 0.1); // mm RMS; voxels of 0.8 mm
   for (const char* id : { "time", "gap.p95", "preview" })
     EXPECT_TRUE(Row(report, std::string("guides.") + id).contains("absent")) << id;
   ASSERT_GE(report.at("unused").size(), 3U);

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -48,6 +49,24 @@ std::runtime_error NothingLeft()
 {
   return std::runtime_error(
     "guide: nothing is left: no bone faces the withdrawal direction around the landmarks");
+}
+
+/// With the coarsest grid up to spacingMm that it is valid with; none but its own: nothing.
+std::optional<GuideRecipe> CoarserRecipe(GuideRecipe recipe, double spacingMm)
+{
+  constexpr double Finer = 0.9;
+  for (const double own = recipe.spacingMm; spacingMm > own; spacingMm *= Finer)
+    try
+    {
+      recipe.spacingMm = spacingMm;
+      ValidateGuideRecipe(recipe);
+      return recipe;
+    }
+    catch (const std::invalid_argument&)
+    {
+      // Its slots, walls or letters need a finer one.
+    }
+  return std::nullopt;
 }
 
 /// Directions are unit within 1e-3 only, as people write them.
@@ -265,6 +284,21 @@ GuideSamples SampleGuide(
   for (float& value : samples.values)
     value = -value;
   return samples;
+}
+
+GuideSolid MakePreviewSolid(const AnyGridView& ct, const GuideRecipe& recipe,
+  std::span<const Osteotomy> blades, double spacingMm)
+{
+  if (const auto coarse = CoarserRecipe(recipe, spacingMm))
+    try
+    {
+      return MakeGuideSolid(ct, *coarse, blades);
+    }
+    catch (const std::exception&)
+    {
+      // Of what its own grid says of it a user can make sense.
+    }
+  return MakeGuideSolid(ct, recipe, blades);
 }
 
 BuiltGuide BuildGuide(const AnyGridView& ct, const GuideRecipe& recipe,

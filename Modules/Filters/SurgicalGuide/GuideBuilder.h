@@ -53,6 +53,13 @@ struct GuideSamples
 GuideSamples SampleGuide(
   const GuideSolid& guide, double spacingMm, const ProgressFunction& progress = {});
 
+/// The solid to take such a look at: made on the coarsest working grid up to spacingMm that the
+/// recipe and its blades allow, so that it takes a fraction of MakeGuideSolid's time. What is
+/// thinner than that grid may be missing; balls that enter pores are larger with it. Errors are
+/// MakeGuideSolid's, of the recipe's own grid, which takes as long. Any thread; all cores.
+GuideSolid MakePreviewSolid(const AnyGridView& ct, const GuideRecipe& recipe,
+  std::span<const Osteotomy> blades, double spacingMm);
+
 /// A guide ready to be written. All of `made` but its surface is in `solid`.
 struct BuiltGuide
 {

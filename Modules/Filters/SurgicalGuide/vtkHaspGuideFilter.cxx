@@ -108,7 +108,8 @@ vtkSmartPointer<vtkImageData> vtkHaspGuideFilter::MakePreview(double spacingMm)
   try
   {
     const hasp::GuideSamples samples = hasp::SampleGuide(
-      hasp::MakeGuideSolid(hasp::ViewImage(image), *this->Recipe, this->Blades), spacingMm);
+      hasp::MakePreviewSolid(hasp::ViewImage(image), *this->Recipe, this->Blades, spacingMm),
+      spacingMm);
     return hasp::MakeImage(samples.grid, samples.values);
   }
   catch (const std::exception& error)

@@ -83,8 +83,10 @@ public:
   /// A quick look at the guide of the present input, recipe and blades, without a mesh: an image in
   /// the world's place, float, mm to the guide's surface, inside >= 0. Its isosurface at 0 is the
   /// guide, to be drawn as clustered cells (vtkHaspClusteredCellFilter); edges are blunt by less
-  /// than a voxel. spacingMm: at least the recipe's. Errors as above, and null. The mesh is not
-  /// made, and what Update made stays.
+  /// than a voxel. spacingMm: at least the recipe's; the working grid is as coarse as that where
+  /// the recipe allows it, which a guide that is barely possible may pass here and not as a mesh,
+  /// or look otherwise in pores of the bone. Errors as above, and null. The mesh is not made, and
+  /// what Update made stays.
   vtkSmartPointer<vtkImageData> MakePreview(double spacingMm = 0.8);
 
   /// Of the guide made last: the unit direction it lifts off along, and the share of the bone's

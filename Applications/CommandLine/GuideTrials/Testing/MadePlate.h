@@ -2,7 +2,7 @@
 // What comes of a random plate, through the filter and a file.
 #include "Evaluation/MeshCheck.h"
 #include "Grid/Phantom.h"
-#include "Planning/PlateRecipe.h"
+#include "RandomPlates.h"
 #include "vtkHaspPlateFilter.h"
 #include "vtkHaspVolumeView.h"
 
@@ -26,10 +26,7 @@ namespace platetest
 
 inline vtkSmartPointer<vtkImageData> Head()
 {
-  hasp::GridGeometry grid;
-  grid.spacing = glm::dvec3(1.5);
-  grid.origin = { -84, -105, -120 };
-  grid.dims = { 113, 129, 130 };
+  const hasp::GridGeometry grid = hasp::RandomPlateScan();
   return hasp::MakeImage(grid, hasp::SamplePhantom(grid));
 }
 

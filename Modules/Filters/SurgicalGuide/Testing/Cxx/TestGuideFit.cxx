@@ -1,5 +1,6 @@
 #include "Evaluation/GuideGap.h"
 #include "Grid/Trilinear.h"
+#include "GuideBuilder.h"
 #include "GuideFixture.h"
 #if HASP_WITH_CGAL
 #include "Evaluation/SelfIntersections.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 #include <tuple>
 #include <variant>
 
@@ -175,6 +177,25 @@ TEST(GuideFilter, APreviewIsTheSameSurface)
   EXPECT_EQ(answer.error, "");
   EXPECT_FALSE(answer.filter->MakePreview(0.1));
   EXPECT_NE(answer.error.find("preview's spacing"), std::string::npos);
+}
+
+TEST(GuideFilter, APreviewIsMadeOnACoarserGridAndRefusedInTheGuidesWords)
+{
+  const auto ct = ScanOf(Skull(), glm::dvec3(1), 0.2);
+  const auto view = hasp::ViewImage(ct);
+  auto recipe = Band(); // spacingMm 0.5, and a slot of 1.2 mm, which has two cells at least
+  const double made = hasp::MakePreviewSolid(view, recipe, {}, 0.8).grid.spacing.x;
+  EXPECT_GT(made, 0.5);
+  EXPECT_LE(made, 0.6);
+  EXPECT_EQ(hasp::MakePreviewSolid(view, recipe, {}, 0.5).grid.spacing.x, 0.5);
+
+  recipe.landmarks[1] += glm::dvec3(0, 0, 4.37); // how far off it is found depends on the grid
+  Answer answer(ct, recipe);
+  std::string words = answer.error.substr(answer.error.find("guide: landmarks[1]"));
+  words.resize(words.find('\n'));
+  answer.error.clear();
+  EXPECT_FALSE(answer.filter->MakePreview(0.8));
+  EXPECT_NE(answer.error.find(words), std::string::npos) << answer.error << words;
 }
 
 } // namespace
