@@ -62,8 +62,7 @@ std::string HashOfInputs(const std::vector<PartInput>& inputs)
 {
   std::string text;
   for (const PartInput& input : inputs)
-    text += std::to_string(input.id) + (input.facet == PartFacet::Shape ? " shape " : " place ") +
-            input.hash + "\n";
+    text += std::to_string(input.id) + " " + NameOf(input.facet) + " " + input.hash + "\n";
   return Sha256(text);
 }
 
@@ -74,8 +73,7 @@ PartLabel LabelOf(const Plan& plan, PlanId object, const std::vector<PartInput>&
 }
 
 /// Certifies a file as it was written; its words are in the report.
-PartVerdict Certify(
-  const RebuiltPart& part, const std::string& stl, Json& report, Session& session)
+PartVerdict Certify(const RebuiltPart& part, const std::string& stl, Json& report, Session& session)
 {
   const FitCertificate certificate =
     MeasurePart(ReadBack(stl, session), part.check->bone, part.check->claims, session);
@@ -155,15 +153,15 @@ std::string WriteParts(const Plan& plan, const std::vector<PartFile>& parts,
       for (glm::dvec3& point : mesh.points)
         point = fragment->scanToPlanned.Place(point);
       const std::string planned = NameOfPart(plan, part.object, "-planned");
-      WriteSurface(MakePolyData(mesh), (folder / planned).string(),
-        LabelOf(plan, part.object, part.inputs));
+      WriteSurface(
+        MakePolyData(mesh), (folder / planned).string(), LabelOf(plan, part.object, part.inputs));
       json["planned"] = { { "file", planned },
         { "sha256", Sha256(ReadWholeFile((folder / planned).string())) } };
     }
     json["inputs"] = Json::array();
     for (const PartInput& input : part.inputs)
-      json["inputs"].push_back({ { "id", input.id },
-        { "facet", input.facet == PartFacet::Shape ? "shape" : "place" }, { "hash", input.hash } });
+      json["inputs"].push_back(
+        { { "id", input.id }, { "facet", NameOf(input.facet) }, { "hash", input.hash } });
     json.update(Json::parse(part.report));
     list.push_back(std::move(json));
   }

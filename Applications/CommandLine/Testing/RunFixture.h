@@ -89,8 +89,8 @@ protected:
       { "clearanceMm", 0.25 }, { "wallMm", 3 }, { "sleeveWallMm", 2 }, { "spacingMm", 0.9 },
       { "ignoreBelowMm3", 100 }, { "slots", json::array() }, { "flanges", json::array() },
       { "holes", json::array() }, { "labels", json::array() } };
-    return Add("guide",
-      { { "id", id }, { "name", "" }, { "bone", 2 }, { "recipe", recipe }, { "cuts", cuts } });
+    return Add("guide", { { "id", id }, { "name", "" }, { "bone", 2 }, { "recipe", recipe },
+                          { "cuts", cuts }, { "side", "none" } });
   }
   static json Plate()
   {

@@ -128,7 +128,8 @@ struct PlanRebuild::Internals
         std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), guide.recipe.isovalue);
       bone = this->oneBone->View();
     }
-    BuiltGuide built = BuildGuide(bone, guide.recipe, BladesOf(this->plan, guide), progress);
+    BuiltGuide built =
+      BuildGuide(bone, this->Labelled(guide), BladesOf(this->plan, guide), progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
     part.check = { ClaimsOf(built.made.recipe), bone };
@@ -195,6 +196,14 @@ struct PlanRebuild::Internals
   RebuiltPart MakeOf(const PlanSegmentation&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanCut&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanMeasure&, const ProgressFunction&) { return {}; }
+
+  /// Which case, side and plan it is.
+  GuideRecipe Labelled(const PlanGuide& guide) const
+  {
+    return HasCaseLabel(guide.recipe)
+             ? WithCaseLabels(guide.recipe, this->plan.caseLabel, guide.side, PlanHash(this->plan))
+             : guide.recipe;
+  }
 
   RebuiltPart MakeObject(PlanId id, const ProgressFunction& progress)
   {

@@ -62,6 +62,7 @@ struct RebuiltPart
 ///    one is a piece of
 ///  - a group: its kept fragments where the reduction has them, as one body (UniteFragments)
 ///  - a guide: BuildGuide on the scan, or on one fragment of it, with a slot for each of its cuts
+///    and, on labels of the kind Case, the case label, its side and the PlanHash of this plan
 ///  - a plate: BuildPlate on the scan, or on fragments where the reduction has them
 ///  - an implant: BuildImplant on the scan
 ///  - a transplant: TransplantSegments out of its donor, at TransplantOf

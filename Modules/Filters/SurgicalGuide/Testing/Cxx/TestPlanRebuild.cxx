@@ -130,13 +130,53 @@ TEST(PlanRebuild, AGroupIsItsKeptFragmentsAsPlanned)
   plan = Apply(plan, PoseFragments{ { { 5, { { 0, 0, 50 }, turn } } } });
   PlanRebuild rebuild(plan, bar.Images());
   const RebuiltPart both = rebuild.Make(11), left = rebuild.Make(4), right = rebuild.Make(5);
-  EXPECT_NEAR(both.volumeMm3, left.volumeMm3 + right.volumeMm3, 1e-6 * both.volumeMm3);
-  ASSERT_EQ(both.mesh.points.size(), left.mesh.points.size() + right.mesh.points.size());
-  EXPECT_EQ(both.mesh.points.back(), glm::dvec3(0, 0, 50) + turn * right.mesh.points.back());
+  EXPECT_TRUE(CheckMesh(both.mesh).Sound());
+  const double sum = left.volumeMm3 + right.volumeMm3;
+  EXPECT_NEAR(both.volumeMm3, sum, 0.01 * sum); // sampled anew
+  const auto middleOf = [](const TriangleMesh& mesh, bool above)
+  {
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const glm::dvec3& p : mesh.points)
+      if ((p.z > 25.0) == above)
+      {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    return 0.5 * (low + high);
+  };
+  TriangleMesh moved = right.mesh;
+  for (glm::dvec3& p : moved.points)
+    p = glm::dvec3(0, 0, 50) + turn * p;
+  // Edges are rounded by up to 0.8 spacings of 0.5 mm, and the cut's is at one end alone.
+  EXPECT_LT(glm::distance(middleOf(both.mesh, true), middleOf(moved, true)), 0.2);
+  EXPECT_LT(glm::distance(middleOf(both.mesh, false), middleOf(left.mesh, false)), 0.2);
   PlanRebuild resected(Apply(plan, SetFragmentState{ { 5 } }), bar.Images());
-  EXPECT_EQ(resected.Make(11).mesh.points, left.mesh.points);
+  EXPECT_NEAR(resected.Make(11).volumeMm3, left.volumeMm3, 0.01 * left.volumeMm3);
   PlanRebuild none(Apply(plan, SetFragmentState{ { 4, 5 } }), bar.Images());
   EXPECT_EQ(Refusal(none, 11), "group 11: none of its fragments is kept");
+}
+
+TEST(PlanRebuild, AGuideSaysItsCaseSideAndPlan)
+{
+  const Bar bar;
+  Plan plan = Apply(BarPlan(), SetCaseLabel{ "7" });
+  PlanGuide guide{ 13, "", 1, {}, {}, BodySide::Left };
+  guide.recipe.landmarks = { { -18, 0, 6 }, { 18, 0, 6 } };
+  guide.recipe.widthMm = 6;
+  guide.recipe.spacingMm = 0.3;
+  GuideLabel& label = guide.recipe.labels.emplace_back();
+  label.point = { 0, 0, 6 };
+  label.right = { 1, 0, 0 };
+  label.heightMm = 3.6;
+  label.kind = GuideLabelKind::Case;
+  plan = Apply(plan, AddObject<PlanGuide>{ guide });
+  const std::string text = GuideLabelText("7", BodySide::Left, PlanHash(plan));
+  ASSERT_EQ(text.size(), 12U); // "7 L 3FA41B2C"
+  const RebuiltPart made = PlanRebuild(plan, bar.Images()).Make(13);
+  label.kind = GuideLabelKind::Text;
+  label.text = text;
+  plan = Apply(plan, ChangeObject<PlanGuide>{ guide });
+  EXPECT_EQ(PlanRebuild(plan, bar.Images()).Make(13).mesh.points, made.mesh.points);
 }
 
 TEST(PlanRebuild, ATransplantIsRecutWhenTheCutMoves)
