@@ -86,7 +86,7 @@ protected:
       { "landmarks", { Front(z - 12), Front(z), Front(z + 12) } }, { "outline", "open" },
       { "strokes", json::array() }, { "withdrawal", { 0, -1, 0 } }, { "axisSearchDeg", 0 },
       { "gapMm", 0.3 }, { "thicknessMm", 3 }, { "widthMm", 12 }, { "edgeRadiusMm", 0 },
-      { "clearanceMm", 0.25 }, { "wallMm", 3 }, { "sleeveWallMm", 2 }, { "spacingMm", 0.9 },
+      { "clearanceMm", 0.25 }, { "wallMm", 3 }, { "sleeveWallMm", 2 }, { "spacingMm", 0.6 },
       { "ignoreBelowMm3", 100 }, { "slots", json::array() }, { "flanges", json::array() },
       { "holes", json::array() }, { "labels", json::array() } };
     return Add("guide", { { "id", id }, { "name", "" }, { "bone", 2 }, { "recipe", recipe },

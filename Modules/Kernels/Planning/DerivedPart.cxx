@@ -124,6 +124,7 @@ private:
     for (const JawFace& face : { object.first, object.last })
     {
       this->Shape(face.cut);
+      this->Shape(face.fragment); // that the joint's fit is measured to
       this->Place(face.fragment);
     }
   }

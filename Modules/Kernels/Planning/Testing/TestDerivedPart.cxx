@@ -173,7 +173,7 @@ TEST(DerivedPart, TransplantsHangOnTheirFacesAndTheDonor)
   EXPECT_EQ(Why(14, Cut(10, 2.0, {})), why + "cut 10 has changed");
   EXPECT_EQ(Why(14, ChangeObject<PlanSegmentation>{ { 2, "", 1, std::string(64, 'd') } }),
     why + "segmentation 2 has changed");
-  EXPECT_EQ(Why(14, Cut(6, 0.5, { 3 })), ""); // of pieces of the donor: 3 itself is whole
+  EXPECT_EQ(Why(14, Cut(6, 0.5, { 3 })), why + "cut 6 has changed"); // which 5 is a piece by
   const PoseFragments donor{ { { 3, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
   EXPECT_EQ(Why(14, donor), ""); // taken where it lies in its scan
 }

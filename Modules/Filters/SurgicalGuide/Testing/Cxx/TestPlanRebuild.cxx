@@ -188,6 +188,19 @@ TEST(PlanRebuild, ATransplantIsRecutWhenTheCutMoves)
   ASSERT_EQ(before.segments.size(), 1U);
   EXPECT_NEAR(before.segments[0].cut.lengthMm, 20.5, 1e-9);
   EXPECT_NEAR(before.volumeMm3, Disc * 20.5, 0.02 * Disc * 20.5);
+  EXPECT_EQ(before.segments[0].triangles, before.mesh.triangles.size());
+  ASSERT_EQ(before.joints.size(), 2U);
+  EXPECT_NEAR(before.joints[0].fit.contactMm2, Disc, 0.05 * Disc); // of the same bar
+  const JointFit& bare = before.joints[1].fit;                     // the plan names no jaw
+  EXPECT_EQ(bare.contactMm2 + bare.gapMm2 + bare.overlapMm2, 0.0);
+  EXPECT_NEAR(bare.stepMm2, Disc, 0.05 * Disc);
+  PlanTransplant apart = plan.transplants[0];
+  apart.first.cut = 0;
+  apart.transplant.joints[0].point.x = 0.5; // the jaw's face is at -0.5
+  PlanRebuild loose(Apply(plan, ChangeObject<PlanTransplant>{ apart }), bar.Images());
+  const MadeJoint gap = loose.Make(12).joints[0];
+  EXPECT_NEAR(gap.gapMm, 1.0, 0.1);
+  EXPECT_EQ(gap.overlapMm, 0.0);
   PlanCut cut = plan.cuts[0];
   cut.blade.point.x = 4.0;
   plan = Apply(plan, ChangeObject<PlanCut>{ cut });
