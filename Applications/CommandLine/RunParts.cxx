@@ -5,6 +5,7 @@
 #include "PartCertificate.h"
 #include "PlanInput.h"
 #include "Session.h"
+#include "TransplantText.h"
 #include "Version.h"
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeView.h"
@@ -15,8 +16,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <chrono>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace hasp
@@ -25,6 +28,7 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
 std::string ReadWholeFile(const std::string& path)
 {
@@ -46,15 +50,23 @@ Json CutsJson(const RebuiltPart& part)
   return cuts;
 }
 
-Json SegmentsJson(const RebuiltPart& part)
+/// null: the plan names no jaw there.
+Json JointsJson(const PlanTransplant& transplant, const std::vector<MadeJoint>& joints)
 {
-  Json segments = Json::array();
-  for (const PlanSegment& segment : part.segments)
-    segments.push_back({ { "volume_mm3", segment.volumeMm3 }, { "length_mm", segment.cut.lengthMm },
-      { "shortest_mm", segment.cut.shortestMm }, { "longest_mm", segment.cut.longestMm },
-      { "wedge_radians", segment.cut.wedgeRadians }, { "from_mm", segment.cut.fromMm },
-      { "to_mm", segment.cut.toMm } });
-  return segments;
+  Json json = Json::array();
+  for (const MadeJoint& joint : joints)
+    json.push_back(DescribeJoint(joint));
+  const auto blank = [](Json& joint)
+  {
+    for (const char* key :
+      { "gap_mm", "overlap_mm", "contact_mm2", "gap_mm2", "overlap_mm2", "step_mm2" })
+      joint[key] = nullptr;
+  };
+  if (transplant.first.fragment == 0)
+    blank(json.front());
+  if (transplant.last.fragment == 0)
+    blank(json.back());
+  return json;
 }
 
 /// SHA-256 of all that a part is made from: it does not change with what else is in the plan.
@@ -62,8 +74,7 @@ std::string HashOfInputs(const std::vector<PartInput>& inputs)
 {
   std::string text;
   for (const PartInput& input : inputs)
-    text += std::to_string(input.id) + (input.facet == PartFacet::Shape ? " shape " : " place ") +
-            input.hash + "\n";
+    text += std::to_string(input.id) + " " + NameOf(input.facet) + " " + input.hash + "\n";
   return Sha256(text);
 }
 
@@ -83,6 +94,60 @@ PartVerdict Certify(const RebuiltPart& part, const std::string& stl, Json& repor
     report["faults"].push_back(fault.text);
   report["certificate"] = CertificateJson(certificate);
   return certificate.Holds() ? PartVerdict::Holds : PartVerdict::DoesNotHold;
+}
+
+/// Some of a mesh's triangles, from the first.
+TriangleMesh Slice(const TriangleMesh& mesh, std::size_t first, std::size_t count)
+{
+  if (first + count > mesh.triangles.size())
+    throw Failure(
+      ExitCode::FailedCheck, "a transplant's file has fewer triangles than its segments");
+  TriangleMesh slice;
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  const auto numberOf = [&](std::uint32_t point)
+  {
+    const auto [at, isNew] = numbers.emplace(point, std::uint32_t(slice.points.size()));
+    if (isNew)
+      slice.points.push_back(mesh.points[point]);
+    return at->second;
+  };
+  for (std::size_t n = first; n < first + count; ++n)
+  {
+    const glm::uvec3& t = mesh.triangles[n];
+    slice.triangles.push_back({ numberOf(t.x), numberOf(t.y), numberOf(t.z) });
+  }
+  return slice;
+}
+
+/// Puts a transplant's segments below `folder`, in the defect and on the donor, and their names
+/// into `part`. Of what the transplant's file holds: so they are the same for one that was kept.
+void WriteSegments(const Plan& plan, PlanId object, const TriangleMesh& mesh, Json& part,
+  const PartLabel& label, const fs::path& folder)
+{
+  const auto write = [&](Json& segment, const std::string& key, const std::string& name,
+                       const TriangleMesh& surface, std::size_t n)
+  {
+    const std::string path = (folder / name).string();
+    WriteSurface(MakePolyData(surface), path,
+      { .name = "segment " + std::to_string(n + 1), .hash = label.hash });
+    segment[key] = { { "file", name }, { "sha256", Sha256(ReadWholeFile(path)) } };
+  };
+  std::size_t first = 0;
+  for (std::size_t n = 0; n < part["segments"].size(); ++n)
+  {
+    Json& segment = part["segments"][n];
+    const auto count = segment.at("triangles").get<std::size_t>();
+    TriangleMesh surface = Slice(mesh, first, count);
+    first += count;
+    const std::string number = "segment-" + std::to_string(n + 1);
+    write(segment, "in_defect", NameOfPart(plan, object, "-" + number), surface, n);
+    const auto p = segment.at("position_mm").get<std::array<double, 3>>();
+    const auto q = segment.at("orientation").get<std::array<double, 4>>();
+    const PlanPose donorToDefect{ { p[0], p[1], p[2] }, { q[0], q[1], q[2], q[3] } };
+    for (glm::dvec3& point : surface.points)
+      point = donorToDefect.PlaceBack(point);
+    write(segment, "on_donor", NameOfPart(plan, object, "-donor-" + number), surface, n);
+  }
 }
 } // namespace
 
@@ -115,8 +180,13 @@ PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
   Json report = { { "triangles", part.mesh.triangles.size() }, { "volume_mm3", part.volumeMm3 } };
   if (!part.cuts.empty())
     report["cuts"] = CutsJson(part);
-  if (!part.segments.empty())
-    report["segments"] = SegmentsJson(part);
+  if (const auto* transplant = FindPlanObject<PlanTransplant>(plan, object))
+  {
+    for (const PlanSegment& segment : part.segments)
+      report["segments"].push_back(
+        DescribeSegment(segment.cut, segment.volumeMm3, segment.triangles));
+    report["joints"] = JointsJson(*transplant, part.joints);
+  }
   report["verdict"] = "not certified";
   report["faults"] = Json::array();
   WriteSurface(MakePolyData(part.mesh), stl, LabelOf(plan, object, part.inputs),
@@ -161,9 +231,12 @@ std::string WriteParts(const Plan& plan, const std::vector<PartFile>& parts,
     }
     json["inputs"] = Json::array();
     for (const PartInput& input : part.inputs)
-      json["inputs"].push_back({ { "id", input.id },
-        { "facet", input.facet == PartFacet::Shape ? "shape" : "place" }, { "hash", input.hash } });
+      json["inputs"].push_back(
+        { { "id", input.id }, { "facet", NameOf(input.facet) }, { "hash", input.hash } });
     json.update(Json::parse(part.report));
+    if (FindPlanObject<PlanTransplant>(plan, part.object))
+      WriteSegments(plan, part.object, ReadBack(file, session), json,
+        LabelOf(plan, part.object, part.inputs), folder);
     list.push_back(std::move(json));
   }
   const Json run = { { "format", "hasp-run-1" }, { "plan_hash", PlanHash(plan) },

@@ -25,31 +25,6 @@ Json Places(const std::vector<glm::dvec3>& places)
     json.push_back(Place(place));
   return json;
 }
-
-Json DescribeSegment(const PlacedSegment& segment, std::size_t n)
-{
-  const DonorSegment& cut = segment.cut;
-  const PlanPose& pose = cut.donorToDefect;
-  const glm::dquat& turn = pose.orientation;
-  return { { "file", SegmentFile(n) }, { "donor_file", DonorSegmentFile(n) },
-    { "length_mm", cut.lengthMm }, { "shortest_mm", cut.shortestMm },
-    { "longest_mm", cut.longestMm }, { "wedge_deg", glm::degrees(cut.wedgeRadians) },
-    { "start_tilt_deg", glm::degrees(cut.startTiltRadians) },
-    { "end_tilt_deg", glm::degrees(cut.endTiltRadians) }, { "volume_mm3", segment.volumeMm3 },
-    { "donor_from_mm", cut.fromMm }, { "donor_to_mm", cut.toMm },
-    { "position_mm", Place(pose.position) }, { "orientation", { turn.w, turn.x, turn.y, turn.z } },
-    { "triangles", segment.mesh.triangles.size() } };
-}
-
-Json DescribeJoint(const MadeJoint& joint)
-{
-  return { { "point_mm", Place(joint.joint.point) }, { "normal", Place(joint.joint.normal) },
-    { "bend_deg", glm::degrees(joint.bendRadians) },
-    { "wedge_deg", glm::degrees(joint.wedgeRadians) }, { "gap_mm", joint.gapMm },
-    { "overlap_mm", joint.overlapMm }, { "contact_mm2", joint.fit.contactMm2 },
-    { "gap_mm2", joint.fit.gapMm2 }, { "overlap_mm2", joint.fit.overlapMm2 },
-    { "step_mm2", joint.fit.stepMm2 } };
-}
 } // namespace
 
 std::string SegmentFile(std::size_t segment)
@@ -72,12 +47,41 @@ bool IsStump(const BoneFragment& fragment)
   return !fragment.resected && !fragment.crumb;
 }
 
+Json DescribeSegment(const DonorSegment& cut, double volumeMm3, std::size_t triangles)
+{
+  const PlanPose& pose = cut.donorToDefect;
+  const glm::dquat& turn = pose.orientation;
+  return { { "length_mm", cut.lengthMm }, { "shortest_mm", cut.shortestMm },
+    { "longest_mm", cut.longestMm }, { "wedge_deg", glm::degrees(cut.wedgeRadians) },
+    { "start_tilt_deg", glm::degrees(cut.startTiltRadians) },
+    { "end_tilt_deg", glm::degrees(cut.endTiltRadians) }, { "volume_mm3", volumeMm3 },
+    { "donor_from_mm", cut.fromMm }, { "donor_to_mm", cut.toMm },
+    { "position_mm", Place(pose.position) }, { "orientation", { turn.w, turn.x, turn.y, turn.z } },
+    { "triangles", triangles } };
+}
+
+Json DescribeJoint(const MadeJoint& joint)
+{
+  return { { "point_mm", Place(joint.joint.point) }, { "normal", Place(joint.joint.normal) },
+    { "bend_deg", glm::degrees(joint.bendRadians) },
+    { "wedge_deg", glm::degrees(joint.wedgeRadians) }, { "gap_mm", joint.gapMm },
+    { "overlap_mm", joint.overlapMm }, { "contact_mm2", joint.fit.contactMm2 },
+    { "gap_mm2", joint.fit.gapMm2 }, { "overlap_mm2", joint.fit.overlapMm2 },
+    { "step_mm2", joint.fit.stepMm2 } };
+}
+
 Json DescribeTransplant(const MadeTransplant& made)
 {
   Json json{ { "segments", Json::array() }, { "joints", Json::array() },
     { "donor_cuts", Json::array() }, { "fragments", Json::array() }, { "vessel", Json::array() } };
   for (std::size_t n = 0; n < made.segments.size(); ++n)
-    json["segments"].push_back(DescribeSegment(made.segments[n], n));
+  {
+    const PlacedSegment& segment = made.segments[n];
+    Json described{ { "file", SegmentFile(n) }, { "donor_file", DonorSegmentFile(n) } };
+    described.update(
+      DescribeSegment(segment.cut, segment.volumeMm3, segment.mesh.triangles.size()));
+    json["segments"].push_back(std::move(described));
+  }
   for (const MadeJoint& joint : made.joints)
     json["joints"].push_back(DescribeJoint(joint));
   for (const Osteotomy& cut : made.donorCuts)

@@ -17,6 +17,11 @@ std::string StumpFile(const BoneFragment& fragment);
 /// What stays in the patient and is more than a crumb.
 bool IsStump(const BoneFragment& fragment);
 
+/// One of a transplant's segments, and one of its joints; mm and degrees.
+nlohmann::ordered_json DescribeSegment(
+  const DonorSegment& cut, double volumeMm3, std::size_t triangles);
+nlohmann::ordered_json DescribeJoint(const MadeJoint& joint);
+
 /// Segments, joints, donor cuts, stumps, vessel and skin; mm and degrees.
 nlohmann::ordered_json DescribeTransplant(const MadeTransplant& made);
 

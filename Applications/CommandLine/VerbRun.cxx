@@ -191,7 +191,8 @@ void AddRunVerb(CLI::App& app, Session& session)
   AddCommonOptions(*verb, session);
   verb->footer(
     "Example: hasp run case.hasp --volume head.mha --output parts\n"
-    "Writes KIND-ID.stl, fragments that are moved as KIND-ID-planned.stl, too, and run.json.\n"
+    "Writes KIND-ID.stl, fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
+    "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, and run.json.\n"
     "The plan keeps what was made, and what is in date is not made again.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 a part does not hold.");
   verb->callback(

@@ -90,8 +90,8 @@ protected:
       { "spacingMm", 0.6 }, // shells under 4.5 spacings keep their thin edges (GuideWalls.h)
       { "ignoreBelowMm3", 100 }, { "slots", json::array() }, { "flanges", json::array() },
       { "holes", json::array() }, { "labels", json::array() } };
-    return Add("guide",
-      { { "id", id }, { "name", "" }, { "bone", 2 }, { "recipe", recipe }, { "cuts", cuts } });
+    return Add("guide", { { "id", id }, { "name", "" }, { "bone", 2 }, { "recipe", recipe },
+                          { "cuts", cuts }, { "side", "none" } });
   }
   static json Plate()
   {

@@ -1,5 +1,9 @@
 #include "RunFixture.h"
 
+#include <array>
+#include <cmath>
+#include <cstring>
+
 namespace
 {
 
@@ -135,6 +139,65 @@ TEST_F(HaspRunTest, DamageIsMendedAndAPlanAloneIsOnlyRead)
   EXPECT_EQ(this->Files("alone"), this->Files("first"));
   EXPECT_EQ(fs::file_size(this->Path("plan.json")), files);
   EXPECT_FALSE(fs::exists(this->Path("blobs")));
+}
+
+/// Corners of all triangles.
+std::vector<std::array<float, 3>> CornersOf(const std::string& stl)
+{
+  std::vector<std::array<float, 3>> corners;
+  for (std::size_t at = 84; at + 50 <= stl.size(); at += 50)
+    for (std::size_t corner = 1; corner < 4; ++corner)
+      std::memcpy(corners.emplace_back().data(), stl.data() + at + 12 * corner, 12);
+  return corners;
+}
+
+TEST_F(HaspRunTest, ATransplantsSegmentsLieInTheDefectAndOnTheDonor)
+{
+  const json transplant{ { "format", "hasp-transplant-1" },
+    { "joints", { { { "point", { 60, 0, 0 } }, { "normal", { 1, 0, 0 } } },
+                  { { "point", { 90, 0, 0 } }, { "normal", { 1, 0, 0 } } },
+                  { { "point", { 120, 0, 0 } }, { "normal", { 1, 0, 0 } } } } },
+    { "outward", { { 0, 0, 1 }, { 0, 0, 1 } } },
+    { "donor", { { "axis", { { 0, 0, -170 }, { 0, -5, 0 }, { 0, 0, 170 } } },
+                 { "lateral", { 1, 0, 0 } }, { "radiusMm", 9 }, { "keepMm", 75 } } },
+    { "fromLastTip", false }, { "startOffsetMm", 0 }, { "kerfMm", 1 }, { "betweenMm", 1.5 },
+    { "vessel", json::array() } };
+  const json nowhere{ { "cut", 0 }, { "fragment", 0 } };
+  this->Apply(json::array(
+    { Add("transplant", { { "id", 10 }, { "name", "" }, { "donor", 2 }, { "first", nowhere },
+                          { "last", nowhere }, { "transplant", transplant } }) }));
+  std::vector<std::string> words = this->Scan();
+  words.push_back("--json");
+  ASSERT_EQ(Made(this->Make("first", words)).size(), 7U);
+  auto files = this->Files("first");
+  const auto corners = CornersOf(files.at("transplant-10.stl"));
+  auto both = CornersOf(files.at("transplant-10-segment-1.stl"));
+  for (const auto& corner : both)
+    ASSERT_TRUE(corner[0] > 59.9F && corner[0] < 90.1F) << corner[0];
+  const auto second = CornersOf(files.at("transplant-10-segment-2.stl"));
+  both.insert(both.end(), second.begin(), second.end());
+  EXPECT_EQ(both, corners);
+  const json part = json::parse(files.at("run.json")).at("parts")[6];
+  for (std::size_t n = 0; n < 2; ++n)
+  {
+    const json& segment = part.at("segments")[n];
+    EXPECT_NEAR(segment.at("length_mm"), 30.0, 1e-9);
+    const std::string name = segment.at("on_donor").at("file");
+    EXPECT_EQ(name, "transplant-10-donor-segment-" + std::to_string(n + 1) + ".stl");
+    for (const auto& corner : CornersOf(files.at(name)))
+    {
+      const double along = corner[2] + 170.0; // the axis leans by 5 mm in 170
+      ASSERT_TRUE(along > double(segment.at("donor_from_mm")) - 1.0 &&
+                  along < double(segment.at("donor_to_mm")) + 1.0 && std::abs(corner[0]) < 20.0);
+    }
+  }
+  const json& joints = part.at("joints");
+  EXPECT_TRUE(joints[0].at("gap_mm").is_null() && joints[2].at("overlap_mm").is_null());
+  EXPECT_LT(joints[1].at("gap_mm").get<double>(), 0.1);
+  EXPECT_LT(joints[1].at("overlap_mm").get<double>(), 0.1);
+  EXPECT_GT(joints[1].at("contact_mm2").get<double>(), 50.0);
+  EXPECT_EQ(Made(this->Make("second", { "--json" })), std::vector<int>{}); // of what was kept
+  EXPECT_EQ(this->Files("second"), files);
 }
 
 } // namespace

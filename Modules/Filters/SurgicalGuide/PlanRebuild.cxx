@@ -128,7 +128,8 @@ struct PlanRebuild::Internals
         std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), guide.recipe.isovalue);
       bone = this->oneBone->View();
     }
-    BuiltGuide built = BuildGuide(bone, guide.recipe, BladesOf(this->plan, guide), progress);
+    BuiltGuide built =
+      BuildGuide(bone, this->Labelled(guide), BladesOf(this->plan, guide), progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
     part.check = { ClaimsOf(built.made.recipe), bone };
@@ -182,12 +183,24 @@ struct PlanRebuild::Internals
     TransplantSegments segments({ donor.grey, donor.View(), 1 }, transplant.donor,
       { this->bones.Isovalue(object.donor), this->bones.SpacingMm(object.donor) }, progress);
     RebuiltPart part;
-    for (const PlacedSegment& placed : segments.Place(transplant))
+    const std::vector<PlacedSegment>& placed = segments.Place(transplant);
+    for (const PlacedSegment& segment : placed)
     {
-      Append(part.mesh, placed.mesh, {});
-      part.segments.push_back({ placed.cut, placed.volumeMm3 });
+      Append(part.mesh, segment.mesh, {});
+      part.segments.push_back({ segment.cut, segment.volumeMm3, segment.mesh.triangles.size() });
     }
+    part.joints = JointsBetween(
+      transplant, placed, this->Jaw(object.first, progress), this->Jaw(object.last, progress));
     return part;
+  }
+
+  /// Where the plan puts it; empty if the face names no fragment.
+  TriangleMesh Jaw(const JawFace& face, const ProgressFunction& progress)
+  {
+    TriangleMesh jaw;
+    if (const PlanFragment* fragment = FindPlanObject<PlanFragment>(this->plan, face.fragment))
+      Append(jaw, this->bones.Mesh(fragment->id, progress), fragment->scanToPlanned);
+    return jaw;
   }
 
   // PartInputs refuses these before.
@@ -195,6 +208,14 @@ struct PlanRebuild::Internals
   RebuiltPart MakeOf(const PlanSegmentation&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanCut&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanMeasure&, const ProgressFunction&) { return {}; }
+
+  /// Which case, side and plan it is.
+  GuideRecipe Labelled(const PlanGuide& guide) const
+  {
+    return HasCaseLabel(guide.recipe)
+             ? WithCaseLabels(guide.recipe, this->plan.caseLabel, guide.side, PlanHash(this->plan))
+             : guide.recipe;
+  }
 
   RebuiltPart MakeObject(PlanId id, const ProgressFunction& progress)
   {

@@ -8,6 +8,7 @@
 #include "Grid/TriangleMesh.h"                 // for TriangleMesh
 #include "Planning/DerivedPart.h"              // for PartInput
 #include "Planning/Plan.h"                     // for Plan
+#include "TransplantBuilder.h"                 // for MadeJoint
 #include "vtkHaspFiltersSurgicalGuideModule.h" // for export macro
 
 #include <map>      // for images
@@ -33,6 +34,7 @@ struct PlanSegment
 {
   DonorSegment cut;
   double volumeMm3 = 0.0;
+  std::size_t triangles = 0; ///< so many of the part's, behind those of the segments before it
 };
 
 /// What a part must hold, and the bone that it lies on as it was made: for CertifyFit
@@ -51,7 +53,10 @@ struct RebuiltPart
   double volumeMm3 = 0.0;
   std::vector<PlanCutMeasure> cuts;  ///< of a fragment that is a piece: all through what it is of
   std::vector<PlanSegment> segments; ///< of a transplant, in the order of its joints
-  std::optional<PartCheck> check;    ///< of guides, plates and implants
+  /// Of a transplant, one more. At the first and last the jaw is the fragment that the plan names
+  /// there; where it names none, no bone is.
+  std::vector<MadeJoint> joints;
+  std::optional<PartCheck> check; ///< of guides, plates and implants
 };
 
 /// Makes parts of a plan. What several need, such as the pieces of a bone, is made once.
@@ -62,6 +67,7 @@ struct RebuiltPart
 ///    one is a piece of
 ///  - a group: its kept fragments where the reduction has them, as one body (UniteFragments)
 ///  - a guide: BuildGuide on the scan, or on one fragment of it, with a slot for each of its cuts
+///    and, on labels of the kind Case, the case label, its side and the PlanHash of this plan
 ///  - a plate: BuildPlate on the scan, or on fragments where the reduction has them
 ///  - an implant: BuildImplant on the scan
 ///  - a transplant: TransplantSegments out of its donor, at TransplantOf

@@ -51,41 +51,16 @@ const TriangleMesh& StumpOf(
 }
 
 /// In the order of the joints: the axes' angle, and that of the wedge between the donor's cuts.
-void SayAngles(const std::vector<DonorSegment>& cuts, std::vector<MadeJoint>& joints)
+void SayAngles(const std::vector<PlacedSegment>& segments, std::vector<MadeJoint>& joints)
 {
   const auto wayOf = [&](std::size_t n)
   { return joints[n + 1].joint.point - joints[n].joint.point; };
-  joints.front().wedgeRadians = cuts.front().startTiltRadians;
-  joints.back().wedgeRadians = cuts.back().endTiltRadians;
+  joints.front().wedgeRadians = segments.front().cut.startTiltRadians;
+  joints.back().wedgeRadians = segments.back().cut.endTiltRadians;
   for (std::size_t n = 1; n + 1 < joints.size(); ++n)
   {
-    joints[n].wedgeRadians = AngleOf(cuts[n - 1].end.normal, cuts[n].start.normal);
+    joints[n].wedgeRadians = AngleOf(segments[n - 1].cut.end.normal, segments[n].cut.start.normal);
     joints[n].bendRadians = AngleOf(wayOf(n - 1), wayOf(n));
-  }
-}
-
-void MeasureJoints(const TransplantRecipe& recipe, MadeTransplant& made)
-{
-  const std::size_t last = made.plan.joints.size() - 1;
-  const double reach = std::min(3.0 * recipe.donor.radiusMm, 100.0);
-  for (std::size_t n = 0; n <= last; ++n)
-  {
-    MadeJoint joint;
-    joint.joint = made.plan.joints[n];
-    const TriangleMesh& before =
-      n > 0 ? made.segments[n - 1].mesh
-            : StumpOf(made.recipient, recipe.resection, 0, -joint.joint.normal);
-    const TriangleMesh& after = n < last ? made.segments[n].mesh
-                                         : StumpOf(made.recipient, recipe.resection,
-                                             recipe.resection.cuts.size() - 1, joint.joint.normal);
-    joint.fit = MeasureJoint(joint.joint, before, after, reach);
-    const double shared = joint.fit.contactMm2 + joint.fit.gapMm2 + joint.fit.overlapMm2;
-    if (shared > 0.0)
-    {
-      joint.gapMm = joint.fit.gapMm3 / shared;
-      joint.overlapMm = joint.fit.overlapMm3 / shared;
-    }
-    made.joints.push_back(joint);
   }
 }
 
@@ -151,6 +126,30 @@ TriangleMesh MovedBack(const PlacedSegment& segment)
 }
 } // namespace
 
+std::vector<MadeJoint> JointsBetween(const Transplant& plan,
+  const std::vector<PlacedSegment>& segments, const TriangleMesh& before, const TriangleMesh& after)
+{
+  const std::size_t last = plan.joints.size() - 1;
+  const double reach = std::min(3.0 * plan.donor.radiusMm, 100.0);
+  std::vector<MadeJoint> joints;
+  for (std::size_t n = 0; n <= last; ++n)
+  {
+    MadeJoint joint;
+    joint.joint = plan.joints[n];
+    joint.fit = MeasureJoint(joint.joint, n > 0 ? segments[n - 1].mesh : before,
+      n < last ? segments[n].mesh : after, reach);
+    const double shared = joint.fit.contactMm2 + joint.fit.gapMm2 + joint.fit.overlapMm2;
+    if (shared > 0.0)
+    {
+      joint.gapMm = joint.fit.gapMm3 / shared;
+      joint.overlapMm = joint.fit.overlapMm3 / shared;
+    }
+    joints.push_back(joint);
+  }
+  SayAngles(segments, joints);
+  return joints;
+}
+
 MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor,
   const TransplantRecipe& given, const ProgressFunction& progress)
 {
@@ -170,8 +169,11 @@ MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor
   made.recipient = CutFragments(recipient, recipe.resection, ShareOf(progress, 0.5, 0.9));
   for (const PlacedSegment& segment : made.segments)
     made.onDonor.push_back(MovedBack(segment));
-  MeasureJoints(recipe, made);
-  SayAngles(cuts, made.joints);
+  const std::vector<TransplantJoint>& joints = made.plan.joints;
+  made.joints = JointsBetween(made.plan, made.segments,
+    StumpOf(made.recipient, recipe.resection, 0, -joints.front().normal),
+    StumpOf(
+      made.recipient, recipe.resection, recipe.resection.cuts.size() - 1, joints.back().normal));
   made.donorCuts = DonorCuts(made.plan, cuts);
   Warn(recipe, made);
   CarrySoftTissue(recipe, made);

@@ -24,6 +24,15 @@ struct MadeJoint
   double gapMm = 0.0, overlapMm = 0.0; ///< in the mean over the face that both bones share
 };
 
+/// Of segments as they were placed.
+///
+/// before, after   the jaw at the first joint and at the last, in the defect; empty if it is not
+///                 known: then all of the segment's face is a step
+/// Throws as MeasureJoint. Any thread. O(triangles).
+VTKHASPFILTERSSURGICALGUIDE_EXPORT std::vector<MadeJoint> JointsBetween(const Transplant& plan,
+  const std::vector<PlacedSegment>& segments, const TriangleMesh& before,
+  const TriangleMesh& after);
+
 struct MadeTransplant
 {
   Transplant plan;                     ///< the joints, with the donor's axis as it was found

@@ -96,6 +96,8 @@ private:
   void ShapeOf(const PlanGuide& object)
   {
     this->Add(object, {});
+    if (HasCaseLabel(object.recipe))
+      this->Found[{ 0, PartFacet::CaseLabel }] = HashOf(this->Of.caseLabel);
     this->Shape(object.bone);
     for (const PlanId cut : object.cuts)
       this->Shape(cut);
@@ -122,6 +124,7 @@ private:
     for (const JawFace& face : { object.first, object.last })
     {
       this->Shape(face.cut);
+      this->Shape(face.fragment); // that the joint's fit is measured to
       this->Place(face.fragment);
     }
   }
@@ -150,6 +153,11 @@ std::string Called(const Plan& plan, PlanId id)
 {
   const char* noun = PlanNoun(plan, id);
   return std::string(noun ? noun : "object") + " " + std::to_string(id);
+}
+
+std::string Called(const Plan& plan, const std::pair<PlanId, PartFacet>& input)
+{
+  return input.second == PartFacet::CaseLabel ? "the case label" : Called(plan, input.first);
 }
 
 /// Whether meshes are made of a kind; a new kind is a line here.
@@ -209,18 +217,19 @@ std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part)
   InputHashes now = Gather(plan, part.object);
   for (const PartInput& input : part.inputs)
   {
-    const auto found = now.find({ input.id, input.facet });
-    const std::string called = Called(plan, input.id);
+    const std::pair key(input.id, input.facet);
+    const auto found = now.find(key);
+    const std::string called = Called(plan, key);
     if (found == now.end())
       return outOfDate + "it is not made from " + called + " any more";
     if (found->second != input.hash)
       return outOfDate + called +
-             (input.facet == PartFacet::Shape ? " has changed"
-                                              : " has been moved, resected or kept");
+             (input.facet == PartFacet::Place ? " has been moved, resected or kept"
+                                              : " has changed");
     now.erase(found);
   }
   if (!now.empty())
-    return outOfDate + "it is now made from " + Called(plan, now.begin()->first.first) + ", too";
+    return outOfDate + "it is now made from " + Called(plan, now.begin()->first) + ", too";
   return {};
 }
 

@@ -12,9 +12,13 @@ namespace hasp
 /// What of an object a part is made from.
 enum class PartFacet
 {
-  Shape, ///< all but names, colours and the reduction
-  Place  ///< a fragment's pose and whether it is resected
+  Shape,    ///< all but names, colours and the reduction
+  Place,    ///< a fragment's pose and whether it is resected
+  CaseLabel ///< the plan's, which is no object: of the id 0
 };
+
+/// As in files: "shape".
+const char* NameOf(PartFacet facet);
 
 struct PartInput
 {
@@ -48,15 +52,19 @@ struct DerivedPart
 };
 
 /// A mesh is made of such an object: a fragment (in the scan), a group (its kept fragments as
-/// planned), a guide, a plate, an implant, a transplant (all its segments in the defect).
+/// planned), a guide, a plate, an implant, a transplant (all its segments in the defect; the jaw's
+/// fragments are among its inputs, since its joints are measured to them).
 bool IsPartObject(const Plan& plan, PlanId object);
 /// All objects whose meshes are parts, by kind and id: those, but for fragments that are cut into
 /// pieces.
 std::vector<PlanId> PartObjects(const Plan& plan);
 
 /// What the mesh of `object` depends on, with the hashes of now: itself, and all that its shape
-/// comes from, in the order of their ids. Needs HASP_ENABLE_JSON and HASP_ENABLE_OPENSSL, as all
-/// below. Throws std::invalid_argument if nothing is made from such an object.
+/// comes from, in the order of their ids; and the case label, if it is written on the part. The
+/// plan's hash, which is written beside it, is none of them: a part tells which plan it was made
+/// of, and stays in date while what it is made from is the same. Needs HASP_ENABLE_JSON and
+/// HASP_ENABLE_OPENSSL, as all below. Throws std::invalid_argument if nothing is made from such an
+/// object.
 std::vector<PartInput> PartInputs(const Plan& plan, PlanId object);
 
 /// Why a part must be made anew before it is exported: "guide 8 is out of date: cut 6 has changed".

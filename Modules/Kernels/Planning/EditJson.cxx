@@ -13,7 +13,7 @@ namespace
 constexpr std::pair<PartFormat, const char*> PartFormats[] = { { PartFormat::Stl, "stl" },
   { PartFormat::ThreeMf, "3mf" }, { PartFormat::Ply, "ply" }, { PartFormat::Obj, "obj" } };
 constexpr std::pair<PartFacet, const char*> PartFacets[] = { { PartFacet::Shape, "shape" },
-  { PartFacet::Place, "place" } };
+  { PartFacet::Place, "place" }, { PartFacet::CaseLabel, "caseLabel" } };
 constexpr const char* EditsSubject = "edits";
 const std::string EditsFormat = "hasp-edits-";
 constexpr std::size_t MostEntries = 100'000'000; // a file's own limit comes first
@@ -105,6 +105,11 @@ PlanStep ReadStep(const Json& json, const std::string& name)
 }
 } // namespace
 
+const char* NameOf(PartFacet facet)
+{
+  return NameOf(facet, PartFacets);
+}
+
 Json EditToJson(const PlanEdit& edit)
 {
   return std::visit(ToEditJson{}, edit);
@@ -193,7 +198,7 @@ Json PartToJson(const DerivedPart& part)
   Json inputs = Json::array();
   for (const PartInput& input : part.inputs)
     inputs.push_back(
-      { { "id", input.id }, { "facet", NameOf(input.facet, PartFacets) }, { "hash", input.hash } });
+      { { "id", input.id }, { "facet", NameOf(input.facet) }, { "hash", input.hash } });
   return { { "object", part.object }, { "format", NameOf(part.format, PartFormats) },
     { "inputs", std::move(inputs) }, { "bytes", part.bytes }, { "report", part.report } };
 }
@@ -211,8 +216,10 @@ DerivedPart PartFromJson(const Json& json, const std::string& name)
   {
     const std::string place = ListKey("inputs", part.inputs.size());
     const StrictJson input = Read(value, Below(name, place), { "id", "facet", "hash" });
-    part.inputs.push_back(
-      { ReadId(input, "id"), input.Named("facet", PartFacets), input.Text("hash") });
+    const PartFacet facet = input.Named("facet", PartFacets);
+    const bool ofPlan = facet == PartFacet::CaseLabel;
+    part.inputs.push_back({ ofPlan ? PlanId(input.Count("id", 0, 0)) : ReadId(input, "id"), facet,
+      input.Text("hash") });
     check.Hash(place + ".hash", part.inputs.back().hash);
   }
   return part;

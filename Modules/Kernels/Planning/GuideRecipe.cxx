@@ -238,6 +238,12 @@ std::string GuideLabelText(const std::string& caseLabel, BodySide side, const st
   return text;
 }
 
+bool HasCaseLabel(const GuideRecipe& recipe)
+{
+  return std::any_of(recipe.labels.begin(), recipe.labels.end(),
+    [](const GuideLabel& label) { return label.kind == GuideLabelKind::Case; });
+}
+
 GuideRecipe WithCaseLabels(
   GuideRecipe recipe, const std::string& caseLabel, BodySide side, const std::string& planHash)
 {

@@ -156,6 +156,9 @@ enum class BodySide
 std::string GuideLabelText(
   const std::string& caseLabel, BodySide side, const std::string& planHash);
 
+/// There is a label of the kind Case.
+bool HasCaseLabel(const GuideRecipe& recipe);
+
 /// The recipe to make a part from: its labels of the kind Case have become that text. Throws
 /// std::invalid_argument, naming the label, if there is one and nothing is known for it to say.
 GuideRecipe WithCaseLabels(

@@ -122,7 +122,8 @@ struct PlanCut
 };
 
 /// A cutting guide, where its bone lies in the scan. The planes of `cuts` become slots besides
-/// those of the recipe, so that a guide follows the cuts it is for.
+/// those of the recipe, so that a guide follows the cuts it is for. Labels of the recipe of the
+/// kind Case say the plan's case label, the side and the plan's hash.
 struct PlanGuide
 {
   PlanId id = 0;
@@ -130,6 +131,7 @@ struct PlanGuide
   PlanId bone = 0; ///< the volume or the fragment that it sits on
   GuideRecipe recipe;
   std::vector<PlanId> cuts; ///< each once
+  BodySide side = BodySide::None;
 
   bool operator==(const PlanGuide&) const noexcept = default;
 };

@@ -18,6 +18,8 @@ namespace
 constexpr std::pair<MeasureKind, const char*> MeasureKinds[] = {
   { MeasureKind::Distance, "distance" }, { MeasureKind::Angle, "angle" }
 };
+constexpr std::pair<BodySide, const char*> BodySides[] = { { BodySide::None, "none" },
+  { BodySide::Left, "left" }, { BodySide::Right, "right" } };
 
 StrictJson Read(const Json& json, const std::string& name, std::initializer_list<const char*> keys)
 {
@@ -212,17 +214,19 @@ void ReadObject(const Json& json, const std::string& name, PlanCut& object)
 Json ObjectToJson(const PlanGuide& object)
 {
   return { { "id", object.id }, { "name", object.name }, { "bone", object.bone },
-    { "recipe", GuideRecipeToJson(object.recipe) }, { "cuts", object.cuts } };
+    { "recipe", GuideRecipeToJson(object.recipe) }, { "cuts", object.cuts },
+    { "side", NameOf(object.side, BodySides) } };
 }
 
 void ReadObject(const Json& json, const std::string& name, PlanGuide& object)
 {
-  const StrictJson read = Read(json, name, { "id", "name", "bone", "recipe", "cuts" });
+  const StrictJson read = Read(json, name, { "id", "name", "bone", "recipe", "cuts", "side" });
   object.id = ReadId(read, "id");
   object.name = read.Text("name");
   object.bone = ReadId(read, "bone");
   object.recipe = ReadRecipe(read, "recipe", GuideRecipeFromJson);
   object.cuts = ReadIds(read, "cuts");
+  object.side = read.Named("side", BodySides);
 }
 
 Json ObjectToJson(const PlanPlate& object)

@@ -50,11 +50,14 @@ void AddListsOf2(Json& plan)
     SetIfMissing(plan, key, Json::array());
 }
 
-/// … says what was a constant: how far a saw reaches, what of a label is bone, how fine a mesh is …
+/// … says which side a guide is for, and what was a constant: how far a saw reaches, what of a
+/// label is bone, how fine a mesh is …
 void MendObjectOf1(const std::string& noun, Json& object)
 {
   if (noun == "cut")
     SetIfMissing(object, "reachMm", 8.0);
+  if (noun == "guide")
+    SetIfMissing(object, "side", "none");
   if (noun != "fragment" || !object.is_object() || !object.contains("source"))
     return;
   Json& source = object["source"];

@@ -30,8 +30,8 @@ Json TransplantToJson(const Transplant& t)
     { "outward", ToJson(t.outward) },
     { "donor", { { "axis", ToJson(t.donor.axis) }, { "lateral", hasp::ToJson(t.donor.lateral) },
                  { "radiusMm", t.donor.radiusMm }, { "keepMm", t.donor.keepMm } } },
-    { "fromLastTip", t.fromLastTip }, { "kerfMm", t.kerfMm }, { "betweenMm", t.betweenMm },
-    { "vessel", ToJson(t.vessel) } };
+    { "fromLastTip", t.fromLastTip }, { "startOffsetMm", t.startOffsetMm }, { "kerfMm", t.kerfMm },
+    { "betweenMm", t.betweenMm }, { "vessel", ToJson(t.vessel) } };
   if (t.paddle)
     json["paddle"] = { { "outline", ToJson(t.paddle->outline) },
       { "perforator", hasp::ToJson(t.paddle->perforator) } };
@@ -41,8 +41,8 @@ Json TransplantToJson(const Transplant& t)
 Transplant TransplantFromJson(const Json& json)
 {
   const StrictJson top(json, Subject, "",
-    { "format", "joints", "outward", "donor", "fromLastTip", "kerfMm", "betweenMm", "vessel",
-      "paddle" });
+    { "format", "joints", "outward", "donor", "fromLastTip", "startOffsetMm", "kerfMm", "betweenMm",
+      "vessel", "paddle" });
   if (top.Text("format") != Format)
     top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   Transplant t;
@@ -58,6 +58,7 @@ Transplant TransplantFromJson(const Json& json)
   t.donor = { donor.Vectors("axis"), donor.Vector("lateral"), donor.Number("radiusMm"),
     donor.Number("keepMm") };
   t.fromLastTip = top.Flag("fromLastTip");
+  t.startOffsetMm = top.Number("startOffsetMm");
   t.kerfMm = top.Number("kerfMm");
   t.betweenMm = top.Number("betweenMm");
   t.vessel = top.Vectors("vessel");

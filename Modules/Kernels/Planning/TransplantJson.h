@@ -10,8 +10,8 @@ namespace hasp
 ///   { "format": "hasp-transplant-1", "joints": [{ "point": [x,y,z], "normal": [x,y,z] }, …],
 ///     "outward": [[x,y,z], …],
 ///     "donor": { "axis": [[x,y,z], …], "lateral": [x,y,z], "radiusMm": 9, "keepMm": 75 },
-///     "fromLastTip": false, "kerfMm": 1, "betweenMm": 1.5, "vessel": [[x,y,z], …],
-///     "paddle": { "outline": [[x,y,z], …], "perforator": [x,y,z] } }
+///     "fromLastTip": false, "startOffsetMm": 0, "kerfMm": 1, "betweenMm": 1.5,
+///     "vessel": [[x,y,z], …], "paddle": { "outline": [[x,y,z], …], "perforator": [x,y,z] } }
 ///
 /// Strict: every key but "paddle" must be there, and no other. What ValidateTransplant refuses both
 /// refuse. Internal.

@@ -115,6 +115,32 @@ TEST(DerivedPart, IsInDateAfterWhatItDoesNotHangOn)
   }
 }
 
+TEST(DerivedPart, AGuideThatNamesTheCaseHangsOnItsLabel)
+{
+  Plan named = Case();
+  PlanGuide guide = named.guides[0];
+  guide.recipe.labels.emplace_back().kind = GuideLabelKind::Case;
+  named = Apply(named, ChangeObject<PlanGuide>{ guide });
+  const std::vector<PartInput> inputs = PartInputs(named, 7);
+  EXPECT_EQ(inputs[0].id, 0U);
+  EXPECT_EQ(inputs[0].facet, PartFacet::CaseLabel);
+  const DerivedPart part{ 7, PartFormat::Stl, inputs, "", "" };
+  const std::string why = "guide 7 is out of date: ";
+  const Plan renamed = Apply(named, SetCaseLabel{ "K-17" });
+  EXPECT_EQ(WhyOutOfDate(renamed, part), why + "the case label has changed");
+  EXPECT_EQ(WhyOutOfDate(Apply(renamed, SetCaseLabel{ "" }), part), "");
+  EXPECT_EQ(WhyOutOfDate(Apply(named, RenameObject{ 6, "x" }), part), ""); // though the hash is new
+  EXPECT_EQ(WhyOutOfDate(Case(), part), why + "it is not made from the case label any more");
+  EXPECT_EQ(Why(7, ChangeObject<PlanGuide>{ guide }), why + "guide 7 has changed");
+  guide.side = BodySide::Left;
+  EXPECT_EQ(WhyOutOfDate(Apply(named, ChangeObject<PlanGuide>{ guide }), part),
+    why + "guide 7 has changed");
+  // Said even if nothing else had changed.
+  DerivedPart nameless = part;
+  nameless.inputs.erase(nameless.inputs.begin());
+  EXPECT_EQ(WhyOutOfDate(named, nameless), why + "it is now made from the case label, too");
+}
+
 TEST(DerivedPart, PlatesHangOnShapesAndPlaces)
 {
   const std::string posed = "plate 11 is out of date: ", scanned = "plate 12 is out of date: ";
@@ -147,7 +173,7 @@ TEST(DerivedPart, TransplantsHangOnTheirFacesAndTheDonor)
   EXPECT_EQ(Why(14, Cut(10, 2.0, {})), why + "cut 10 has changed");
   EXPECT_EQ(Why(14, ChangeObject<PlanSegmentation>{ { 2, "", 1, std::string(64, 'd') } }),
     why + "segmentation 2 has changed");
-  EXPECT_EQ(Why(14, Cut(6, 0.5, { 3 })), ""); // of pieces of the donor: 3 itself is whole
+  EXPECT_EQ(Why(14, Cut(6, 0.5, { 3 })), why + "cut 6 has changed"); // which 5 is a piece by
   const PoseFragments donor{ { { 3, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
   EXPECT_EQ(Why(14, donor), ""); // taken where it lies in its scan
 }

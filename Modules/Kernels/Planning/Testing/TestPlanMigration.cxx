@@ -73,6 +73,8 @@ TEST(PlanMigration, AKeptFileOfVersion1IsRead)
   ASSERT_EQ(plan.cuts.size(), 1U);
   EXPECT_EQ(plan.cuts[0].blade.kerfMm, 1.25);
   EXPECT_EQ(plan.cuts[0].reachMm, 8.0);
+  ASSERT_EQ(plan.guides.size(), 1U);
+  EXPECT_EQ(plan.guides[0].side, hasp::BodySide::None);
   EXPECT_TRUE(plan.plates.empty() && plan.implants.empty() && plan.transplants.empty());
   ASSERT_EQ(document.parts.size(), 1U);
   EXPECT_EQ(document.parts[0].report, "");

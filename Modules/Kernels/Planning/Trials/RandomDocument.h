@@ -15,8 +15,11 @@ inline hasp::PlanDocument RandomDocument(unsigned seed, int steps)
       history.Undo();
   }
   for (int n = random.Below(3); n > 0; --n)
+  {
+    const auto facet = hasp::PartFacet(random.Below(3));
+    const hasp::PlanId of = facet == hasp::PartFacet::CaseLabel ? 0 : 2;
     document.parts.push_back({ 1, hasp::PartFormat(random.Below(4)),
-      { { 2, hasp::PartFacet(random.Below(2)), random.Hash() } }, random.Hash(),
-      random.Below(2) == 0 ? "" : random.Hash() });
+      { { of, facet, random.Hash() } }, random.Hash(), random.Below(2) == 0 ? "" : random.Hash() });
+  }
   return document;
 }

@@ -122,6 +122,9 @@ PlanGuide RandomEdits::MakeGuide(const Plan& plan)
   for (int n = 2 + this->Below(5); n > 0; --n)
     guide.recipe.landmarks.push_back(this->Point());
   guide.recipe.withdrawal = this->Direction();
+  if (this->Below(2) == 0)
+    guide.recipe.labels.emplace_back().kind = GuideLabelKind::Case;
+  guide.side = BodySide(this->Below(3));
   guide.cuts = this->SomeOf(plan.cuts);
   return guide;
 }
@@ -186,7 +189,9 @@ PlanTransplant RandomEdits::MakeTransplant(const Plan& plan)
   t.donor.axis = { { 0, 0, 0 }, { 0, this->Number(-9, 9), 150 }, { 0, 0, 350 } };
   t.donor.radiusMm = this->Number(1, 50);
   t.fromLastTip = this->Below(2) == 0;
+  t.startOffsetMm = this->Number(0, 500);
   t.kerfMm = this->Number(0.1, 5);
+  t.betweenMm = this->Number(0, 100);
   if (this->Below(2) == 0)
     t.vessel = { this->Point(), this->Point() };
   if (this->Below(2) == 0)

@@ -122,16 +122,6 @@ TEST(PlanRebuild, ALabelIsABone)
   EXPECT_NEAR(rebuild.Make(10).volumeMm3, volume, 0.02 * volume); // labels are whole voxels
 }
 
-/// What of a mesh lies over z = 25, points alone.
-TriangleMesh Upper(const TriangleMesh& mesh)
-{
-  TriangleMesh upper;
-  for (const glm::dvec3& p : mesh.points)
-    if (p.z > 25.0)
-      upper.points.push_back(p);
-  return upper;
-}
-
 TEST(PlanRebuild, AGroupIsItsKeptFragmentsAsPlanned)
 {
   const Bar bar;
@@ -140,30 +130,53 @@ TEST(PlanRebuild, AGroupIsItsKeptFragmentsAsPlanned)
   plan = Apply(plan, PoseFragments{ { { 5, { { 0, 0, 50 }, turn } } } });
   PlanRebuild rebuild(plan, bar.Images());
   const RebuiltPart both = rebuild.Make(11), left = rebuild.Make(4), right = rebuild.Make(5);
-  // One body, resampled: UniteFragments' 1 %.
-  const MeshCheck check = CheckMesh(both.mesh);
-  EXPECT_EQ(check.pieces, 2U); // they lie apart
-  EXPECT_EQ(check.borderEdges + check.crowdedEdges + check.turnedEdges + check.pinchedPoints, 0U);
-  EXPECT_NEAR(both.volumeMm3, left.volumeMm3 + right.volumeMm3, 0.01 * both.volumeMm3);
-  // As far in each of its own directions as the fragment is: edges are rounded by 0.8 spacings.
-  const auto farthest = [](const TriangleMesh& mesh, const glm::dvec3& direction)
+  EXPECT_TRUE(CheckMesh(both.mesh).Sound());
+  const double sum = left.volumeMm3 + right.volumeMm3;
+  EXPECT_NEAR(both.volumeMm3, sum, 0.01 * sum); // sampled anew
+  const auto middleOf = [](const TriangleMesh& mesh, bool above)
   {
-    double most = -1e9;
+    glm::dvec3 low(1e9), high(-1e9);
     for (const glm::dvec3& p : mesh.points)
-      most = std::max(most, glm::dot(p, direction));
-    return most;
+      if ((p.z > 25.0) == above)
+      {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    return 0.5 * (low + high);
   };
-  for (const glm::dvec3& direction :
-    { glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1) })
-  {
-    const glm::dvec3 placed = turn * direction; // of what lies 50 mm higher
-    const double lift = glm::dot(glm::dvec3(0, 0, 50), placed);
-    EXPECT_NEAR(farthest(Upper(both.mesh), placed), farthest(right.mesh, direction) + lift, 0.3);
-  }
+  TriangleMesh moved = right.mesh;
+  for (glm::dvec3& p : moved.points)
+    p = glm::dvec3(0, 0, 50) + turn * p;
+  // Edges are rounded by up to 0.8 spacings of 0.5 mm, and the cut's is at one end alone.
+  EXPECT_LT(glm::distance(middleOf(both.mesh, true), middleOf(moved, true)), 0.2);
+  EXPECT_LT(glm::distance(middleOf(both.mesh, false), middleOf(left.mesh, false)), 0.2);
   PlanRebuild resected(Apply(plan, SetFragmentState{ { 5 } }), bar.Images());
   EXPECT_NEAR(resected.Make(11).volumeMm3, left.volumeMm3, 0.01 * left.volumeMm3);
   PlanRebuild none(Apply(plan, SetFragmentState{ { 4, 5 } }), bar.Images());
   EXPECT_EQ(Refusal(none, 11), "group 11: none of its fragments is kept");
+}
+
+TEST(PlanRebuild, AGuideSaysItsCaseSideAndPlan)
+{
+  const Bar bar;
+  Plan plan = Apply(BarPlan(), SetCaseLabel{ "7" });
+  PlanGuide guide{ 13, "", 1, {}, {}, BodySide::Left };
+  guide.recipe.landmarks = { { -18, 0, 6 }, { 18, 0, 6 } };
+  guide.recipe.widthMm = 6;
+  guide.recipe.spacingMm = 0.3;
+  GuideLabel& label = guide.recipe.labels.emplace_back();
+  label.point = { 0, 0, 6 };
+  label.right = { 1, 0, 0 };
+  label.heightMm = 3.6;
+  label.kind = GuideLabelKind::Case;
+  plan = Apply(plan, AddObject<PlanGuide>{ guide });
+  const std::string text = GuideLabelText("7", BodySide::Left, PlanHash(plan));
+  ASSERT_EQ(text.size(), 12U); // "7 L 3FA41B2C"
+  const RebuiltPart made = PlanRebuild(plan, bar.Images()).Make(13);
+  label.kind = GuideLabelKind::Text;
+  label.text = text;
+  plan = Apply(plan, ChangeObject<PlanGuide>{ guide });
+  EXPECT_EQ(PlanRebuild(plan, bar.Images()).Make(13).mesh.points, made.mesh.points);
 }
 
 TEST(PlanRebuild, ATransplantIsRecutWhenTheCutMoves)
@@ -175,6 +188,19 @@ TEST(PlanRebuild, ATransplantIsRecutWhenTheCutMoves)
   ASSERT_EQ(before.segments.size(), 1U);
   EXPECT_NEAR(before.segments[0].cut.lengthMm, 20.5, 1e-9);
   EXPECT_NEAR(before.volumeMm3, Disc * 20.5, 0.02 * Disc * 20.5);
+  EXPECT_EQ(before.segments[0].triangles, before.mesh.triangles.size());
+  ASSERT_EQ(before.joints.size(), 2U);
+  EXPECT_NEAR(before.joints[0].fit.contactMm2, Disc, 0.05 * Disc); // of the same bar
+  const JointFit& bare = before.joints[1].fit;                     // the plan names no jaw
+  EXPECT_EQ(bare.contactMm2 + bare.gapMm2 + bare.overlapMm2, 0.0);
+  EXPECT_NEAR(bare.stepMm2, Disc, 0.05 * Disc);
+  PlanTransplant apart = plan.transplants[0];
+  apart.first.cut = 0;
+  apart.transplant.joints[0].point.x = 0.5; // the jaw's face is at -0.5
+  PlanRebuild loose(Apply(plan, ChangeObject<PlanTransplant>{ apart }), bar.Images());
+  const MadeJoint gap = loose.Make(12).joints[0];
+  EXPECT_NEAR(gap.gapMm, 1.0, 0.1);
+  EXPECT_EQ(gap.overlapMm, 0.0);
   PlanCut cut = plan.cuts[0];
   cut.blade.point.x = 4.0;
   plan = Apply(plan, ChangeObject<PlanCut>{ cut });
