@@ -19,6 +19,7 @@ namespace
 {
 constexpr double StepMm = 0.25;
 constexpr int Rays = 48, RaysOfASection = 36;
+constexpr double Facing = 0.5, FacingStraight = 0.866; // cosines of 60 and 30 degrees
 
 struct Cylinder
 {
@@ -149,20 +150,27 @@ private:
   void Section(double z, const glm::dvec3& center)
   {
     const std::size_t before = this->Wall.size();
+    std::vector<glm::dvec3> straight;
     for (int n = 0; n < Rays; ++n)
     {
       const double angle = n * glm::two_pi<double>() / Rays;
       const glm::dvec3 out = std::cos(angle) * this->X + std::sin(angle) * this->Y;
       const auto hit = this->Tree.First(center, out, 0.0, this->Reach);
-      if (hit && glm::dot(hit->normal, out) < -0.5)
-        this->Wall.emplace_back(hit->t * std::cos(angle), hit->t * std::sin(angle), z);
+      if (!hit || glm::dot(hit->normal, out) >= -Facing)
+        continue;
+      this->Wall.emplace_back(hit->t * std::cos(angle), hit->t * std::sin(angle), z);
+      if (glm::dot(hit->normal, out) < -FacingStraight)
+        straight.push_back(this->Wall.back());
     }
     const std::size_t met = this->Wall.size() - before;
     this->Fit.touchedShare = std::max(this->Fit.touchedShare, double(met) / Rays);
-    if (met >= RaysOfASection)
-      ++this->Fit.sections;
-    else
+    if (met < RaysOfASection)
+    {
       this->Wall.resize(before);
+      return;
+    }
+    ++this->Fit.sections;
+    this->Bore.insert(this->Bore.end(), straight.begin(), straight.end());
   }
 
   void Take()
@@ -172,14 +180,18 @@ private:
     const double middle = 0.5 * (first->z + last->z), height = last->z - first->z;
     for (glm::dvec3& p : this->Wall)
       p.z -= middle;
-    const Cylinder c = FitCylinder(this->Wall, height >= 0.5 * this->Hole.diameterMm);
+    for (glm::dvec3& p : this->Bore)
+      p.z -= middle;
+    // A mouth is around the axis, too, where the part's side is oblique; it turns no drill.
+    const std::vector<glm::dvec3>& guiding =
+      this->Bore.size() >= std::size_t(RaysOfASection) ? this->Bore : this->Wall;
+    const Cylinder c = FitCylinder(guiding, height >= 0.5 * this->Hole.diameterMm);
     std::vector<double> off;
     std::vector<glm::dvec2> around;
     for (const glm::dvec3& p : this->Wall)
-    {
       around.push_back(c.Off(p));
-      off.push_back(std::abs(glm::length(around.back()) - c.radius));
-    }
+    for (const glm::dvec3& p : guiding)
+      off.push_back(std::abs(glm::length(c.Off(p)) - c.radius));
     const auto nth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 95 / 100);
     std::nth_element(off.begin(), nth, off.end());
     this->Fit.guideMm = double(this->Fit.sections) * StepMm;
@@ -195,7 +207,8 @@ private:
   const ClaimedHole& Hole;
   glm::dvec3 Axis, X, Y;
   double Reach;
-  std::vector<glm::dvec3> Wall;
+  std::vector<glm::dvec3> Wall; // all that a pin meets
+  std::vector<glm::dvec3> Bore; // of that, what faces the axis straight
   HoleFit Fit;
 };
 } // namespace

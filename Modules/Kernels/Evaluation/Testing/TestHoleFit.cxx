@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -66,6 +67,21 @@ TEST(HoleFit, APinGoesBesideABurrAndNotBetweenTwo)
     const auto fit = hasp::FitHole(hasp::TriangleTree(motion(tube)), Claim(motion, 2.0));
     EXPECT_NEAR(fit.leastMm, 2.0 - 0.2 * flats, 5e-3) << flats;
   }
+}
+
+TEST(HoleFit, AnObliqueMouthTurnsNoAxis)
+{
+  // A bore of 2 mm that ends in a side at 45 degrees, around most of it.
+  hasp::TriangleMesh tube = parttest::Tube(1.0, 3.0, 4.0, Sides);
+  for (glm::dvec3& p : tube.points)
+    if (glm::length(glm::dvec2(p)) > 2.0 && p.z < 0.0 && std::abs(std::atan2(p.y, p.x)) < 2.45)
+      p.z -= 2.0;
+  const auto motion = parttest::AnyMotion(6);
+  const auto fit = hasp::FitHole(hasp::TriangleTree(motion(tube)), Claim(motion, 2.0));
+  EXPECT_NEAR(fit.diameterMm, 2.0, 2e-3);
+  EXPECT_GT(fit.leastMm, 1.99);
+  EXPECT_LT(fit.tiltDegrees, 0.02);
+  EXPECT_LT(fit.offsetMm, 1e-3);
 }
 
 TEST(HoleFit, AHeadsRoomIsNoPartOfItsBore)
