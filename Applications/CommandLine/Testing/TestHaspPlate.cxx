@@ -115,7 +115,7 @@ TEST_F(HaspPlate, APlateIsHeldToItsRecipe)
   json recipe = Recipe();
   recipe["screws"][0]["diameterMm"] = 2.9;
   this->WriteText("plate.json", recipe.dump());
-  ExpectFailure(this->Certify(), 3, "screws[0] has a diameter of 2.4");
+  ExpectFailure(this->Certify(), 3, "mm, must have 2.90 within 0.10");
 }
 #endif
 
