@@ -26,7 +26,8 @@ protected:
   {
     const std::string plan = this->Path("case.hasp/plan.json"), hash = this->Keep(report.dump());
     std::string text = ReadBytes(plan);
-    for (const json& part : json::parse(text).at("parts"))
+    const json document = json::parse(text);
+    for (const json& part : document.at("parts"))
       if (part.at("object") == object)
       {
         const std::string old = part.at("report");
