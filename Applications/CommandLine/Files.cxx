@@ -115,7 +115,7 @@ void RequireWritableFolder(const std::string& path)
   const auto refuse = [](const std::string& reason)
   {
     throw Failure(
-      ExitCode::WrongUse, "cannot write the folder of slices: " + reason + "; nothing was written");
+      ExitCode::WrongUse, "cannot write the folder: " + reason + "; nothing was written");
   };
   std::error_code error;
   const fs::path parent = FolderOf(place.string());

@@ -33,7 +33,9 @@ void ReadScan(const Plan& plan, const std::string& file, std::size_t number,
       missing.erase(volume.id);
       used = true;
     }
-  if (!used)
+  if (used)
+    SayWarnings(read.passport, session);
+  else
     SayWarning(session, "--volume number " + std::to_string(number) +
                           " is none that the plan still needs; it is not used");
 }

@@ -1,9 +1,10 @@
 #include "RunParts.h"
 
-#include "CertificateText.h"
 #include "Failure.h"
 #include "PartCertificate.h"
+#include "PartReport.h"
 #include "PlanInput.h"
+#include "RunCertificate.h"
 #include "Session.h"
 #include "TransplantText.h"
 #include "Version.h"
@@ -20,6 +21,7 @@
 #include <chrono>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace hasp
@@ -34,8 +36,7 @@ std::string ReadWholeFile(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file)
+  if (!(bytes << file.rdbuf()))
     throw Failure(ExitCode::WrongUse, "a part cannot be read back as it was written");
   return bytes.str();
 }
@@ -82,18 +83,6 @@ PartLabel LabelOf(const Plan& plan, PlanId object, const std::vector<PartInput>&
 {
   const std::string noun = PlanNoun(plan, object), name = noun + " " + std::to_string(object);
   return { .name = IsPartName(name) ? name : noun, .hash = HashOfInputs(inputs) };
-}
-
-/// Certifies a file as it was written; its words are in the report.
-PartVerdict Certify(const RebuiltPart& part, const std::string& stl, Json& report, Session& session)
-{
-  const FitCertificate certificate =
-    MeasurePart(ReadBack(stl, session), part.check->bone, part.check->claims, session);
-  report["verdict"] = certificate.Holds() ? "green" : "red";
-  for (const FitFault& fault : certificate.faults)
-    report["faults"].push_back(fault.text);
-  report["certificate"] = CertificateJson(certificate);
-  return certificate.Holds() ? PartVerdict::Holds : PartVerdict::DoesNotHold;
 }
 
 /// Some of a mesh's triangles, from the first.
@@ -153,11 +142,11 @@ void WriteSegments(const Plan& plan, PlanId object, const TriangleMesh& mesh, Js
 
 std::string NameOfPart(const Plan& plan, PlanId object, const std::string& more)
 {
-  return std::string(PlanNoun(plan, object)) + "-" + std::to_string(object) + more + ".stl";
+  return StemOfPart(plan, object) + more + ".stl";
 }
 
 PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
-  const std::filesystem::path& folder, Session& session)
+  const std::filesystem::path& folder, const PartPages& pages, Session& session)
 {
   const std::string called = CalledObject(plan, object);
   session.progress.Step("making " + called);
@@ -189,9 +178,17 @@ PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
   }
   report["verdict"] = "not certified";
   report["faults"] = Json::array();
+  std::optional<CertifiedPart> certified;
   WriteSurface(MakePolyData(part.mesh), stl, LabelOf(plan, object, part.inputs),
     [&](const std::string& file)
-    { return part.check ? Certify(part, file, report, session) : PartVerdict::Holds; });
+    {
+      if (!part.check)
+        return PartVerdict::Holds;
+      certified = CertifyFile(*part.check, file, report, session);
+      return certified->certificate.Holds() ? PartVerdict::Holds : PartVerdict::DoesNotHold;
+    });
+  if (certified)
+    WritePartPage(*part.check, *certified, stl, StemOfPart(plan, object), pages, session);
   report["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
   report["intended_use"] = "research use only, not a medical device";
   return { object, std::move(part.inputs), ReadWholeFile(stl), report.dump(2) + "\n", true };
@@ -199,10 +196,11 @@ PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
 
 std::vector<std::string> FaultsOf(const Plan& plan, const PartFile& part)
 {
-  std::vector<std::string> faults;
-  const Json report = Json::parse(part.report);
-  for (const Json& fault : report.at("faults"))
-    faults.push_back(CalledObject(plan, part.object) + ": " + fault.get<std::string>());
+  std::vector<std::string> faults = ReadPartReport(part.report).faults;
+  if (part.made) // these words are ours, too, and say more
+    faults = Json::parse(part.report).at("faults").get<std::vector<std::string>>();
+  for (std::string& fault : faults)
+    fault = CalledObject(plan, part.object) + ": " + fault;
   return faults;
 }
 
@@ -233,7 +231,12 @@ std::string WriteParts(const Plan& plan, const std::vector<PartFile>& parts,
     for (const PartInput& input : part.inputs)
       json["inputs"].push_back(
         { { "id", input.id }, { "facet", NameOf(input.facet) }, { "hash", input.hash } });
-    json.update(Json::parse(part.report));
+    AddReport(part.report, json);
+    if (const std::string recipe = RecipeOfReport(part.report); !recipe.empty())
+    {
+      json["recipe"] = StemOfPart(plan, part.object) + ".json";
+      WriteBytes(recipe, (folder / json["recipe"].get<std::string>()).string());
+    }
     if (FindPlanObject<PlanTransplant>(plan, part.object))
       WriteSegments(plan, part.object, ReadBack(file, session), json,
         LabelOf(plan, part.object, part.inputs), folder);

@@ -1,17 +1,17 @@
 #include "Failure.h"
 #include "Files.h"
+#include "PartReport.h"
 #include "PlanInput.h"
+#include "PlanText.h"
 #include "Session.h"
 #include "Verbs.h"
 #include "vtkHaspFileNames.h"
 
 #include "Planning/PlanEditsFile.h"
-#include "Planning/PlanLists.h"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 namespace hasp
@@ -22,89 +22,11 @@ using Json = nlohmann::ordered_json;
 
 struct PlanOptions
 {
-  std::string plan, caseLabel, edits, blob, output;
+  std::string plan, caseLabel, edits, blob, output, recipe;
   PlanId part = 0;
-  bool begin = false, undo = false, redo = false, show = false, check = false, force = false;
+  bool begin = false, undo = false, redo = false, show = false, check = false, force = false,
+       prune = false;
 };
-
-void Say(Session& session, const std::string& line)
-{
-  if (!session.json)
-    std::cout << line << "\n";
-}
-
-/// Names are the user's own words: they are shown to whoever asks for them, and to no one else.
-Json DescribeObjects(const Plan& plan, bool names)
-{
-  Json objects = Json::array();
-  ForEachPlanList(
-    [&](const auto& list)
-    {
-      for (const auto& object : plan.*list.objects)
-      {
-        objects.push_back({ { "kind", list.noun }, { "id", object.id } });
-        if (names)
-          objects.back()["name"] = object.name;
-      }
-    });
-  return objects;
-}
-
-Json DescribeParts(const PlanDocument& document)
-{
-  const Plan& plan = document.history.Current();
-  Json parts = Json::array();
-  for (const PlanId object : PartObjects(plan))
-  {
-    const std::string why = WhyNoPart(plan, document.parts, object);
-    parts.push_back(
-      { { "object", object }, { "kind", PlanNoun(plan, object) }, { "in_date", why.empty() } });
-    if (!why.empty())
-      parts.back()["why"] = why;
-  }
-  return parts;
-}
-
-/// What a step does, in our words: its own label may be anybody's.
-std::string TextOf(const Plan& before, const std::vector<PlanEdit>& edits)
-{
-  return edits.empty()
-           ? "Nothing"
-           : Label(before, edits[0]) +
-               (edits.size() > 1 ? " and " + std::to_string(edits.size() - 1) + " more" : "");
-}
-
-/// Of the step that undo takes back, or that redo makes again; empty if there is none.
-std::string NextStep(PlanHistory history, bool undo)
-{
-  if (undo)
-    history.Undo(); // to the plan that the step was for; then it is the next to redo
-  return history.ToRedo() ? TextOf(history.Current(), history.ToRedo()->edits) : "";
-}
-
-void Show(const PlanDocument& document, Session& session)
-{
-  const Plan& plan = document.history.Current();
-  Json& result = session.result;
-  result["hash"] = PlanHash(plan);
-  result["next_id"] = document.history.NewId();
-  result["objects"] = DescribeObjects(plan, session.showNames);
-  result["parts"] = DescribeParts(document);
-  const std::string undo = document.history.ToUndo() ? NextStep(document.history, true) : "",
-                    redo = NextStep(document.history, false);
-  result["undo"] = undo.empty() ? Json(nullptr) : Json(undo);
-  result["redo"] = redo.empty() ? Json(nullptr) : Json(redo);
-  for (const Json& object : result["objects"])
-    Say(session, object["kind"].get<std::string>() + " " + object["id"].dump() +
-                   (session.showNames ? "  " + object["name"].get<std::string>() : ""));
-  for (const Json& part : result["parts"])
-    Say(session, part["in_date"].get<bool>()
-                   ? CalledObject(plan, part["object"].get<PlanId>()) + " is in date"
-                   : part["why"].get<std::string>());
-  Say(session, "the next object is " + std::to_string(document.history.NewId()) +
-                 (undo.empty() ? "" : "; to undo: " + undo) +
-                 (redo.empty() ? "" : "; to redo: " + redo));
-}
 
 void Begin(const PlanOptions& options)
 {
@@ -152,8 +74,35 @@ void Check(const std::string& folder, Session& session)
   session.result["faults"] = faults;
   session.resultStands = true;
   if (!faults.empty())
-    throw FailedCheck("the plan is damaged", faults);
+    throw FailedCheck(
+      "the plan is damaged; if it is only in what was made, --prune mends it", faults);
   Say(session, "every byte of the plan is as it was written");
+}
+
+/// Forgets what was made and cannot be used now, and deletes what nothing names any more.
+void Prune(PlanDocument& document, const std::string& folder, Session& session)
+{
+  const std::size_t before = document.parts.size();
+  std::erase_if(document.parts,
+    [&](const DerivedPart& part)
+    {
+      try
+      {
+        ReadBlob(folder, part.bytes);
+        if (!part.report.empty())
+          ReadBlob(folder, part.report);
+        return !WhyOutOfDate(document.history.Current(), part).empty();
+      }
+      catch (const std::runtime_error&)
+      {
+        return true; // damaged or missing
+      }
+    });
+  StorePlan(folder, document);
+  TryPlan(ExitCode::WrongUse, [&] { RemoveUnusedBlobs(folder, document); });
+  const std::size_t gone = before - document.parts.size();
+  session.result["pruned"] = gone;
+  Say(session, std::to_string(gone) + " parts that were out of date or damaged are forgotten");
 }
 
 void Export(const PlanOptions& options, const PlanDocument& document, Session& session)
@@ -161,10 +110,13 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
   if (options.output.empty())
     throw Failure(ExitCode::WrongUse, "--export needs --output: where the part is to go");
   RequireWritable(options.output, { ".stl" });
+  if (!options.recipe.empty())
+    RequireWritable(options.recipe, { ".json" });
   const Plan& plan = document.history.Current();
+  const std::string called = CalledObject(plan, options.part);
   if (!IsPartObject(plan, options.part))
-    throw Failure(ExitCode::WrongUse,
-      CalledObject(plan, options.part) + ": nothing is made of it; hasp plan --show lists what is");
+    throw Failure(
+      ExitCode::WrongUse, called + ": nothing is made of it; hasp plan --show lists what is");
   const DerivedPart* part = PartInDate(plan, document.parts, options.part);
   if (!part)
     throw Failure(
@@ -172,48 +124,76 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
   const std::string folder = PlanFolder(options.plan);
   const auto blob = [&](const std::string& hash)
   { return TryPlan(ExitCode::BadInput, [&] { return ReadBlob(folder, hash); }); };
-  if (!part->report.empty() && !options.force)
+  const std::string text = part->report.empty() ? "" : blob(part->report);
+  if (!text.empty() && !options.force)
+    if (const PartReport report = TryPlan(ExitCode::BadInput, [&] { return ReadPartReport(text); });
+        report.verdict == "red")
+      throw FailedCheck(called + " does not hold; --force exports it", report.faults);
+  if (!options.recipe.empty())
   {
-    const Json report = Json::parse(blob(part->report));
-    if (report.at("verdict") == "red")
-      throw FailedCheck(CalledObject(plan, options.part) + " does not hold; --force exports it",
-        report.at("faults").get<std::vector<std::string>>());
+    const std::string recipe =
+      text.empty() ? "" : TryPlan(ExitCode::BadInput, [&] { return RecipeOfReport(text); });
+    if (recipe.empty())
+      throw Failure(ExitCode::WrongUse, called +
+                                          ": it has no recipe that a scan alone could be held "
+                                          "to; leave --recipe out");
+    WriteFile(options.recipe, recipe);
   }
   WriteFile(options.output, blob(part->bytes));
   session.result["output"] = FileLabel(options.output);
 }
 
-void Run(const PlanOptions& options, Session& session)
+void RequireOneTask(const PlanOptions& options)
 {
-  const bool blob = !options.blob.empty(), edits = !options.edits.empty(),
-             exports = options.part != 0;
-  if (options.begin + edits + options.undo + options.redo + options.check + exports + blob > 1)
+  if (options.begin + options.undo + options.redo + options.check + options.prune +
+        !options.edits.empty() + (options.part != 0) + !options.blob.empty() >
+      1)
     throw Failure(ExitCode::WrongUse,
-      "one at a time: --new, --apply, --undo, --redo, --check, --export or --blob");
+      "one at a time: --new, --apply, --undo, --redo, --check, --prune, --export or --blob");
   if (!options.caseLabel.empty() && !options.begin)
     throw Failure(ExitCode::WrongUse, "--case goes with --new; later it is an edit: caseLabel");
-  if (options.begin)
-    return Begin(options);
-  if (options.check)
-    return Check(options.plan, session);
-  PlanDocument document = OpenPlan(options.plan);
-  if (exports)
-    return Export(options, document, session);
-  if ((blob || edits || options.undo || options.redo) && !IsPlanFolder(options.plan))
+  if (!options.recipe.empty() && options.part == 0)
+    throw Failure(ExitCode::WrongUse, "--recipe goes with --export: where the recipe is to go");
+}
+
+/// Whoever changes the plan meanwhile waits, and what he did before is not lost.
+void Change(const PlanOptions& options, Session& session)
+{
+  RequireInput(options.plan);
+  if (!IsPlanFolder(options.plan))
     throw Failure(ExitCode::WrongUse, "plan.json alone is only read; give the plan's folder");
-  if (blob)
+  const PlanLock lock = TryPlan(ExitCode::WrongUse, [&] { return PlanLock(options.plan); });
+  PlanDocument document = OpenPlan(options.plan);
+  if (!options.blob.empty())
   {
     session.result["blob"] =
       TryPlan(ExitCode::WrongUse, [&] { return WriteBlob(options.plan, ReadText(options.blob)); });
     return Say(session, session.result["blob"]);
   }
-  if (edits)
+  if (options.prune)
+    return Prune(document, options.plan, session);
+  if (!options.edits.empty())
     ApplyEdits(document, options.edits, session);
-  if (options.undo || options.redo)
+  else
     UndoOrRedo(document, options.undo, session);
-  if (edits || options.undo || options.redo)
-    StorePlan(options.plan, document);
-  Show(document, session);
+  StorePlan(options.plan, document);
+  ShowPlan(document, options.plan, session);
+}
+
+void Run(const PlanOptions& options, Session& session)
+{
+  RequireOneTask(options);
+  if (options.begin)
+    return Begin(options);
+  if (options.check)
+    return Check(options.plan, session);
+  if (!options.blob.empty() || !options.edits.empty() || options.undo || options.redo ||
+      options.prune)
+    return Change(options, session);
+  const PlanDocument document = OpenPlan(options.plan);
+  if (options.part != 0)
+    return Export(options, document, session);
+  ShowPlan(document, PlanFolder(options.plan), session);
 }
 
 } // namespace
@@ -231,9 +211,13 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_flag("--redo", options->redo, "Make the step again that was taken back last");
   verb->add_flag("--show", options->show, "List objects and parts, as is done without an option");
   verb->add_flag("--check", options->check, "Read every byte and say what is damaged");
+  verb->add_flag("--prune", options->prune,
+    "Forget parts that are out of date or damaged, and delete what nothing names");
   verb->add_option("--export", options->part, "The id of an object whose part is to be written")
     ->check(CLI::Range(PlanId(1), MaxPlanId));
   verb->add_option("--output", options->output, "With --export: the .stl file");
+  verb->add_option("--recipe", options->recipe,
+    "With --export: a .json file for the part's recipe, to hold it to with hasp certify");
   verb->add_flag("--force", options->force, "With --export: even a part that does not hold");
   verb->add_option("--blob", options->blob,
     "A label map, .nrrd, to keep in the plan; prints its hash, for a segmentation's \"labels\"");

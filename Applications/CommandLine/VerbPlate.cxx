@@ -76,7 +76,9 @@ void Run(const PlateOptions& options, Session& session)
   {
     VolumeChoices choices;
     choices.input = options.labels;
-    filter->SetInputData(1, ReadVolume(choices, session).image);
+    const LoadedVolume labels = ReadVolume(choices, session);
+    SayWarnings(labels.passport, session);
+    filter->SetInputData(1, labels.image);
   }
   const vtkSmartPointer<vtkPolyData> plate = RunPartFilter(filter, "plate", session);
   const std::vector<ScrewAxis> screws = ScrewsOf(plate);

@@ -1,9 +1,13 @@
 #include "Failure.h"
 #include "Files.h"
+#include "KeptParts.h"
+#include "PartReport.h"
 #include "PlanInput.h"
+#include "RunCertificate.h"
 #include "RunImages.h"
 #include "RunParts.h"
 #include "Session.h"
+#include "VerbWork.h"
 #include "Verbs.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspOutputFile.h"
@@ -12,6 +16,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -26,7 +31,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions
 {
-  std::string plan, output;
+  std::string plan, output, html;
   std::vector<std::string> volumes;
   bool rebuild = false, force = false;
   int threads = 0;
@@ -40,7 +45,11 @@ public:
     : Options(options),
       Shared(session),
       Document(OpenPlan(options.plan)),
-      Now(Document.history.Current())
+      Now(Document.history.Current()),
+      Pages{ options.html,
+        options.force ? "It was forced: the part is kept although it does not hold, and its file "
+                        "says so."
+                      : "The part was not kept." }
   {
   }
 
@@ -54,10 +63,11 @@ public:
       this->Images = ReadRunImages(this->Now, this->NeededImages(), this->Options.volumes,
         PlanFolder(this->Options.plan), folder, this->Shared);
       this->MakeMissing(folder);
-      this->RefuseRed();
+      this->FindFaults();
+      this->KeepGood();
+      this->RefuseFailed();
       const std::string run = WriteParts(this->Now, this->Parts, folder, this->Shared);
       WriteBytes(run, (folder / "run.json").string());
-      this->Keep(); // last: the folder is put in place if this is done
     };
     TryPlan(ExitCode::WrongUse,
       [&] { WriteInspected(this->Options.output, write, [](const std::string&) {}); });
@@ -68,28 +78,10 @@ private:
   /// Parts that are in date; what else there is to make has no bytes yet.
   void TakeFromPlan()
   {
-    const std::string folder = PlanFolder(this->Options.plan);
+    const KeptParts kept{ this->Document, PlanFolder(this->Options.plan), this->Options.rebuild,
+      !this->Options.html.empty() };
     for (const PlanId object : PartObjects(this->Now))
-    {
-      PartFile file{ object, PartInputs(this->Now, object), {}, {}, true };
-      const DerivedPart* part = PartInDate(this->Now, this->Document.parts, object);
-      if (part && !part->report.empty() && !this->Options.rebuild)
-        try
-        {
-          file.stl = ReadBlob(folder, part->bytes);
-          file.report = ReadBlob(folder, part->report);
-          file.made = false;
-        }
-        catch (const std::exception& error)
-        {
-          SayWarning(
-            this->Shared, CalledObject(this->Now, object) + " is made anew: " + SafeText(error));
-        }
-      if (!file.made)
-        this->Shared.resources.push_back(
-          { CalledObject(this->Now, object), 0, 0.0, "in date: it was not made again" });
-      this->Parts.push_back(std::move(file));
-    }
+      this->Parts.push_back(TakePart(kept, object, this->Shared));
     if (this->Parts.empty())
       throw Failure(ExitCode::BadInput, "the plan: nothing is made of it: it has no fragment, "
                                         "guide or other object that parts are made of");
@@ -105,38 +97,73 @@ private:
     return needed;
   }
 
+  /// What cannot be made is no reason not to make the others.
   void MakeMissing(const fs::path& folder)
   {
+    if (!this->Pages.folder.empty())
+      fs::create_directory(this->Pages.folder);
     PlanRebuild rebuild(this->Now, this->Images.images);
     for (PartFile& part : this->Parts)
       if (part.made)
-        part = MakePart(rebuild, this->Now, part.object, folder, this->Shared);
+        try
+        {
+          part = MakePart(rebuild, this->Now, part.object, folder, this->Pages, this->Shared);
+        }
+        catch (const Failure& failure)
+        {
+          this->Fail(part, failure.code, failure.what());
+        }
   }
 
-  void RefuseRed()
+  void FindFaults()
   {
-    std::vector<std::string> faults;
     for (const PartFile& part : this->Parts)
+    {
+      if (this->Failed.contains(part.object))
+        continue;
       for (const std::string& fault : FaultsOf(this->Now, part))
-        faults.push_back(fault);
-    if (faults.empty())
-      return;
-    if (!this->Options.force)
-      throw FailedCheck("parts do not hold, nothing was kept (--force keeps them)", faults);
-    for (const std::string& fault : faults)
-      SayWarning(this->Shared, fault + "; it is kept, and its file says so (--force)");
+        if (this->Options.force)
+          SayWarning(this->Shared, fault + "; it is kept, and its file says so (--force)");
+        else
+          this->Fail(part, ExitCode::FailedCheck, fault);
+      for (const std::string& warning :
+        WarningsOf(ReadPartReport(part.report), CalledObject(this->Now, part.object)))
+        SayWarning(this->Shared, warning);
+    }
   }
 
-  void Keep()
+  void Fail(const PartFile& part, ExitCode code, const std::string& why)
   {
-    if (!IsPlanFolder(this->Options.plan))
-      return;
+    this->Failed.insert(part.object);
+    const std::string called = CalledObject(this->Now, part.object) + ": ";
+    this->Faults.push_back(why.starts_with(called) ? why : called + why);
+    this->Code = std::min(this->Code, code); // what is not there is worse than what does not hold
+  }
+
+  /// Whatever the others are.
+  void KeepGood() const
+  {
+    std::vector<PartFile> good;
     for (const PartFile& part : this->Parts)
-      if (part.made)
-        KeepPart(this->Document.parts,
-          { part.object, PartFormat::Stl, part.inputs, WriteBlob(this->Options.plan, part.stl),
-            WriteBlob(this->Options.plan, part.report) });
-    StorePlan(this->Options.plan, this->Document);
+      if (part.made && !this->Failed.contains(part.object))
+        good.push_back(part);
+    if (IsPlanFolder(this->Options.plan))
+      KeepInPlan(this->Options.plan, good);
+  }
+
+  void RefuseFailed() const
+  {
+    if (this->Faults.empty())
+      return;
+    std::string text = "no folder was written: of " + std::to_string(this->Parts.size()) +
+                       " parts " + std::to_string(this->Failed.size()) +
+                       (this->Code == ExitCode::FailedCheck ? " do not hold (--force keeps them)"
+                                                            : " cannot be made or do not hold");
+    if (this->Failed.size() < this->Parts.size() && IsPlanFolder(this->Options.plan))
+      text += "; the plan keeps the others, which are not made again";
+    for (const std::string& fault : this->Faults)
+      text += "\n  " + fault;
+    throw Failure(this->Code, text);
   }
 
   void SayParts()
@@ -144,14 +171,14 @@ private:
     nlohmann::ordered_json& list = this->Shared.result["parts"] = nlohmann::ordered_json::array();
     for (const PartFile& part : this->Parts)
     {
-      const auto report = nlohmann::ordered_json::parse(part.report);
+      const PartReport report = ReadPartReport(part.report);
+      const std::string called = CalledObject(this->Now, part.object);
       list.push_back({ { "object", part.object }, { "made", part.made },
-        { "file", NameOfPart(this->Now, part.object) }, { "volume_mm3", report.at("volume_mm3") },
-        { "verdict", report.at("verdict") } });
+        { "file", NameOfPart(this->Now, part.object) }, { "volume_mm3", report.volumeMm3 },
+        { "verdict", report.verdict } });
       if (!this->Shared.json)
-        std::cout << CalledObject(this->Now, part.object)
-                  << (part.made ? "  made, " : "  in date, ") << report.at("volume_mm3").dump()
-                  << " mm3, " << report.at("verdict").get<std::string>() << "\n";
+        std::cout << called << (part.made ? "  made, " : "  in date, ")
+                  << Line("%.1f mm3, ", report.volumeMm3) << report.verdict << "\n";
     }
     this->Shared.result["output"] = FileLabel(this->Options.output);
   }
@@ -162,11 +189,20 @@ private:
   const Plan& Now;
   std::vector<PartFile> Parts;
   RunImages Images;
+  PartPages Pages;
+  std::set<PlanId> Failed;
+  std::vector<std::string> Faults; ///< of all of them
+  ExitCode Code = ExitCode::FailedCheck;
 };
 
 void Run(const RunOptions& options, Session& session)
 {
   RequireWritableFolder(options.output);
+  if (!options.html.empty())
+  {
+    RequireWritableFolder(options.html);
+    RequireDifferent(options.html, options.output, "--html and --output");
+  }
   WithThreadLimit(options.threads, [&] { PlanRun(options, session).Run(); });
 }
 
@@ -184,6 +220,9 @@ void AddRunVerb(CLI::App& app, Session& session)
     ->required();
   verb->add_flag("--rebuild", options->rebuild, "Make parts that are in date, too");
   verb->add_flag("--force", options->force, "Keep parts that do not hold; their files say so");
+  verb->add_option("--html", options->html,
+    "A folder, likewise, for the certificates with pictures, KIND-ID.html, whether parts hold or "
+    "not");
   verb
     ->add_option(
       "--threads", options->threads, "At most so many; the bytes are the same; 0: one a core")
@@ -192,8 +231,12 @@ void AddRunVerb(CLI::App& app, Session& session)
   verb->footer(
     "Example: hasp run case.hasp --volume head.mha --output parts\n"
     "Writes KIND-ID.stl, fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
-    "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, and run.json.\n"
-    "The plan keeps what was made, and what is in date is not made again.\n"
+    "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, the\n"
+    "recipes of certified parts as KIND-ID.json, for hasp certify, and run.json. The plan keeps "
+    "what\n"
+    "was made, and what is in date is not made again; only with --html what is certified is.\n"
+    "If a part cannot be made or does not hold, no folder is written, but the plan keeps the "
+    "others.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 a part does not hold.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 
@@ -47,6 +48,12 @@ template <typename Read>
 auto Reading(const VolumeChoices& choices, Session& session, const Read& read)
 {
   RequireInput(choices.input);
+  std::error_code error;
+  if (std::filesystem::is_regular_file(std::filesystem::path(choices.input) / "plan.json", error))
+    throw Failure(
+      ExitCode::BadInput, FileLabel(choices.input) +
+                            ": it is a plan, all that is decided on a case, and no volume: hasp "
+                            "plan says what is in it, hasp run makes what it is for");
   session.progress.Step("reading " + FileLabel(choices.input));
   const ProgressFunction progress = [&session](double share)
   {

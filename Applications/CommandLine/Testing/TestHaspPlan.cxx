@@ -141,6 +141,8 @@ TEST_F(HaspPlan, ThePhantomsEditsAreForThatPhantom)
   EXPECT_EQ(edits.at("edits")[0].at("object").at("hash"), passport.at("passport").at("hash"));
   ASSERT_EQ(this->Plan({ "--new" }).exitCode, 0);
   const json made = Shown(this->Plan({ "--apply", HASP_PLAN_EDITS, "--json" }));
+  ExpectFailure(
+    RunHasp({ "info", this->Path("case.hasp") }), 2, "it is a plan, all that is decided");
   EXPECT_EQ(made.at("objects").size(), 9U);
   EXPECT_EQ(made.at("parts").size(), 5U);
 }

@@ -16,9 +16,9 @@ TEST_F(HaspRunTest, AnyNumberOfThreadsAndASecondRunWriteTheSameBytes)
   std::vector<std::string> names;
   for (const auto& [name, bytes] : one)
     names.push_back(name);
-  EXPECT_EQ(
-    names, (std::vector<std::string>{ "fragment-4.stl", "fragment-5-planned.stl", "fragment-5.stl",
-             "group-8.stl", "guide-6.stl", "guide-9.stl", "plate-7.stl", "run.json" }));
+  EXPECT_EQ(names, (std::vector<std::string>{ "fragment-4.stl", "fragment-5-planned.stl",
+                     "fragment-5.stl", "group-8.stl", "guide-6.json", "guide-6.stl", "guide-9.json",
+                     "guide-9.stl", "plate-7.stl", "run.json" }));
   const json run = json::parse(one.at("run.json"));
   EXPECT_EQ(run.at("parts").size(), 6U);
   EXPECT_EQ(run.at("parts")[0].at("cuts")[0].at("parted"), true);
@@ -85,9 +85,14 @@ TEST_F(HaspRunTest, WhatCannotBeMadeIsNamedByIds)
   ExpectFailure(this->Make("out", this->Scan()), 2, "fragment 4: cut 3 does not meet bone");
   this->Apply(
     json::array({ { { "change", "cut" }, { "object", Cut(60) } } })); // above the seed of 4
-  ExpectFailure(this->Make("out", this->Scan()), 2, "fragment 5: it is one piece with fragment 4");
+  const HaspRun one = this->Make("out", this->Scan());
+  ExpectFailure(one, 2, "fragment 5: it is one piece with fragment 4");
+  // Its fault, too, where it is a part of others; and they are no reason not to make the rest.
+  for (const char* other : { "group 8: fragment 5: it is one", "plate 7: fragment 5: it is one" })
+    EXPECT_NE(one.err.find(other), std::string::npos) << one.err;
   EXPECT_FALSE(fs::exists(this->Path("out")));
-  EXPECT_TRUE(this->OutOfDate().size() == 6U);
+  EXPECT_NE(one.err.find("guide 6: "), std::string::npos) << one.err; // the cut is beside it
+  EXPECT_EQ(this->OutOfDate(), (std::vector<int>{ 5, 8, 6, 7 }));
 }
 
 TEST_F(HaspRunTest, RedPartsAreRefusedOrSaySo)
@@ -99,6 +104,7 @@ TEST_F(HaspRunTest, RedPartsAreRefusedOrSaySo)
   const HaspRun red = this->Make("out", this->Scan());
   ExpectFailure(red, 3, "guide 9: ");
   EXPECT_FALSE(fs::exists(this->Path("out")));
+  EXPECT_EQ(this->OutOfDate(), std::vector<int>{ 9 }); // the others are kept
   std::vector<std::string> words = this->Scan();
   words.push_back("--force");
   const HaspRun forced = this->Make("out", words);
@@ -109,6 +115,9 @@ TEST_F(HaspRunTest, RedPartsAreRefusedOrSaySo)
   EXPECT_EQ(ReadBytes(this->Path("out/guide-6.stl")).substr(0, 80).find("DOES NOT HOLD"),
     std::string::npos);
   ExpectFailure(this->Make("again", {}), 3, "guide 9: "); // kept, and red it stays
+  const std::string shown = this->Plan({ "--show" }).out;
+  EXPECT_NE(shown.find("guide 9 is in date and DOES NOT HOLD:\n  "), std::string::npos) << shown;
+  EXPECT_NE(shown.find("guide 6 is in date and holds\n"), std::string::npos) << shown;
   const std::string part = this->Path("part.stl");
   ExpectFailure(this->Plan({ "--export", "9", "--output", part }), 3, "guide 9 does not hold");
   EXPECT_EQ(this->Plan({ "--export", "9", "--output", part, "--force" }).exitCode, 0);

@@ -1,6 +1,7 @@
 #include "BoneSolid.h"
 
 #include "FragmentLabels.h"
+#include "LabelGrid.h"
 
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
@@ -71,11 +72,7 @@ std::vector<std::uint8_t> MarkBone(const char* who, const BoneImage& bone, doubl
   GeometryOf(bone.grey).Validate();
   if (!bone.labels)
     return KeepLargePieces(bone.grey, isovalue, ignoreBelowMm3, progress);
-  const glm::ivec3 a = GeometryOf(bone.grey).dims, b = GeometryOf(*bone.labels).dims;
-  if (a != b)
-    throw std::invalid_argument(std::string(who) + ": the labels have " + std::to_string(b.x) +
-                                " x " + std::to_string(b.y) + " x " + std::to_string(b.z) +
-                                " samples, must be as many as the volume's");
+  CheckLabelGrid(who, GeometryOf(bone.grey), GeometryOf(*bone.labels));
   std::vector<std::uint8_t> mark = KeepLabel(*bone.labels, bone.label);
   std::visit(
     [&](const auto& grey)

@@ -19,7 +19,7 @@ struct BoneDistance
 };
 
 /// Samples that are bone: 1, else 0; islands of less than ignoreBelowMm3 are not, without labels.
-/// Throws std::invalid_argument, beginning with `who`, on labels of another number of samples.
+/// Throws std::invalid_argument, beginning with `who`, as CheckLabelGrid does.
 std::vector<std::uint8_t> MarkBone(const char* who, const BoneImage& bone, double isovalue,
   double ignoreBelowMm3, const ProgressFunction& progress);
 

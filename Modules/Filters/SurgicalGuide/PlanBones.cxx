@@ -75,6 +75,13 @@ std::string NameCuts(std::string text, const std::vector<PlanId>& cuts)
   }
   return text;
 }
+
+/// "fragment 5: …"
+auto Naming(PlanId fragment)
+{
+  return [before = "fragment " + std::to_string(fragment) + ": "](const std::string& text)
+  { return before + text; };
+}
 } // namespace
 
 PlanBones::PlanBones(const Plan& plan, const PlanImages& images) : Of(plan), Images(images) {}
@@ -171,22 +178,11 @@ PlanBones::Pieces& PlanBones::PiecesOf(PlanId divided, const ProgressFunction& p
     }
     const AnyGridView& grey = this->Grey(this->VolumeOf(root));
     const GridView<const std::uint8_t> mark{ this->Mark(root).data(), GeometryOf(grey) };
-    try
-    {
-      pieces.bone = CutFragments({ grey, mark, 1 }, recipe, progress);
-    }
-    catch (const Cancelled&)
-    {
-      throw;
-    }
-    catch (const std::invalid_argument& error)
-    {
-      throw std::invalid_argument(NameCuts(error.what(), pieces.cuts));
-    }
-    catch (const std::runtime_error& error)
-    {
-      throw std::runtime_error(NameCuts(error.what(), pieces.cuts));
-    }
+    pieces.bone = SayingErrors(
+      [&] {
+        return CutFragments({ grey, mark, 1 }, recipe, progress);
+      },
+      [&](const std::string& text) { return NameCuts(text, pieces.cuts); });
   }
   return this->Divided.emplace(divided, std::move(pieces)).first->second;
 }
@@ -216,7 +212,15 @@ std::size_t PlanBones::PieceAt(const Pieces& pieces, const PlanFragment& piece) 
 
 const TriangleMesh& PlanBones::Mesh(PlanId id, const ProgressFunction& progress)
 {
-  const PlanFragment& fragment = this->Fragment(id);
+  return SayingErrors([&]() -> const TriangleMesh&
+    { return this->MeshOf(this->Fragment(id), progress); },
+    Naming(id));
+}
+
+const TriangleMesh& PlanBones::MeshOf(
+  const PlanFragment& fragment, const ProgressFunction& progress)
+{
+  const PlanId id = fragment.id;
   if (const auto* piece = std::get_if<PieceSource>(&fragment.source))
   {
     const Pieces& pieces = this->PiecesOf(piece->fragment, progress);
@@ -264,6 +268,26 @@ void PlanBones::Number(Pieces& pieces, const PlanFragment& root)
   }
 }
 
+void PlanBones::Label(const PlanFragment& fragment, std::uint16_t as,
+  std::vector<std::uint16_t>& numbers, const ProgressFunction& progress)
+{
+  const PlanFragment& root = this->Root(fragment.id);
+  const std::vector<std::uint8_t>& mark = this->Mark(root);
+  const Pieces* pieces = nullptr;
+  std::uint16_t number = 1;
+  if (const auto* source = std::get_if<PieceSource>(&fragment.source))
+  {
+    Pieces& made = this->PiecesOf(source->fragment, progress);
+    if (made.numbers.empty())
+      this->Number(made, root);
+    pieces = &made;
+    number = std::uint16_t(made.bone.fragments[this->PieceAt(made, fragment)].number);
+  }
+  for (std::size_t s = 0; s < mark.size(); ++s)
+    if ((pieces ? pieces->numbers[s] : mark[s]) == number)
+      numbers[s] = as;
+}
+
 BoneLabels PlanBones::Labels(std::span<const PlanId> fragments, const ProgressFunction& progress)
 {
   const PlanId volume = this->VolumeOf(this->Root(fragments[0]));
@@ -276,22 +300,11 @@ BoneLabels PlanBones::Labels(std::span<const PlanId> fragments, const ProgressFu
       throw std::invalid_argument("fragments " + std::to_string(fragments[0]) + " and " +
                                   std::to_string(fragments[n]) +
                                   " are of two scans, must be of one");
-    const std::vector<std::uint8_t>& mark = this->Mark(root);
-    const auto* source = std::get_if<PieceSource>(&this->Fragment(fragments[n]).source);
-    const Pieces* pieces = nullptr;
-    std::uint16_t number = 1;
-    if (source)
-    {
-      Pieces& made = this->PiecesOf(source->fragment, progress);
-      if (made.numbers.empty())
-        this->Number(made, root);
-      pieces = &made;
-      number = std::uint16_t(
-        made.bone.fragments[this->PieceAt(made, this->Fragment(fragments[n]))].number);
-    }
-    for (std::size_t s = 0; s < mark.size(); ++s)
-      if ((pieces ? pieces->numbers[s] : mark[s]) == number)
-        labels.numbers[s] = std::uint16_t(n + 1);
+    SayingErrors(
+      [&] {
+        this->Label(this->Fragment(fragments[n]), std::uint16_t(n + 1), labels.numbers, progress);
+      },
+      Naming(fragments[n]));
   }
   return labels;
 }

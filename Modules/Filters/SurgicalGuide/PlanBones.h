@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace hasp
@@ -24,13 +25,37 @@ struct BoneLabels
   }
 };
 
-/// The fragments of a plan as meshes and as voxels, each made once. One thread at a time.
+/// What the work returns; what it throws, but for Cancelled, with the text that `say` makes of its
+/// own.
+template <typename Work, typename Say>
+decltype(auto) SayingErrors(const Work& work, const Say& say)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(say(error.what()));
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(say(error.what()));
+  }
+}
+
+/// The fragments of a plan as meshes and as voxels, each made once. One thread at a time. Errors
+/// begin with the fragment: "fragment 5: source.seed …".
 class PlanBones
 {
 public:
   PlanBones(const Plan& plan, const PlanImages& images); ///< keeps references
 
-  /// In the scan. Errors begin with "fragment ID: ".
+  /// In the scan.
   const TriangleMesh& Mesh(PlanId fragment, const ProgressFunction& progress);
   /// What the cuts through the fragment that this one is a piece of did; none if it is no piece.
   std::vector<PlanCutMeasure> Cuts(PlanId fragment);
@@ -47,6 +72,7 @@ private:
     CutBone bone;
     std::vector<std::uint16_t> numbers; ///< of the pieces by samples; empty until asked for
   };
+  const TriangleMesh& MeshOf(const PlanFragment& fragment, const ProgressFunction& progress);
   const PlanFragment& Fragment(PlanId id) const;
   const PlanFragment& Root(PlanId id) const;
   PlanId VolumeOf(const PlanFragment& root) const;
@@ -54,6 +80,9 @@ private:
   Pieces& PiecesOf(PlanId divided, const ProgressFunction& progress);
   std::size_t PieceAt(const Pieces& pieces, const PlanFragment& piece) const;
   void Number(Pieces& pieces, const PlanFragment& root);
+  /// Writes `as` where a fragment is.
+  void Label(const PlanFragment& fragment, std::uint16_t as, std::vector<std::uint16_t>& numbers,
+    const ProgressFunction& progress);
 
   const Plan& Of;
   const PlanImages& Images;

@@ -132,7 +132,7 @@ struct PlanRebuild::Internals
       BuildGuide(bone, this->Labelled(guide), BladesOf(this->plan, guide), progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
-    part.check = { ClaimsOf(built.made.recipe), bone };
+    part.check = { ClaimsOf(built.made.recipe), bone, built.made.recipe };
     return part;
   }
 
@@ -162,6 +162,8 @@ struct PlanRebuild::Internals
       claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
     }
     part.check = { claims, scan.grey };
+    if (plate.volume != 0)
+      part.check->recipe = recipe;
     return part;
   }
 
@@ -171,7 +173,8 @@ struct PlanRebuild::Internals
     BuiltImplant built = BuildImplant(scan, implant.recipe, progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
-    part.check = { ClaimsOf(implant.recipe, built.made.axis, built.made.holes), scan };
+    part.check = { ClaimsOf(implant.recipe, built.made.axis, built.made.holes), scan,
+      implant.recipe };
     return part;
   }
 
@@ -246,27 +249,13 @@ RebuiltPart PlanRebuild::Make(PlanId object, const ProgressFunction& progress)
 {
   std::vector<PartInput> inputs = PartInputs(this->Inside->plan, object);
   const std::string before = Called(this->Inside->plan, object) + ": ";
-  try
-  {
-    RebuiltPart part = this->Inside->MakeObject(object, progress);
-    part.object = object;
-    part.inputs = std::move(inputs);
-    part.volumeMm3 = VolumeOf(part.mesh);
-    ReportProgress(progress, 1.0);
-    return part;
-  }
-  catch (const Cancelled&)
-  {
-    throw;
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::invalid_argument(before + error.what());
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(before + error.what());
-  }
+  RebuiltPart part = SayingErrors([&] { return this->Inside->MakeObject(object, progress); },
+    [&](const std::string& text) { return text.starts_with(before) ? text : before + text; });
+  part.object = object;
+  part.inputs = std::move(inputs);
+  part.volumeMm3 = VolumeOf(part.mesh);
+  ReportProgress(progress, 1.0);
+  return part;
 }
 
 std::vector<PlanId> ImagesOf(const Plan& plan, PlanId object)

@@ -14,6 +14,7 @@
 #include <map>      // for images
 #include <memory>   // for internals
 #include <optional> // for checks
+#include <variant>  // for recipes
 #include <vector>   // for segments
 
 /// Everything that a plan is for, made of it and its scans; free of VTK but for the export macro.
@@ -43,6 +44,10 @@ struct PartCheck
 {
   PartClaims claims;
   AnyGridView bone; ///< good until the next Make
+  /// What the part was made by, its cuts' slots and labels in it and nothing left to search: with
+  /// it and the scan anybody can hold the part's file to the same claims. None of a plate on
+  /// fragments: bone that was moved is in no scan.
+  std::variant<std::monostate, GuideRecipe, PlateRecipe, ImplantRecipe> recipe{};
 };
 
 struct RebuiltPart

@@ -6,6 +6,7 @@
 #include "Distance/SolidMoves.h"
 #include "Grid/ParallelFor.h"
 #include "GuideBone.h"
+#include "LabelGrid.h"
 
 #include <glm/common.hpp>
 
@@ -98,11 +99,7 @@ void CheckLabels(const BoneScan& scan)
 {
   if (!scan.labels)
     throw std::invalid_argument("plate: the recipe moves fragments, but there are no labels");
-  const glm::ivec3 a = GeometryOf(scan.grey).dims, b = GeometryOf(*scan.labels).dims;
-  if (a != b)
-    throw std::invalid_argument("plate: the labels have " + std::to_string(b.x) + " x " +
-                                std::to_string(b.y) + " x " + std::to_string(b.z) +
-                                " samples, must be as many as the volume's");
+  CheckLabelGrid("plate", GeometryOf(scan.grey), GeometryOf(*scan.labels));
 }
 } // namespace
 
@@ -172,6 +169,8 @@ SolidPointer BridgedSolid(const ImplicitSolid& solid, double radiusMm, const Box
     });
   const SolidPointer outer =
     SolidOf(GridView<const float>{ depth.data(), grid }, {}, -radiusMm, grid, progress);
+  if (!outer)
+    throw std::runtime_error("plate: there is no bone around the landmarks to bridge");
   return MakeOffset(outer, -radiusMm); // of bone that is there: something is covered
 }
 

@@ -33,7 +33,8 @@ SolidPointer PosedBone(const BoneScan& scan, const PlateRecipe& recipe,
 /// fracture are bridged, convex places stay where they are.
 ///
 /// region, spacingMm   of the grid that it is sampled on, axes of the world
-/// A bound within what CoverageDistance errs by; cut off flat at the region's border.
+/// A bound within what CoverageDistance errs by; cut off flat at the region's border. Throws
+/// std::runtime_error if the region holds none of the solid, nor of what is radiusMm around it.
 SolidPointer BridgedSolid(const ImplicitSolid& solid, double radiusMm,
   const ImplicitSolid::Box& region, double spacingMm, const ProgressFunction& progress);
 

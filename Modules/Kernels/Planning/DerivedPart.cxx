@@ -233,20 +233,23 @@ std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part)
   return {};
 }
 
-const DerivedPart* PartInDate(const Plan& plan, std::span<const DerivedPart> parts, PlanId object)
+const DerivedPart* PartInDate(
+  const Plan& plan, std::span<const DerivedPart> parts, PlanId object, PartFormat format)
 {
   for (std::size_t n = parts.size(); n-- > 0;)
-    if (parts[n].object == object && WhyOutOfDate(plan, parts[n]).empty())
+    if (parts[n].object == object && parts[n].format == format &&
+        WhyOutOfDate(plan, parts[n]).empty())
       return &parts[n];
   return nullptr;
 }
 
-std::string WhyNoPart(const Plan& plan, std::span<const DerivedPart> parts, PlanId object)
+std::string WhyNoPart(
+  const Plan& plan, std::span<const DerivedPart> parts, PlanId object, PartFormat format)
 {
-  if (PartInDate(plan, parts, object))
+  if (PartInDate(plan, parts, object, format))
     return {};
   for (std::size_t n = parts.size(); n-- > 0;)
-    if (parts[n].object == object)
+    if (parts[n].object == object && parts[n].format == format)
       return WhyOutOfDate(plan, parts[n]);
   return Called(plan, object) + " has not been made";
 }
@@ -259,7 +262,8 @@ void KeepPart(std::vector<DerivedPart>& parts, DerivedPart part)
       return other.object == part.object && other.format == part.format &&
              other.inputs == part.inputs;
     });
-  const auto same = [&](const DerivedPart& other) { return other.object == part.object; };
+  const auto same = [&](const DerivedPart& other)
+  { return other.object == part.object && other.format == part.format; };
   if (std::size_t(std::count_if(parts.begin(), parts.end(), same)) >= MaxPartsOfObject)
     parts.erase(std::find_if(parts.begin(), parts.end(), same));
   parts.push_back(std::move(part));

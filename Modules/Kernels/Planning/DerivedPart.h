@@ -71,15 +71,17 @@ std::vector<PartInput> PartInputs(const Plan& plan, PlanId object);
 /// Empty if it is in date.
 std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part);
 
-/// The newest of the parts of `object` that is in date; nullptr if none is.
-const DerivedPart* PartInDate(const Plan& plan, std::span<const DerivedPart> parts, PlanId object);
+/// The newest of the parts of `object` in that format that is in date; nullptr if none is.
+const DerivedPart* PartInDate(const Plan& plan, std::span<const DerivedPart> parts, PlanId object,
+  PartFormat format = PartFormat::Stl);
 /// Why PartInDate found none: of the newest one, or "guide 8 has not been made". Empty if it did.
-std::string WhyNoPart(const Plan& plan, std::span<const DerivedPart> parts, PlanId object);
+std::string WhyNoPart(const Plan& plan, std::span<const DerivedPart> parts, PlanId object,
+  PartFormat format = PartFormat::Stl);
 
 constexpr std::size_t MaxPartsOfObject = 4;
-/// Adds a part as the newest. One of the same object, format and inputs goes; of each object
-/// MaxPartsOfObject stay, so that what was made before a change need not be made anew when it is
-/// undone.
+/// Adds a part as the newest. One of the same object, format and inputs goes; of each object in
+/// each format MaxPartsOfObject stay, so that what was made before a change need not be made anew
+/// when it is undone.
 void KeepPart(std::vector<DerivedPart>& parts, DerivedPart part);
 
 /// SHA-256 of all a plan says: equal plans have equal hashes on every machine.

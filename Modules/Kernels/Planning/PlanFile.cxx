@@ -6,8 +6,14 @@
 #include "Planning/Sha256.h"
 #include "Planning/ValueChecks.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 namespace hasp
 {
@@ -51,6 +57,22 @@ std::string BlobSubject(const std::string& hash)
   return "blobs/" + hash.substr(0, 12);
 }
 } // namespace
+
+PlanLock::PlanLock(const fs::path& folder)
+  : Folder(open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+{
+  if (this->Folder < 0)
+    throw std::runtime_error(
+      "the plan's folder cannot be opened: " + std::generic_category().message(errno));
+  while (flock(this->Folder, LOCK_EX) != 0 && errno == EINTR)
+  {
+  }
+}
+
+PlanLock::~PlanLock()
+{
+  close(this->Folder);
+}
 
 std::string FormatPlan(const PlanDocument& document)
 {

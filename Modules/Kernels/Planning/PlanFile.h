@@ -14,14 +14,30 @@
 ///
 /// Damage: plan.json ends with its own hash, and a blob's name is its hash, so that one wrong byte
 /// anywhere is found when it is read. Saving: whole or not at all, whatever breaks in between, and
-/// it outlasts a power cut. Limit: two programs that save one plan do not know of each other; the
-/// last one stays.
+/// it outlasts a power cut. Two programs that change one plan each hold a PlanLock from loading it
+/// to saving it; without, the last one stays.
 ///
 /// Needs HASP_ENABLE_JSON and HASP_ENABLE_OPENSSL. Errors: std::runtime_error (disk, damage,
 /// syntax), std::invalid_argument (content); they name the file within the folder and the key,
-/// never a path or a text of the plan. Any thread; not two on one folder.
+/// never a path or a text of the plan. Any thread; two that change one folder hold a PlanLock each.
 namespace hasp
 {
+
+/// Holds a plan's folder, which must be there: whoever else asks for it waits until this is gone,
+/// at the latest with its program. For as long as it takes to load a plan, change it and save it,
+/// never for a calculation. Throws std::runtime_error if the folder cannot be opened. Limit: where
+/// the file system knows no locks, as on some network drives, nobody waits.
+class PlanLock
+{
+public:
+  explicit PlanLock(const std::filesystem::path& folder);
+  ~PlanLock();
+  PlanLock(const PlanLock&) = delete;
+  PlanLock& operator=(const PlanLock&) = delete;
+
+private:
+  int Folder; ///< its descriptor
+};
 
 /// What is saved.
 struct PlanDocument
@@ -46,8 +62,8 @@ std::string WriteBlob(const std::filesystem::path& folder, std::string_view byte
 std::string ReadBlob(const std::filesystem::path& folder, const std::string& hash);
 /// All that the document names, in its history too, each once.
 std::vector<std::string> BlobsOf(const PlanDocument& document);
-/// Deletes blobs that the document does not name and what interrupted saves left. For when no other
-/// program has the plan open.
+/// Deletes blobs that the document does not name and what interrupted saves left. Under a PlanLock,
+/// with the document that was loaded under it.
 void RemoveUnusedBlobs(const std::filesystem::path& folder, const PlanDocument& document);
 
 /// Reads everything and says what is damaged or missing, a sentence each; empty if all is sound.

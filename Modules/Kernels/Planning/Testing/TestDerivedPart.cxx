@@ -212,6 +212,28 @@ TEST(DerivedPart, WhatWasMadeBeforeAChangeIsFoundWhenItIsUndone)
   EXPECT_EQ(PartInDate(before, parts, 7), nullptr);
 }
 
+TEST(DerivedPart, APartOfAnotherFormatIsAnother)
+{
+  const Plan plan = Case();
+  const auto made = [&](PartFormat format, char bytes) {
+    return DerivedPart{ 7, format, PartInputs(plan, 7), std::string(64, bytes), "" };
+  };
+  std::vector<DerivedPart> parts;
+  KeepPart(parts, made(PartFormat::ThreeMf, 'a'));
+  EXPECT_EQ(PartInDate(plan, parts, 7), nullptr);
+  EXPECT_EQ(WhyNoPart(plan, parts, 7), "guide 7 has not been made");
+  EXPECT_EQ(WhyNoPart(plan, parts, 7, PartFormat::ThreeMf), "");
+  KeepPart(parts, made(PartFormat::Stl, 'b'));
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(PartInDate(plan, parts, 7)->bytes[0], 'b');
+  EXPECT_EQ(PartInDate(plan, parts, 7, PartFormat::ThreeMf)->bytes[0], 'a');
+  // What is kept of one format takes no place of another's.
+  for (const double kerf : { 2.0, 3.0, 4.0, 5.0 })
+    KeepPart(
+      parts, { 7, PartFormat::Ply, PartInputs(Apply(plan, Cut(6, kerf, { 3 })), 7), "", "" });
+  EXPECT_NE(PartInDate(plan, parts, 7), nullptr);
+}
+
 TEST(DerivedPart, AnUndoneChangeIsNone)
 {
   const Plan before = Case();

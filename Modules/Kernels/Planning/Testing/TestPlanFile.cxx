@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <random>
+#include <thread>
+#include <vector>
 
 namespace
 {
@@ -204,6 +206,33 @@ TEST(PlanFile, BlobsAreNamedByWhatTheyHold)
   EXPECT_EQ(ReadBlob(folder.Plan(), hash), bytes);
   EXPECT_EQ(Thrown([&] { ReadBlob(folder.Plan(), "../plan.json"); }),
     "blob: name must be 64 hexadecimal digits in lower case, a SHA-256");
+}
+
+TEST(PlanFile, ChangesUnderALockAreAllKept)
+{
+  const PlanFolder folder;
+  SavePlan(folder.Plan(), {});
+  constexpr int each = 8;
+  const auto change = [&]
+  {
+    for (int n = 0; n < each; ++n)
+    {
+      const PlanLock lock(folder.Plan());
+      PlanDocument document = LoadPlan(folder.Plan());
+      const PlanVolume volume{ document.history.NewId(), "", std::string(64, 'a') };
+      document.history.Do(AddObject<PlanVolume>{ volume });
+      SavePlan(folder.Plan(), document);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int n = 0; n < 4; ++n)
+    threads.emplace_back(change);
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(LoadPlan(folder.Plan()).history.Current().volumes.size(), 4U * each);
+  EXPECT_NE(
+    Thrown([] { PlanLock("/nowhere/at-all.hasp"); }).find("folder cannot be opened: No such"),
+    std::string::npos);
 }
 
 TEST(PlanFile, OnlyWhatNothingNamesIsRemoved)

@@ -8,6 +8,9 @@
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+
 using namespace cuttest;
 
 namespace
@@ -313,6 +316,41 @@ TEST(FragmentCutter, LabelsSayWhoseBoneIsCutAndWhoseEachVoxelIs)
     volume.at(number) += voxel;
   for (const hasp::BoneFragment& fragment : cut.fragments)
     EXPECT_NEAR(volume[fragment.number], fragment.volumeMm3, 0.02 * fragment.volumeMm3);
+}
+
+TEST(FragmentCutter, LabelsOfAnotherGridAreRefused)
+{
+  const BoneScan scan = ScanOfBar();
+  const std::vector<std::uint8_t> labels(scan.samples.size(), 3);
+  const auto refusal = [&](const std::function<void(hasp::GridGeometry&)>& change) -> std::string
+  {
+    hasp::GridGeometry grid = scan.grid;
+    change(grid);
+    const hasp::AnyGridView mask = hasp::GridView<const std::uint8_t>{ labels.data(), grid };
+    try
+    {
+      hasp::CutFragments({ scan.View(), mask, 3 }, OneCut({}));
+      return {};
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return error.what();
+    }
+  };
+  const auto says = [&](const char* words, const std::function<void(hasp::GridGeometry&)>& change)
+  {
+    const std::string text = refusal(change);
+    EXPECT_NE(text.find("the labels are of another grid than the volume: "), std::string::npos);
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  };
+  says("their size is (", [](auto& grid) { grid.dims.x -= 1; });
+  says("their size is (", [](auto& grid) { std::swap(grid.dims.x, grid.dims.y); });
+  says("their spacing is (", [](auto& grid) { grid.spacing.z += 0.001; });
+  says("their axes have other directions",
+    [](auto& grid) { grid.direction = glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1); });
+  says("their origin is (", [](auto& grid) { grid.origin.y += 0.6; });
+  says("their origin is (", [](auto& grid) { grid.origin.y += std::nan(""); });
+  EXPECT_EQ(refusal([](auto& grid) { grid.origin.y += 1e-4; }), ""); // a header's decimals
 }
 
 TEST(FragmentCutter, TheMandibleOfThePhantomIsResectedAndNothingIsLost)

@@ -228,6 +228,14 @@ TEST(PlanRebuild, WhatIsMissingOrImpossibleIsNamedByIds)
   EXPECT_EQ(Refusal(rebuild, 13).find("implant 13: "), 0U);
   EXPECT_EQ(Refusal(rebuild, 14).find("fragment 14: there is no bone at source.seed"), 0U);
   EXPECT_THROW(rebuild.Make(4, [](double) { return false; }), Cancelled);
+  // Of another part, with the fragment that is at fault.
+  plan = Apply(plan, AddObject<PlanGroup>{ { 15, "", { 4, 14 } } });
+  PlanGuide guide{ 16, "", 14, {}, {}, BodySide::Left };
+  guide.recipe.landmarks = { { -18, 0, 6 }, { 18, 0, 6 } };
+  plan = Apply(plan, AddObject<PlanGuide>{ guide });
+  PlanRebuild others(plan, bar.Images());
+  EXPECT_EQ(Refusal(others, 15).find("group 15: fragment 14: there is no bone at source.seed"), 0U);
+  EXPECT_EQ(Refusal(others, 16).find("guide 16: fragment 14: there is no bone at source.seed"), 0U);
 }
 
 } // namespace

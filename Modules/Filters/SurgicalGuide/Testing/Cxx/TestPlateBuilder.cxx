@@ -35,6 +35,26 @@ hasp::PlateRecipe OnTable()
   return r;
 }
 
+/// What the work throws; empty if nothing.
+template <typename Work>
+std::string Refused(const Work& work)
+{
+  try
+  {
+    work();
+    return {};
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+}
+
+std::string Fault(const hasp::SolidPointer& bone, const hasp::PlateRecipe& recipe)
+{
+  return Refused([&] { hasp::MakePlateOn(bone, bone, recipe); });
+}
+
 /// A round bone of 20 mm along y.
 hasp::SolidPointer RoundBone()
 {
@@ -229,19 +249,6 @@ TEST(PlateBuilder, ABridgedFractureLeavesTheInnerFaceFlat)
   }
 }
 
-std::string Fault(const hasp::SolidPointer& bone, const hasp::PlateRecipe& recipe)
-{
-  try
-  {
-    hasp::MakePlateOn(bone, bone, recipe);
-  }
-  catch (const std::runtime_error& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 #define EXPECT_NAMES(message, part) EXPECT_NE((message).find(part), std::string::npos) << (message)
 
 TEST(PlateBuilder, WhatCannotBeMadeIsNamed)
@@ -393,6 +400,21 @@ TEST(PlateBuilder, FragmentsOfAScanArePosedAndNeedLabels)
   EXPECT_NEAR(hasp::CheckMesh(posed.mesh).volumeMm3, volume, 0.02 * volume);
   recipe.fragments = { { 7 } };
   EXPECT_THROW(hasp::BuildPlate(scan, recipe), std::runtime_error);
+  recipe.fragments = { { 3 } };
+  hasp::GridGeometry shifted = grid;
+  shifted.origin.x += 1.0;
+  scan.labels = hasp::GridView<const std::uint8_t>{ label.data(), shifted };
+  EXPECT_NE(Refused([&] { hasp::BuildPlate(scan, recipe); })
+              .find("plate: the labels are of another grid than the volume: their origin"),
+    std::string::npos);
+}
+
+TEST(PlateBuilder, NoBoneToBridgeIsSaid)
+{
+  const auto far = hasp::MakeBox({ 500, 0, 0 }, glm::dmat3(1), { 30, 20, 10 });
+  const auto region = hasp::BoxAround(OnTable().landmarks, 22.0);
+  EXPECT_EQ(Refused([&] { hasp::BridgedSolid(*far, 3.0, region, 1.0, {}); }),
+    "plate: there is no bone around the landmarks to bridge");
 }
 
 } // namespace

@@ -1,0 +1,53 @@
+#include "KeptParts.h"
+
+#include "PartReport.h"
+#include "PlanInput.h"
+#include "Session.h"
+
+#include <exception>
+
+namespace hasp
+{
+
+PartFile TakePart(const KeptParts& kept, PlanId object, Session& session)
+{
+  const Plan& plan = kept.document.history.Current();
+  PartFile file{ object, PartInputs(plan, object), {}, {}, true };
+  const DerivedPart* part = PartInDate(plan, kept.document.parts, object);
+  if (!part || part->report.empty() || kept.none)
+    return file;
+  try
+  {
+    const std::string report = ReadBlob(kept.folder, part->report);
+    if (ReadPartReport(report).verdict != "not certified" && kept.certified)
+      return file;
+    file.stl = ReadBlob(kept.folder, part->bytes);
+    file.report = report;
+    file.made = false;
+    session.resources.push_back(
+      { CalledObject(plan, object), 0, 0.0, "in date: it was not made again" });
+  }
+  catch (const std::exception& error)
+  {
+    SayWarning(session, CalledObject(plan, object) + " is made anew: " + SafeText(error));
+  }
+  return file;
+}
+
+void KeepInPlan(const std::string& folder, const std::vector<PartFile>& parts)
+{
+  if (parts.empty())
+    return;
+  TryPlan(ExitCode::WrongUse,
+    [&]
+    {
+      const PlanLock lock(folder);
+      PlanDocument document = OpenPlan(folder);
+      for (const PartFile& part : parts)
+        KeepPart(document.parts, { part.object, PartFormat::Stl, part.inputs,
+                                   WriteBlob(folder, part.stl), WriteBlob(folder, part.report) });
+      StorePlan(folder, document);
+    });
+}
+
+} // namespace hasp

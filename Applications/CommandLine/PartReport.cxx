@@ -1,0 +1,161 @@
+#include "PartReport.h"
+
+#include "Planning/GuideRecipeFile.h"
+#include "Planning/ImplantRecipeFile.h"
+#include "Planning/PlanLists.h"
+#include "Planning/PlateRecipeFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <regex>
+#include <stdexcept>
+
+namespace hasp
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr std::array Verdicts{ "green", "red", "not certified" };
+constexpr std::array Keys{ "triangles", "volume_mm3", "cuts", "segments", "joints", "verdict",
+  "faults", "certificate", "program", "intended_use" };
+
+/// What a fault's kind says, of a part that nobody measured just now.
+constexpr std::array<std::pair<FitFaultKind, const char*>, 16> Words{ {
+  { FitFaultKind::NotClosed, "the mesh is not closed" },
+  { FitFaultKind::NotManifold, "the mesh is not 2-manifold" },
+  { FitFaultKind::Turned, "triangles are turned" },
+  { FitFaultKind::NoArea, "triangles have no area" },
+  { FitFaultKind::MeetsItself, "the mesh meets itself" },
+  { FitFaultKind::NotChecked, "it could not be measured" },
+  { FitFaultKind::Pieces, "it has another number of pieces" },
+  { FitFaultKind::ThinWall, "a wall is too thin" },
+  { FitFaultKind::Gap, "the gap to the bone is another" },
+  { FitFaultKind::TouchesBone, "it is in bone" },
+  { FitFaultKind::Slot, "a slot is not as claimed" },
+  { FitFaultKind::Hole, "a hole is not as claimed" },
+  { FitFaultKind::Undercut, "it cannot be put on" },
+  { FitFaultKind::Mirrored, "it is mirrored" },
+  { FitFaultKind::Units, "it is in other units" },
+  { FitFaultKind::Space, "it is in another patient space" },
+} };
+
+std::string FaultText(const Json& fault)
+{
+  std::string text;
+  static const std::regex object("^(slots|holes|screws)\\[[0-9]{1,4}\\]");
+  const auto said = fault.at("text").get<std::string>();
+  if (std::smatch found; std::regex_search(said, found, object))
+    text = found.str() + ": ";
+  const auto kind = fault.at("kind").get<std::string>();
+  const auto known = std::find_if(
+    Words.begin(), Words.end(), [&](const auto& word) { return FitFaultName(word.first) == kind; });
+  text += known == Words.end() ? "it does not hold" : known->second;
+  if (!fault.at("at").is_null())
+  {
+    const auto at = fault.at("at").get<std::array<double, 3>>();
+    std::array<char, 100> place;
+    std::snprintf(place.data(), place.size(), " at (%.1f, %.1f, %.1f) mm", at[0], at[1], at[2]);
+    text += place.data();
+  }
+  return text;
+}
+
+PartReport Read(const Json& json)
+{
+  PartReport report;
+  const auto verdict =
+    std::find(Verdicts.begin(), Verdicts.end(), json.at("verdict").get<std::string>());
+  if (verdict == Verdicts.end())
+    throw std::runtime_error("verdict");
+  report.verdict = *verdict;
+  report.volumeMm3 = json.at("volume_mm3").get<double>();
+  if (report.verdict == "red")
+  {
+    for (const Json& fault : json.at("certificate").at("faults"))
+      report.faults.push_back(FaultText(fault));
+    if (report.faults.empty())
+      report.faults.push_back("it does not hold");
+  }
+  if (json.contains("cuts"))
+    for (const Json& cut : json.at("cuts"))
+      if (!cut.at("parted").get<bool>())
+        report.cutsThatPartNothing.push_back(cut.at("cut").get<PlanId>());
+  return report;
+}
+
+/// What `work` throws, in words that hold nothing of the file.
+template <typename Work>
+auto OfOurs(const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const std::exception&)
+  {
+    throw std::runtime_error("the report on it is none that Hasp wrote");
+  }
+}
+} // namespace
+
+PartReport ReadPartReport(const std::string& report)
+{
+  return OfOurs([&] { return Read(Json::parse(report)); });
+}
+
+std::vector<std::string> WarningsOf(const PartReport& report, const std::string& part)
+{
+  std::vector<std::string> warnings;
+  for (const PlanId cut : report.cutsThatPartNothing)
+    warnings.push_back("cut " + std::to_string(cut) + " does not part the bone: " + part +
+                       " has what is on both of its sides; make its blade wider or deeper, or move "
+                       "it");
+  return warnings;
+}
+
+void AddReport(const std::string& report, nlohmann::ordered_json& part)
+{
+  const Json json = OfOurs([&] { return Json::parse(report); });
+  for (const char* key : Keys)
+    if (json.contains(key) && !part.contains(key))
+      part[key] = json[key];
+}
+
+std::string RecipeText(const PartCheck& check)
+{
+  if (const auto* guide = std::get_if<GuideRecipe>(&check.recipe))
+    return FormatGuideRecipe(*guide);
+  if (const auto* plate = std::get_if<PlateRecipe>(&check.recipe))
+    return FormatPlateRecipe(*plate);
+  if (const auto* implant = std::get_if<ImplantRecipe>(&check.recipe))
+    return FormatImplantRecipe(*implant);
+  return {};
+}
+
+std::string RecipeOfReport(const std::string& report)
+{
+  return OfOurs(
+    [&]() -> std::string
+    {
+      const Json json = Json::parse(report);
+      if (!json.contains("recipe"))
+        return {};
+      const std::string text = json.at("recipe").dump(), format = json.at("recipe").at("format");
+      if (format.starts_with("hasp-plate-"))
+        return FormatPlateRecipe(ParsePlateRecipe(text));
+      if (format.starts_with("hasp-implant-"))
+        return FormatImplantRecipe(ParseImplantRecipe(text));
+      return FormatGuideRecipe(ParseGuideRecipe(text));
+    });
+}
+
+std::string StemOfPart(const Plan& plan, PlanId object)
+{
+  return std::string(PlanNoun(plan, object)) + "-" + std::to_string(object);
+}
+
+} // namespace hasp

@@ -1,0 +1,40 @@
+#pragma once
+#include "Evaluation/FitCertificate.h"
+#include "PlanRebuild.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+/// What was measured on a part of a plan, as the plan keeps it: JSON. Who can write the plan's
+/// folder can write such a report, so that nothing of one is said but numbers and words of ours.
+namespace hasp
+{
+
+struct PartReport
+{
+  std::string verdict; ///< "green", "red" or "not certified"
+  double volumeMm3 = 0.0;
+  std::vector<std::string> faults; ///< of a red one, at least one: what, which object, where
+  std::vector<PlanId> cutsThatPartNothing;
+};
+
+/// Throws std::runtime_error, with no text of it, if it is none that Hasp writes.
+PartReport ReadPartReport(const std::string& report);
+
+/// "cut 3 does not part the bone that fragment 4 is a piece of: …", of each such cut.
+std::vector<std::string> WarningsOf(const PartReport& report, const std::string& part);
+
+/// Puts all that a report says into a part of run.json, but for keys that are there already.
+void AddReport(const std::string& report, nlohmann::ordered_json& part);
+
+/// The recipe that a part was made by, as a recipe's file; empty if there is none.
+std::string RecipeText(const PartCheck& check);
+/// The same of its report. Throws std::runtime_error, with no text of it, on what is no recipe.
+std::string RecipeOfReport(const std::string& report);
+
+/// "guide-8"
+std::string StemOfPart(const Plan& plan, PlanId object);
+
+} // namespace hasp
