@@ -114,7 +114,7 @@ void Begin(const PlanOptions& options)
                                       "another name");
   Plan plan;
   plan.caseLabel = options.caseLabel;
-  PlanDocument document = TryPlan(ExitCode::WrongUse,
+  PlanDocument document = Try(ExitCode::WrongUse, "",
     [&] {
       return PlanDocument{ PlanHistory(plan), {} };
     });
@@ -125,7 +125,7 @@ void Begin(const PlanOptions& options)
 void ApplyEdits(PlanDocument& document, const std::string& path, Session& session)
 {
   const std::string text = ReadText(path);
-  TryPlan(ExitCode::BadInput,
+  Try(ExitCode::BadInput, "",
     [&]
     {
       std::vector<PlanEdit> edits = ParseEdits(text);
@@ -171,7 +171,7 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
       ExitCode::BadInput, WhyNoPart(plan, document.parts, options.part) + "; hasp run makes it");
   const std::string folder = PlanFolder(options.plan);
   const auto blob = [&](const std::string& hash)
-  { return TryPlan(ExitCode::BadInput, [&] { return ReadBlob(folder, hash); }); };
+  { return Try(ExitCode::BadInput, "", [&] { return ReadBlob(folder, hash); }); };
   if (!part->report.empty() && !options.force)
   {
     const Json report = Json::parse(blob(part->report));
@@ -204,7 +204,7 @@ void Run(const PlanOptions& options, Session& session)
   if (blob)
   {
     session.result["blob"] =
-      TryPlan(ExitCode::WrongUse, [&] { return WriteBlob(options.plan, ReadText(options.blob)); });
+      Try(ExitCode::WrongUse, "", [&] { return WriteBlob(options.plan, ReadText(options.blob)); });
     return Say(session, session.result["blob"]);
   }
   if (edits)

@@ -59,7 +59,7 @@ public:
       WriteBytes(run, (folder / "run.json").string());
       this->Keep(); // last: the folder is put in place if this is done
     };
-    TryPlan(ExitCode::WrongUse,
+    Try(ExitCode::WrongUse, "",
       [&] { WriteInspected(this->Options.output, write, [](const std::string&) {}); });
     this->SayParts();
   }
