@@ -50,6 +50,8 @@ Failure CannotWrite(const std::string& path, const std::string& reason)
 void RequireEnding(const std::string& path, const std::vector<std::string>& endings)
 {
   const std::string name = Lower(fs::path(path).filename()); // .nii.gz is one ending
+  if (name.ends_with(".3mf"))
+    RequireThreeMf();
   if (endings.empty() || std::any_of(endings.begin(), endings.end(),
                            [&](const std::string& ending) { return name.ends_with(ending); }))
     return;
@@ -60,6 +62,15 @@ void RequireEnding(const std::string& path, const std::vector<std::string>& endi
 }
 
 } // namespace
+
+void RequireThreeMf()
+{
+#if !HASP_WITH_LIB3MF
+  throw Failure(ExitCode::WrongUse,
+    "3mf is written by builds with HASP_ENABLE_LIB3MF=ON (Debian: lib3mf-dev); choose stl, ply or "
+    "obj: nothing was written");
+#endif
+}
 
 std::string SafeText(const std::exception& error)
 {

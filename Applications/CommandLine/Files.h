@@ -12,6 +12,10 @@ namespace hasp
 /// what is there already, if anything, is a regular file.
 void RequireWritable(const std::string& path, const std::vector<std::string>& endings);
 
+/// Call before the work begins that ends in a 3mf file. Throws Failure: WrongUse in a build without
+/// lib3mf. RequireWritable has done so of a path that ends in .3mf.
+void RequireThreeMf();
+
 /// Call before the work begins. Throws Failure: WrongUse, with `options` ("--sketch and --output"),
 /// if both paths are one file, whatever they are spelled like.
 void RequireDifferent(

@@ -2,6 +2,7 @@
 
 #include "MeasuredChild.h"
 #include "PartCertificate.h"
+#include "ScratchFolder.h"
 #include "vtkHaspOutputFile.h"
 
 #include "Evaluation/MeshCheck.h"
@@ -11,8 +12,6 @@
 #endif
 
 #include "vtkVersion.h"
-
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -34,10 +33,9 @@ RivalGuide MeshBooleanGuide(const GuideSubject& subject)
     guide.ending = "absent: hasp-guide-rival, its child process, is not beside this program";
     return guide;
   }
-  const fs::path folder = fs::temp_directory_path() / ("hasp-rival-" + std::to_string(getpid()));
-  fs::create_directories(folder);
-  const std::string volume = folder / "bone.mha", recipe = folder / "guide.json",
-                    stl = folder / "guide.stl";
+  const ScratchFolder scratch;
+  const std::string volume = scratch.Path() / "bone.mha", recipe = scratch.Path() / "guide.json",
+                    stl = scratch.Path() / "guide.stl";
   try
   {
     WriteVolume(subject.image, volume);
@@ -54,7 +52,6 @@ RivalGuide MeshBooleanGuide(const GuideSubject& subject)
   {
     guide.ending = "no result that could be read";
   }
-  fs::remove_all(folder, none);
   return guide;
 }
 

@@ -7,6 +7,7 @@
 #include "ReportGuides.h"
 #include "ReportRegistry.h"
 #include "ReportVolume.h"
+#include "ScratchFolder.h"
 #include "VtkMessages.h"
 #include "vtkHaspGuideFilter.h"
 #include "vtkHaspOutputFile.h"
@@ -24,8 +25,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -120,9 +119,8 @@ std::string Verdict(const FitCertificate& certificate)
 
 void TrySubject(ReportContext& context, const GuideSubject& subject, const std::string& at)
 {
-  const std::string stl =
-    (std::filesystem::temp_directory_path() / ("hasp-guide-" + std::to_string(getpid()) + ".stl"))
-      .string();
+  const ScratchFolder scratch;
+  const std::string stl = scratch.Path() / "guide.stl";
   Made made;
   const int runs = context.settings.quick ? 3 : 5;
   std::vector<double> wall, cpu;
@@ -133,8 +131,6 @@ void TrySubject(ReportContext& context, const GuideSubject& subject, const std::
     wall.push_back(time.wallS);
     cpu.push_back(time.cpuS);
   }
-  std::error_code none;
-  std::filesystem::remove(stl, none);
   const Quartiles seconds = QuartilesOf(wall);
   const GapShare gap = GapOf(made.mesh, subject);
   ReportRow time;

@@ -25,13 +25,13 @@ std::string PlanFolder(const std::string& path)
 PlanDocument OpenPlan(const std::string& path)
 {
   RequireInput(path);
-  return TryPlan(ExitCode::BadInput,
+  return Try(ExitCode::BadInput, "",
     [&] { return IsPlanFolder(path) ? LoadPlan(path) : ParsePlan(ReadText(path)); });
 }
 
 void StorePlan(const std::string& folder, const PlanDocument& document)
 {
-  TryPlan(ExitCode::WrongUse, [&] { SavePlan(folder, document); });
+  Try(ExitCode::WrongUse, "", [&] { SavePlan(folder, document); });
 }
 
 std::string ReadText(const std::string& path)
@@ -48,12 +48,6 @@ std::string ReadText(const std::string& path)
   if (!file)
     throw Failure(ExitCode::BadInput, FileLabel(path) + ": it cannot be read");
   return text.str();
-}
-
-std::string CalledObject(const Plan& plan, PlanId id)
-{
-  const char* noun = PlanNoun(plan, id);
-  return std::string(noun ? noun : "object") + " " + std::to_string(id);
 }
 
 } // namespace hasp

@@ -2,12 +2,9 @@
 
 #include "CertificatePage.h"
 #include "PartCertificate.h"
+#include "VolumeInput.h"
 #include "VtkMessages.h"
 #include "vtkHaspOutputFile.h"
-
-#include "Planning/GuideRecipeFile.h"
-#include "Planning/ImplantRecipeFile.h"
-#include "Planning/PlateRecipeFile.h"
 
 #include "vtkImageData.h"
 
@@ -15,24 +12,12 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <fstream>
 #include <optional>
 
 namespace hasp
 {
 namespace
 {
-
-/// The text of the file's "format"; empty if there is none. What is wrong with a file its own
-/// reader says.
-std::string FormatOf(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object() || !json.contains("format") || !json["format"].is_string())
-    return {};
-  return json["format"].get<std::string>();
-}
 
 /// A part as it was read back, and what was found of it.
 struct CheckedPart
@@ -43,18 +28,13 @@ struct CheckedPart
 
 } // namespace
 
-PartRecipe ReadPartRecipe(const std::string& path)
+vtkSmartPointer<vtkImageData> ReadOther(const std::string& path, Session& session)
 {
-  return ReadRecipeFile(path,
-    [](const std::string& file) -> PartRecipe
-    {
-      const std::string format = FormatOf(file);
-      if (format.starts_with("hasp-plate-recipe-"))
-        return ReadPlateRecipe(file);
-      if (format.starts_with("hasp-implant-recipe-"))
-        return ReadImplantRecipe(file);
-      return ReadGuideRecipe(file);
-    });
+  VolumeChoices choices;
+  choices.input = path;
+  const LoadedVolume volume = ReadVolume(choices, session);
+  SayWarnings(volume.passport, session);
+  return volume.image;
 }
 
 vtkSmartPointer<vtkPolyData> RunPartFilter(
@@ -72,9 +52,9 @@ vtkSmartPointer<vtkPolyData> RunPartFilter(
   return made;
 }
 
-void AddLeastShare(CLI::App& verb, double& share)
+CLI::Option* AddLeastShare(CLI::App& verb, double& share)
 {
-  verb
+  return verb
     .add_option("--least-share", share, "Of the inner wall that must be within 0.2 mm of the gap")
     ->check(Within(0.0, 1.0))
     ->capture_default_str();
@@ -91,7 +71,6 @@ CLI::Option* AddPartOptions(CLI::App& verb, PartOptions& options)
     "Keep what --check finds not to hold all the same: exit code 0, and its file says so");
   verb.add_option("--html", options.html,
     "Write the certificate, with pictures, to this .html file, whether it holds or not");
-  AddLeastShare(verb, options.leastShare);
   return output->required();
 }
 
@@ -133,7 +112,10 @@ void WritePart(vtkPolyData* surface, const PartOptions& options, vtkImageData* b
   Try(ExitCode::WrongUse, "", [&] { WriteSurface(surface, options.output, label, inspect); });
   session.result["output"] = FileLabel(options.output);
   if (!checked)
+  {
+    SayWarning(session, "the " + options.part + " is not certified; use --check");
     return session.resources.push_back({ "certificate", 0, 0.0, "no --check was asked for" });
+  }
   if (checked->certificate.Holds())
     return writePage(options.output, "");
   writePage(options.output, "It was forced: the " + options.part +

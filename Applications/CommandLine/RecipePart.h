@@ -6,17 +6,12 @@
 #include "VerbWork.h"
 #include "vtkHaspFileNames.h"
 
-#include "Planning/GuideRecipe.h"
-#include "Planning/ImplantRecipe.h"
-#include "Planning/PlateRecipe.h"
-
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
 #include <string>
-#include <variant>
 
 class vtkImageData;
 namespace CLI
@@ -37,9 +32,9 @@ auto ReadRecipeFile(const std::string& path, const Read& read)
   return Try(ExitCode::BadInput, FileLabel(path) + ": ", [&] { return read(path); });
 }
 
-/// A recipe of what its "format" says; what says nothing is read as a guide's.
-using PartRecipe = std::variant<GuideRecipe, PlateRecipe, ImplantRecipe>;
-PartRecipe ReadPartRecipe(const std::string& path);
+/// Another volume besides IN: labels, or a donor's scan. Its warnings are said. Throws Failure:
+/// BadInput.
+vtkSmartPointer<vtkImageData> ReadOther(const std::string& path, Session& session);
 
 /// Which part a verb makes, and what is asked of it before it is kept.
 struct PartOptions
@@ -51,12 +46,11 @@ struct PartOptions
   std::string html;         ///< of the certificate's page; empty: none
 };
 
-/// --recipe, --output, --check, --force, --html and --least-share. Returns --output, which is
-/// required.
+/// --recipe, --output, --check, --force and --html. Returns --output, which is required.
 CLI::Option* AddPartOptions(CLI::App& verb, PartOptions& options);
 
-/// --least-share alone.
-void AddLeastShare(CLI::App& verb, double& share);
+/// --least-share, for parts whose gap to the bone is claimed. Returns it.
+CLI::Option* AddLeastShare(CLI::App& verb, double& share);
 
 /// Call before the work begins. Throws Failure: WrongUse for files that cannot be written, and for
 /// --force or --html without --check.

@@ -4,37 +4,18 @@
 #include "ImportSubject.h"
 #include "Pairing.h"
 #include "ReportRegistry.h"
+#include "ScratchFolder.h"
 
 #include "vtkImageData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 
 namespace hasp
 {
 namespace
 {
-
-/// A folder of our own, removed with what is in it.
-struct Scratch
-{
-  Scratch()
-  {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hasp-report-XXXXXX").string();
-    if (!mkdtemp(pattern.data()))
-      throw std::runtime_error("no temporary folder can be made to write files to");
-    this->path = pattern;
-  }
-  ~Scratch()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(this->path, ignored);
-  }
-  std::filesystem::path path;
-};
 
 std::string InMm(double error)
 {
@@ -110,19 +91,19 @@ void AddStability(ReportContext& context, const std::filesystem::path& folder)
 
 void ReportImport(ReportContext& context)
 {
-  const Scratch scratch;
-  AddStability(context, scratch.path);
+  const ScratchFolder scratch;
+  AddStability(context, scratch.Path());
   const ImportSubject subject = MakeImportSubject(context.settings.quick ? 96 : 256);
   double done = 0.1;
   const std::vector<ImportFormat> formats = ImportFormats();
   for (const ImportFormat& format : formats)
   {
     context.progress(done += 0.9 / double(formats.size() + 1), "import: " + format.id);
-    const std::string file = WriteImport(subject.image, format, scratch.path / format.id);
+    const std::string file = WriteImport(subject.image, format, scratch.Path() / format.id);
     for (const ImportRival& rival : format.rivals)
       Compare(context, subject, format, rival, file);
     if (format.ending.empty())
-      ReportFaultyFolders(context, format, scratch.path);
+      ReportFaultyFolders(context, format, scratch.Path());
   }
 }
 

@@ -45,7 +45,7 @@ void ReadLabels(const PlanSegmentation& segmentation, const std::string& planFol
 {
   const std::string place = (folder / "labels.nrrd").string();
   WriteBytes(
-    TryPlan(ExitCode::BadInput, [&] { return ReadBlob(planFolder, segmentation.labels); }), place);
+    Try(ExitCode::BadInput, "", [&] { return ReadBlob(planFolder, segmentation.labels); }), place);
   VolumeChoices choices;
   choices.input = place;
   Use(images, segmentation.id, ReadVolume(choices, session));

@@ -151,7 +151,7 @@ PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
   const std::string called = CalledObject(plan, object);
   session.progress.Step("making " + called);
   const auto start = std::chrono::steady_clock::now();
-  RebuiltPart part = TryPlan(ExitCode::BadInput,
+  RebuiltPart part = Try(ExitCode::BadInput, "",
     [&]
     {
       return rebuild.Make(object,

@@ -65,7 +65,7 @@ void AddLookOptions(CLI::App& verb, SceneOptions& scene)
 {
   verb
     .add_option("--surface", scene.surfaces,
-      ".stl, .ply, .obj or .vtp file drawn with it; repeatable")
+      ".stl, .3mf, .ply, .obj or .vtp file drawn with it; repeatable")
     ->expected(1)
     ->allow_extra_args(false) // IN may follow
     ->take_all();

@@ -12,6 +12,8 @@
 #include "vtkHaspSurfaceFile.h"
 #include "vtkHaspVolumeView.h"
 
+#include "Planning/PartRecipeFile.h"
+
 #include <CLI/CLI.hpp>
 
 #include <glm/geometric.hpp>
@@ -78,7 +80,7 @@ void Run(const CertifyOptions& options, Session& session)
   if (options.recipe.empty())
     SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");
   else
-    recipe = ReadPartRecipe(options.recipe);
+    recipe = ReadRecipeFile(options.recipe, ReadPartRecipe);
   const TriangleMesh part = ReadPart(options.part, session);
   const LoadedVolume bone = ReadVolume(options.bone, session);
   SayWarnings(bone.passport, session);
@@ -106,8 +108,9 @@ void AddCertifyVerb(CLI::App& app, Session& session)
     ->add_option("--insertion-axis", options->axis,
       "The direction it lifts off along, L,P,S: of a recipe that searches it")
     ->delimiter(',')
-    ->expected(3);
-  AddLeastShare(*verb, options->leastShare);
+    ->expected(3)
+    ->needs("--recipe");
+  AddLeastShare(*verb, options->leastShare)->needs("--recipe");
   verb->add_option("--html", options->html,
     "Write the certificate, with pictures, to this .html file, whether it holds or not");
   AddCommonOptions(*verb, session);

@@ -41,13 +41,11 @@ CutBone Cut(
   const CutOptions& options, const CutRecipe& recipe, vtkImageData* volume, Session& session)
 {
   BoneImage bone{ ViewImage(volume), {}, options.label };
-  LoadedVolume labels;
+  vtkSmartPointer<vtkImageData> labels;
   if (!options.labels.empty())
   {
-    VolumeChoices choices;
-    choices.input = options.labels;
-    labels = ReadVolume(choices, session);
-    bone.labels = ViewImage(labels.image);
+    labels = ReadOther(options.labels, session);
+    bone.labels = ViewImage(labels);
   }
   session.progress.Step("cutting");
   const auto progress = [&session](double share)
@@ -150,9 +148,9 @@ void Write(const CutOptions& options, const CutBone& cut, const nlohmann::ordere
 void Run(const CutOptions& options, Session& session)
 {
   RequireWritableFolder(options.output);
-  RequireInput(options.cuts);
-  const CutRecipe recipe = Try(ExitCode::BadInput, FileLabel(options.cuts) + ": ",
-    [&] { return ReadCutRecipe(options.cuts); });
+  if (options.format == "3mf")
+    RequireThreeMf();
+  const CutRecipe recipe = ReadRecipeFile(options.cuts, ReadCutRecipe);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   const CutBone cut = Cut(options, recipe, volume.image, session);

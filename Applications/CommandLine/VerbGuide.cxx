@@ -56,7 +56,12 @@ void Run(const GuideOptions& options, Session& session)
   else
     RequireWritable(options.preview, { ".mha" });
   GuideRecipe recipe = ReadRecipeFile(options.part.recipe, ReadGuideRecipe);
-  if (!options.caseLabel.empty() || options.side != BodySide::None)
+  const bool labelled = !options.caseLabel.empty() || options.side != BodySide::None;
+  if (labelled && std::none_of(recipe.labels.begin(), recipe.labels.end(),
+                    [](const GuideLabel& label) { return label.kind == GuideLabelKind::Case; }))
+    throw Failure(ExitCode::WrongUse,
+      "--case-label and --side are for labels of the kind case, and the recipe has none");
+  if (labelled)
     recipe = WithCaseLabels(std::move(recipe), options.caseLabel, options.side, "");
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
@@ -84,7 +89,10 @@ void AddGuideVerb(CLI::App& app, Session& session)
   CLI::Option* output = AddPartOptions(*verb, options->part)->required(false);
   CLI::Option* preview = verb->add_option("--preview", options->preview,
     "An .mha file of the guide's field instead of --output: hasp render draws it, --isovalue 0");
+  AddLeastShare(*verb, options->part.leastShare)->needs("--check");
   preview->excludes(output);
+  for (const char* ofMeshes : { "--check", "--force", "--html" })
+    preview->excludes(ofMeshes);
   verb->add_option("--case-label", options->caseLabel, "What labels of the kind case say");
   verb->add_option("--side", options->side, "Of the body, on the same labels")
     ->transform(CLI::CheckedTransformer(

@@ -36,7 +36,7 @@ void Begin(const PlanOptions& options)
                                       "another name");
   Plan plan;
   plan.caseLabel = options.caseLabel;
-  PlanDocument document = TryPlan(ExitCode::WrongUse,
+  PlanDocument document = Try(ExitCode::WrongUse, "",
     [&] {
       return PlanDocument{ PlanHistory(plan), {} };
     });
@@ -47,7 +47,7 @@ void Begin(const PlanOptions& options)
 void ApplyEdits(PlanDocument& document, const std::string& path, Session& session)
 {
   const std::string text = ReadText(path);
-  TryPlan(ExitCode::BadInput,
+  Try(ExitCode::BadInput, "",
     [&]
     {
       std::vector<PlanEdit> edits = ParseEdits(text);
@@ -99,7 +99,7 @@ void Prune(PlanDocument& document, const std::string& folder, Session& session)
       }
     });
   StorePlan(folder, document);
-  TryPlan(ExitCode::WrongUse, [&] { RemoveUnusedBlobs(folder, document); });
+  Try(ExitCode::WrongUse, "", [&] { RemoveUnusedBlobs(folder, document); });
   const std::size_t gone = before - document.parts.size();
   session.result["pruned"] = gone;
   Say(session, std::to_string(gone) + " parts that were out of date or damaged are forgotten");
@@ -123,16 +123,16 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
       ExitCode::BadInput, WhyNoPart(plan, document.parts, options.part) + "; hasp run makes it");
   const std::string folder = PlanFolder(options.plan);
   const auto blob = [&](const std::string& hash)
-  { return TryPlan(ExitCode::BadInput, [&] { return ReadBlob(folder, hash); }); };
+  { return Try(ExitCode::BadInput, "", [&] { return ReadBlob(folder, hash); }); };
   const std::string text = part->report.empty() ? "" : blob(part->report);
   if (!text.empty() && !options.force)
-    if (const PartReport report = TryPlan(ExitCode::BadInput, [&] { return ReadPartReport(text); });
+    if (const PartReport report = Try(ExitCode::BadInput, "", [&] { return ReadPartReport(text); });
         report.verdict == "red")
       throw FailedCheck(called + " does not hold; --force exports it", report.faults);
   if (!options.recipe.empty())
   {
     const std::string recipe =
-      text.empty() ? "" : TryPlan(ExitCode::BadInput, [&] { return RecipeOfReport(text); });
+      text.empty() ? "" : Try(ExitCode::BadInput, "", [&] { return RecipeOfReport(text); });
     if (recipe.empty())
       throw Failure(ExitCode::WrongUse, called +
                                           ": it has no recipe that a scan alone could be held "
@@ -162,12 +162,12 @@ void Change(const PlanOptions& options, Session& session)
   RequireInput(options.plan);
   if (!IsPlanFolder(options.plan))
     throw Failure(ExitCode::WrongUse, "plan.json alone is only read; give the plan's folder");
-  const PlanLock lock = TryPlan(ExitCode::WrongUse, [&] { return PlanLock(options.plan); });
+  const PlanLock lock = Try(ExitCode::WrongUse, "", [&] { return PlanLock(options.plan); });
   PlanDocument document = OpenPlan(options.plan);
   if (!options.blob.empty())
   {
     session.result["blob"] =
-      TryPlan(ExitCode::WrongUse, [&] { return WriteBlob(options.plan, ReadText(options.blob)); });
+      Try(ExitCode::WrongUse, "", [&] { return WriteBlob(options.plan, ReadText(options.blob)); });
     return Say(session, session.result["blob"]);
   }
   if (options.prune)

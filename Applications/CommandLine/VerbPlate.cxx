@@ -73,13 +73,7 @@ void Run(const PlateOptions& options, Session& session)
   filter->SetRecipe(recipe);
   filter->SetInputData(0, volume.image);
   if (!options.labels.empty())
-  {
-    VolumeChoices choices;
-    choices.input = options.labels;
-    const LoadedVolume labels = ReadVolume(choices, session);
-    SayWarnings(labels.passport, session);
-    filter->SetInputData(1, labels.image);
-  }
+    filter->SetInputData(1, ReadOther(options.labels, session));
   const vtkSmartPointer<vtkPolyData> plate = RunPartFilter(filter, "plate", session);
   const std::vector<ScrewAxis> screws = ScrewsOf(plate);
   session.progress.Wipe();
@@ -97,6 +91,7 @@ void AddPlateVerb(CLI::App& app, Session& session)
   CLI::App* verb = app.add_subcommand("plate", "Make a bone plate from a CT and a recipe");
   AddVolumeOptions(*verb, options->volume);
   AddPartOptions(*verb, options->part);
+  AddLeastShare(*verb, options->part.leastShare)->needs("--check");
   verb->add_option(
     "--labels", options->labels, "Labels of the same grid, for recipes that move fragments");
   AddCommonOptions(*verb, session);

@@ -69,7 +69,7 @@ public:
       const std::string run = WriteParts(this->Now, this->Parts, folder, this->Shared);
       WriteBytes(run, (folder / "run.json").string());
     };
-    TryPlan(ExitCode::WrongUse,
+    Try(ExitCode::WrongUse, "",
       [&] { WriteInspected(this->Options.output, write, [](const std::string&) {}); });
     this->SayParts();
   }

@@ -48,15 +48,6 @@ struct MadeGuide
   vtkSmartPointer<vtkPolyData> surface;
 };
 
-vtkSmartPointer<vtkImageData> ReadOther(const std::string& path, Session& session)
-{
-  VolumeChoices choices;
-  choices.input = path;
-  const LoadedVolume volume = ReadVolume(choices, session);
-  SayWarnings(volume.passport, session);
-  return volume.image;
-}
-
 MadeTransplant Make(const TransplantOptions& options, const TransplantRecipe& recipe,
   vtkImageData* recipient, vtkImageData* donor, Session& session)
 {

@@ -3,38 +3,16 @@
 #include "Planning/DerivedPart.h"
 #include "RandomDocument.h"
 #include "ReportRegistry.h"
-
-#include <unistd.h>
+#include "ScratchFolder.h"
 
 #include <chrono>
-#include <stdexcept>
+#include <exception>
+#include <filesystem>
 
 namespace hasp
 {
 namespace
 {
-
-/// A folder that is gone afterwards.
-class ScratchFolder
-{
-public:
-  ScratchFolder()
-    : Place(std::filesystem::temp_directory_path() / ("hasp-plans-" + std::to_string(getpid())))
-  {
-    std::filesystem::create_directories(this->Place);
-  }
-  ~ScratchFolder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(this->Place, error);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::filesystem::path Plan() const { return this->Place / "plan.hasp"; }
-
-private:
-  std::filesystem::path Place;
-};
 
 /// Undo to the start, redo to the end: the same hashes both ways.
 bool ComesBack(PlanDocument document)
@@ -78,7 +56,8 @@ void TryPlans(ReportContext& context, std::size_t plans)
   constexpr unsigned OnDisk = 20; ///< each of these waits for the disk; the others are texts
   constexpr int FlipsOfEach = 4;
   const auto seed = static_cast<unsigned>(context.settings.seed * 100'000);
-  const ScratchFolder folder;
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = scratch.Path() / "plan.hasp";
   std::size_t lost = 0, undone = 0, unseen = 0;
   double seconds = 0.0;
   for (unsigned n = 0; n < plans; ++n)
@@ -91,8 +70,8 @@ void TryPlans(ReportContext& context, std::size_t plans)
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (n < OnDisk)
     {
-      SavePlan(folder.Plan(), document);
-      same = same && LoadPlan(folder.Plan()) == document;
+      SavePlan(folder, document);
+      same = same && LoadPlan(folder) == document;
     }
     lost += !same;
     undone += !ComesBack(document);

@@ -1,5 +1,5 @@
 #pragma once
-#include "HaspProcess.h"
+#include "PartFixture.h"
 
 #include "Grid/Phantom.h"
 
@@ -10,9 +10,10 @@
 #include <vector>
 
 /// A phantom and a recipe that fits it.
-class GuideRecipeTest : public HaspTest
+class GuideRecipeTest : public PartTest
 {
 protected:
+  GuideRecipeTest() : PartTest("guide", "recipe") {}
   /// A band over the phantom's left frontal bone.
   static nlohmann::json Recipe()
   {
@@ -34,17 +35,18 @@ protected:
       { "ignoreBelowMm3", 100.0 }, { "slots", nlohmann::json::array() },
       { "holes", nlohmann::json::array() } };
   }
-  HaspRun Guide(const nlohmann::json& recipe, const std::vector<std::string>& more = {})
+  HaspRun Guide(const nlohmann::json& recipe, const std::vector<std::string>& more = {}) const
   {
-    this->WriteText("recipe.json", recipe.dump());
-    std::vector<std::string> words{ "guide", this->Path("head.mha"), "--recipe",
-      this->Path("recipe.json"), "--output", this->Path("guide.stl") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
-  void FinePhantom()
-  {
-    ASSERT_EQ(
-      RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
+    return this->Make(recipe, more);
   }
 };
+words.insert(words.end(), more.begin(), more.end());
+return RunHasp(words);
+}
+void FinePhantom()
+{
+  ASSERT_EQ(
+    RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
+}
+}
+;

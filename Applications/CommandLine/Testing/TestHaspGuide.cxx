@@ -16,6 +16,58 @@ using nlohmann::json;
 
 using HaspGuide = GuideRecipeTest;
 
+TEST_F(HaspGuide, OptionsThatWouldDoNothingAreRefused)
+{
+  this->Phantom();
+  this->WriteText("recipe.json", Recipe().dump());
+  const auto preview = [this](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> words{ "guide", this->Path("head.mha"), "--recipe",
+      this->Path("recipe.json"), "--preview", this->Path("field.mha") };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  };
+  ExpectFailure(preview({ "--check" }), 1, "--preview excludes --check");
+  ExpectFailure(preview({ "--force" }), 1, "--preview excludes --force");
+  ExpectFailure(preview({ "--html", this->Path("a.html") }), 1, "--preview excludes --html");
+  ExpectFailure(this->Guide(Recipe(), { "--least-share", "0.9" }), 1, "--check");
+  ExpectFailure(this->Guide(Recipe(), { "--case-label", "Erika" }), 1, "the recipe has none");
+  ExpectFailure(this->Guide(Recipe(), { "--side", "left" }), 1, "the recipe has none");
+  ExpectFailure(RunHasp({ "certify", this->Path("guide.stl"), "--bone", this->Path("head.mha"),
+                  "--insertion-axis", "0,0,1" }),
+    1, "--recipe");
+  EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "recipe.json" }));
+}
+
+#if !HASP_WITH_LIB3MF
+TEST_F(HaspGuide, WithoutLib3mfA3mfFileIsRefusedBeforeTheWork)
+{
+  this->WriteText("recipe.json", Recipe().dump());
+  ExpectFailure(RunHasp({ "guide", this->Path("none.mha"), "--recipe", this->Path("recipe.json"),
+                  "--output", this->Path("guide.3mf") }),
+    1, "HASP_ENABLE_LIB3MF");
+}
+#endif
+
+TEST_F(HaspGuide, AMistakeInARecipeIsToldByItsLineAndARecipeOfAnotherKindByItsVerb)
+{
+  this->Phantom();
+  json recipe = Recipe();
+  recipe["thicknessmm"] = recipe["thicknessMm"];
+  recipe.erase("thicknessMm");
+  this->WriteText("recipe.json", recipe.dump(1));
+  const std::vector<std::string> words{ "guide", this->Path("head.mha"), "--recipe",
+    this->Path("recipe.json"), "--output", this->Path("guide.stl") };
+  const std::string text = recipe.dump(1);
+  const auto line =
+    1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("thicknessmm")), '\n');
+  ExpectFailure(
+    RunHasp(words), 2, "guide recipe: a key is unknown, the nearest known is 'thicknessMm'");
+  ExpectFailure(RunHasp(words), 2, "(line " + std::to_string(line) + ")");
+  this->WriteText("recipe.json", R"({ "format": "hasp-implant-recipe-1" })");
+  ExpectFailure(RunHasp(words), 2, "the file is an implant recipe, which hasp implant takes");
+}
+
 TEST_F(HaspGuide, BadRecipesAreTwoAndLeaveNothing)
 {
   this->Phantom();
@@ -160,6 +212,7 @@ TEST_F(HaspGuide, WithoutACheckNoneIsPaidFor)
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_FALSE(document.contains("certificate"));
+  EXPECT_NE(run.err.find("the guide is not certified; use --check"), std::string::npos) << run.err;
   const json& resources = document.at("resources");
   const auto skipped = std::find_if(resources.begin(), resources.end(),
     [](const json& resource) { return resource.at("resource") == "certificate"; });

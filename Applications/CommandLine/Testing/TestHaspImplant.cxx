@@ -1,4 +1,4 @@
-#include "HaspProcess.h"
+#include "PartFixture.h"
 
 #include "Grid/Phantom.h"
 
@@ -11,9 +11,10 @@ namespace
 
 using nlohmann::json;
 
-class HaspImplant : public HaspTest
+class HaspImplant : public PartTest
 {
 protected:
+  HaspImplant() : PartTest("implant", "implant") {}
   /// Around the phantom's hole.
   static json Recipe()
   {
@@ -32,43 +33,32 @@ protected:
       { "outline", outline }, { "clearanceMm", 0.5 }, { "thicknessMm", 4 }, { "spacingMm", 1 },
       { "holeDiameterMm", 3 }, { "holePitchMm", 10 }, { "holeEdgeMm", 3 } };
   }
-  HaspRun Implant(const json& recipe, const std::vector<std::string>& more = {})
-  {
-    this->WriteText("implant.json", recipe.dump());
-    std::vector<std::string> words{ "implant", this->Path("head.mha"), "--recipe",
-      this->Path("implant.json"), "--output", this->Path("implant.stl") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
-  void Head()
-  {
-    ASSERT_EQ(
-      RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
-  }
 };
 
 TEST_F(HaspImplant, BadRecipesAreTwoAndLeaveNothing)
 {
-  this->Head();
+  this->FinePhantom();
   ExpectFailure(RunHasp({ "implant", this->Path("head.mha"), "--recipe", this->Path("no.json"),
                   "--output", this->Path("implant.stl") }),
     2, "the .json file: no such file");
   json recipe = Recipe();
   recipe["thicknessMm"] = -4;
-  ExpectFailure(this->Implant(recipe), 2, "thicknessMm is -4");
+  ExpectFailure(this->Make(recipe), 2, "thicknessMm is -4");
   recipe = Recipe();
   recipe["outline"][1] = { 0, 0, 0 };
-  ExpectFailure(this->Implant(recipe), 2, "outline[1] (");
+  ExpectFailure(this->Make(recipe), 2, "outline[1] (");
   recipe = Recipe();
   recipe["mirror"] = { { "point", { 300, 0, 0 } }, { "normal", { 1, 0, 0 } } };
-  ExpectFailure(this->Implant(recipe), 2, "no mirrored bone");
+  ExpectFailure(this->Make(recipe), 2, "no mirrored bone");
+  // It claims no gap.
+  ExpectFailure(this->Make(Recipe(), { "--check", "--least-share", "0.9" }), 1, "least-share");
   EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "implant.json" }));
 }
 
 TEST_F(HaspImplant, WritesAnImplantAndSaysWhatWasFound)
 {
-  this->Head();
-  const HaspRun run = this->Implant(Recipe(), { "--json" });
+  this->FinePhantom();
+  const HaspRun run = this->Make(Recipe(), { "--json" });
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const json document = json::parse(run.out);
   // Of a phantom, which is symmetric.
@@ -80,29 +70,22 @@ TEST_F(HaspImplant, WritesAnImplantAndSaysWhatWasFound)
   EXPECT_GT(document.at("holes_mm").size(), 4U);
   EXPECT_GT(ReadBytes(this->Path("implant.stl")).size(), 84U + 50U * 1000U);
   const std::string first = ReadBytes(this->Path("implant.stl"));
-  ASSERT_EQ(this->Implant(Recipe()).exitCode, 0);
+  ASSERT_EQ(this->Make(Recipe()).exitCode, 0);
   EXPECT_EQ(ReadBytes(this->Path("implant.stl")), first);
 }
 
 TEST_F(HaspImplant, IsHeldToItsRecipe)
 {
-  this->Head();
+  this->FinePhantom();
   json recipe = Recipe();
   recipe["spacingMm"] = 0.6; // contours of coarser grids have burrs in holes: ImplantClaims.h
-  const HaspRun made = this->Implant(recipe, { "--check" });
+  const HaspRun made = this->Make(recipe, { "--check" });
   ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
-  const auto certify = [this](const std::vector<std::string>& more = {})
-  {
-    std::vector<std::string> words{ "certify", this->Path("implant.stl"), "--bone",
-      this->Path("head.mha"), "--recipe", this->Path("implant.json") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  };
-  EXPECT_EQ(certify().exitCode, 0); // its axis and holes are found again
-  ExpectFailure(certify({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
+  EXPECT_EQ(this->CertifyMade().exitCode, 0); // its axis and holes are found again
+  ExpectFailure(this->CertifyMade({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
   recipe["holeDiameterMm"] = 3.4;
   this->WriteText("implant.json", recipe.dump());
-  ExpectFailure(certify(), 3, "must have 3.40");
+  ExpectFailure(this->CertifyMade(), 3, "must have 3.40");
 }
 
 } // namespace

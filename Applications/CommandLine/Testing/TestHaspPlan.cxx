@@ -83,7 +83,8 @@ TEST_F(HaspPlan, RefusedEditsLeaveThePlanAsItWas)
     this->Apply(json::array({ { { "remove", 7 } } })), 2, "object 7: the plan has none");
   json wrong = Fragment(2);
   wrong["object"]["Erika"] = 1;
-  ExpectFailure(this->Apply(json::array({ wrong })), 2, "plan: edits[0].object.key 1 is unknown");
+  ExpectFailure(
+    this->Apply(json::array({ wrong })), 2, "plan: a key of edits[0].object is unknown");
   this->WriteText("edits.json", "{");
   ExpectFailure(this->Plan({ "--apply", this->Path("edits.json") }), 2, "edits: no JSON");
   ExpectFailure(this->Plan({ "--apply", this->Path("no.json") }), 2, "no such file");

@@ -1,4 +1,4 @@
-#include "HaspProcess.h"
+#include "PartFixture.h"
 
 #include "Grid/Phantom.h"
 
@@ -10,9 +10,10 @@ namespace
 
 using nlohmann::json;
 
-class HaspPlate : public HaspTest
+class HaspPlate : public PartTest
 {
 protected:
+  HaspPlate() : PartTest("plate", "plate") {}
   /// Over the phantom's left frontal bone.
   static json Recipe()
   {
@@ -30,44 +31,28 @@ protected:
       { "bevelMm", 0.75 }, { "bridgeMm", 0 }, { "edgeDistanceMm", 1 }, { "holeDistanceMm", 1 },
       { "spacingMm", 0.7 }, { "screws", { screw } }, { "fragments", json::array() } };
   }
-  HaspRun Plate(const json& recipe, const std::vector<std::string>& more = {})
-  {
-    this->WriteText("plate.json", recipe.dump());
-    std::vector<std::string> words{ "plate", this->Path("head.mha"), "--recipe",
-      this->Path("plate.json"), "--output", this->Path("plate.stl") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
-  HaspRun Certify(const std::vector<std::string>& more = {}) const
-  {
-    std::vector<std::string> words{ "certify", this->Path("plate.stl"), "--bone",
-      this->Path("head.mha"), "--recipe", this->Path("plate.json") };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
-  void Head()
-  {
-    ASSERT_EQ(
-      RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
-  }
 };
 
 TEST_F(HaspPlate, BadRecipesAreTwoAndLeaveNothing)
 {
-  this->Head();
+  this->FinePhantom();
   ExpectFailure(RunHasp({ "plate", this->Path("head.mha"), "--recipe", this->Path("no.json"),
                   "--output", this->Path("plate.stl") }),
     2, "the .json file: no such file");
   json recipe = Recipe();
   recipe["widthMm"] = -7;
-  ExpectFailure(this->Plate(recipe), 2, "widthMm is -7");
+  ExpectFailure(this->Make(recipe), 2, "widthMm is -7");
   recipe = Recipe();
   recipe["landmarks"][0] = { 0, 0, 0 };
-  ExpectFailure(this->Plate(recipe), 2, "landmarks[0] is");
+  ExpectFailure(this->Make(recipe), 2, "landmarks[0] is");
+  recipe = Recipe();
+  for (json& place : recipe["landmarks"])
+    place = { -place[0].get<double>() + 500.0, place[1], place[2] };
+  ExpectFailure(this->Make(recipe), 2, "is outside the volume");
   recipe = Recipe();
   recipe["edgeDistanceMm"] = 2;
-  ExpectFailure(this->Plate(recipe), 2, "mm from the plate's edge, must be 2");
-  ExpectFailure(this->Plate(Recipe(), { "--labels", this->Path("no.mha") }), 2, "no such file");
+  ExpectFailure(this->Make(recipe), 2, "mm from the plate's edge, must be 2");
+  ExpectFailure(this->Make(Recipe(), { "--labels", this->Path("no.mha") }), 2, "no such file");
   EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "plate.json" }));
 }
 
@@ -84,8 +69,8 @@ TEST_F(HaspPlate, WarningsOfLabelsAreSaid)
 
 TEST_F(HaspPlate, WritesAPlateAndSaysWhereItsScrewsAre)
 {
-  this->Head();
-  const HaspRun run = this->Plate(Recipe(), { "--json" });
+  this->FinePhantom();
+  const HaspRun run = this->Make(Recipe(), { "--json" });
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const json document = json::parse(run.out);
   ASSERT_EQ(document.at("screws").size(), 1U);
@@ -95,50 +80,61 @@ TEST_F(HaspPlate, WritesAPlateAndSaysWhereItsScrewsAre)
       recipe["landmarks"][1][a].get<double>(), 4.0);
   EXPECT_GT(ReadBytes(this->Path("plate.stl")).size(), 84U + 50U * 1000U);
   const std::string first = ReadBytes(this->Path("plate.stl"));
-  ASSERT_EQ(this->Plate(Recipe()).exitCode, 0);
+  ASSERT_EQ(this->Make(Recipe()).exitCode, 0);
   EXPECT_EQ(ReadBytes(this->Path("plate.stl")), first);
+}
+
+TEST_F(HaspPlate, WarningsOfLabelsAreSaid)
+{
+  this->FinePhantom();
+  this->WriteText(
+    "labels.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\n"
+                  "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+                    std::string(8, '\1'));
+  const HaspRun run = this->Make(Recipe(), { "--labels", this->Path("labels.mha") });
+  EXPECT_NE(run.err.find("hasp: warning: The file says no position"), std::string::npos) << run.err;
 }
 
 TEST_F(HaspPlate, AMovedFragmentsPlateIsNotHeldToTheScan)
 {
-  this->Head();
+  this->FinePhantom();
   json recipe = Recipe();
   recipe["fragments"] = { { { "label", 1 }, { "position", { 0, 0, 0 } },
     { "orientation", { 1, 0, 0, 0 } } } };
-  ExpectFailure(this->Plate(recipe, { "--check" }), 1, "the recipe moves fragments");
-  ASSERT_EQ(this->Plate(Recipe()).exitCode, 0);
+  ExpectFailure(this->Make(recipe, { "--check" }), 1, "the recipe moves fragments");
+  ASSERT_EQ(this->Make(Recipe()).exitCode, 0);
   this->WriteText("plate.json", recipe.dump());
-  ExpectFailure(this->Certify(), 2, "plate claims: the recipe moves fragments");
+  ExpectFailure(this->CertifyMade(), 2, "plate claims: the recipe moves fragments");
 }
 
 #if HASP_WITH_CGAL
 TEST_F(HaspPlate, APlateIsHeldToItsRecipe)
 {
-  this->Head();
-  const HaspRun made = this->Plate(Recipe(), { "--check", "--json" });
+  this->FinePhantom();
+  const HaspRun made = this->Make(Recipe(), { "--check", "--json" });
   ASSERT_EQ(made.exitCode, 0) << made.err;
   const json certificate = json::parse(made.out).at("certificate");
   EXPECT_EQ(certificate.at("passed"), true);
   EXPECT_EQ(certificate.at("holes").size(), 1U);
-  EXPECT_EQ(this->Certify().exitCode, 0);
-  ExpectFailure(this->Certify({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
+  EXPECT_EQ(this->CertifyMade().exitCode, 0);
+  ExpectFailure(this->CertifyMade({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
   // Of the same file, what another recipe promises.
   json recipe = Recipe();
   recipe["screws"][0]["diameterMm"] = 2.9;
   this->WriteText("plate.json", recipe.dump());
-  ExpectFailure(this->Certify(), 3, "mm, must have 2.90 within 0.10");
+  ExpectFailure(this->CertifyMade(), 3, "mm, must have 2.90 within 0.10");
 }
 #endif
 
 TEST_F(HaspPlate, APlateThatDoesNotHoldIsKeptByForceAlone)
 {
-  this->Head();
-  ExpectFailure(this->Plate(Recipe(), { "--force" }), 1, "--force is for parts that --check");
+  this->FinePhantom();
+  ExpectFailure(this->Make(Recipe(), { "--force" }), 1, "--force is for parts that --check");
   json recipe = Recipe();
   recipe["gapMm"] = 0; // a scan's surface is not that smooth: it touches bone
-  ExpectFailure(this->Plate(recipe, { "--check" }), 3, "was not kept");
+  ExpectFailure(this->Make(recipe, { "--check" }), 3, "was not kept");
   EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "plate.json" }));
-  ASSERT_EQ(this->Plate(recipe, { "--check", "--force" }).exitCode, 0);
+  ASSERT_EQ(this->Make(recipe, { "--check", "--force" }).exitCode, 0);
   EXPECT_NE(
     ReadBytes(this->Path("plate.stl")).substr(0, 80).find("DOES NOT HOLD"), std::string::npos);
 }

@@ -6,11 +6,12 @@
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/GridSolid.h"
+#include "Grid/ProgressPart.h"
+#include "WorkingGrid.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -19,10 +20,9 @@ namespace hasp
 
 namespace
 {
-constexpr double MostPoints = 2e8;
 constexpr double MarginSteps = 4.0;
+} // namespace
 
-/// First and last index of what is kept; first > last if nothing is.
 std::pair<glm::ivec3, glm::ivec3> KeptRange(
   const glm::ivec3& dims, std::span<const std::uint8_t> keep)
 {
@@ -38,13 +38,6 @@ std::pair<glm::ivec3, glm::ivec3> KeptRange(
         }
   return { low, high };
 }
-} // namespace
-
-ProgressFunction ShareOf(const ProgressFunction& progress, double from, double to)
-{
-  return [&progress, from, to](double share)
-  { return !progress || progress(from + share * (to - from)); };
-}
 
 GridGeometry WithSpacing(const GridGeometry& grid, double spacingMm)
 {
@@ -52,18 +45,6 @@ GridGeometry WithSpacing(const GridGeometry& grid, double spacingMm)
   finer.dims = glm::ivec3(glm::ceil(glm::dvec3(grid.Cells()) * grid.spacing / spacingMm)) + 1;
   finer.spacing = glm::dvec3(spacingMm);
   return finer;
-}
-
-void CheckGridSize(const char* who, const GridGeometry& grid)
-{
-  const double points = double(grid.dims.x) * grid.dims.y * grid.dims.z;
-  if (points <= MostPoints)
-    return;
-  std::ostringstream text;
-  text << who << ": a grid of " << grid.spacing.x << " mm around this bone has " << points
-       << " points, at most " << MostPoints
-       << ": choose a larger spacingMm or kerf, or a label of this bone alone";
-  throw std::invalid_argument(text.str());
 }
 
 std::vector<std::uint8_t> MarkBone(const char* who, const BoneImage& bone, double isovalue,
@@ -128,13 +109,13 @@ BoneDistance DistanceOfBone(const char* who, const AnyGridView& grey, double iso
   const glm::dvec3 size = glm::dvec3(last - first) * ct.spacing + 2.0 * margin;
   grid.spacing = glm::dvec3(spacingMm);
   grid.dims = glm::ivec3(glm::ceil(size / spacingMm)) + 1;
-  CheckGridSize(who, grid);
+  CheckPoints(who, grid.dims, grid.spacing.x, GridRemedy);
   CoverageSettings settings;
   settings.isovalue = isovalue;
   settings.keep = keep;
-  const std::vector<float> coverage = Coverage(grey, grid, settings, ShareOf(progress, 0.0, 0.5));
+  const std::vector<float> coverage = Coverage(grey, grid, settings, PartOf(progress, 0.0, 0.5));
   bone.distance = std::make_shared<const std::vector<float>>(
-    CoverageDistanceBand(grid, coverage, ShareOf(progress, 0.5, 1.0)));
+    CoverageDistanceBand(grid, coverage, PartOf(progress, 0.5, 1.0)));
   return bone;
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hasp
@@ -35,13 +36,11 @@ std::vector<std::uint8_t> IslandNear(const char* who, const BoneImage& bone, dou
 BoneDistance DistanceOfBone(const char* who, const AnyGridView& grey, double isovalue,
   std::span<const std::uint8_t> keep, double spacingMm, const ProgressFunction& progress);
 
+/// First and last index of what is kept; first > last if nothing is.
+std::pair<glm::ivec3, glm::ivec3> KeptRange(
+  const glm::ivec3& dims, std::span<const std::uint8_t> keep);
+
 /// The same place with other steps.
 GridGeometry WithSpacing(const GridGeometry& grid, double spacingMm);
-
-/// Throws std::invalid_argument if it has over 2e8 points.
-void CheckGridSize(const char* who, const GridGeometry& grid);
-
-/// Part [from, to] of the whole.
-ProgressFunction ShareOf(const ProgressFunction& progress, double from, double to);
 
 } // namespace hasp

@@ -8,6 +8,8 @@
 #include "Distance/Csg.h"
 #include "Distance/MeshCoverage.h"
 #include "Distance/SharpContour.h"
+#include "Grid/ProgressPart.h"
+#include "WorkingGrid.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -230,21 +232,22 @@ CutBone CutFragments(
 {
   ValidateCutRecipe(recipe);
   std::vector<std::uint8_t> keep =
-    MarkBone(Who, image, recipe.isovalue, recipe.ignoreBelowMm3, ShareOf(progress, 0.0, 0.1));
+    MarkBone(Who, image, recipe.isovalue, recipe.ignoreBelowMm3, PartOf(progress, 0.0, 0.1));
   KeepCutIslands(GeometryOf(image.grey), recipe, keep);
+  CheckResected(GeometryOf(image.grey), keep, recipe.resected);
   const BoneDistance distance = DistanceOfBone(
-    Who, image.grey, recipe.isovalue, keep, recipe.spacingMm, ShareOf(progress, 0.1, 0.5));
+    Who, image.grey, recipe.isovalue, keep, recipe.spacingMm, PartOf(progress, 0.1, 0.5));
   const double spacing = CutSpacing(recipe);
   const GridGeometry grid = WithSpacing(distance.grid, spacing);
-  CheckGridSize(Who, grid);
+  CheckPoints(Who, grid.dims, spacing, GridRemedy);
   const SolidPointer bone = distance.Solid();
   FragmentLabels labels(GeometryOf(image.grey), keep);
   CutBone result;
   const std::vector<MadeCut> made =
-    MakeCuts(recipe, bone, labels, result, ShareOf(progress, 0.5, 0.6));
-  result.boneMm3 = VolumeOf(SharpContour(*bone, grid, {}, nullptr, ShareOf(progress, 0.6, 0.75)));
+    MakeCuts(recipe, bone, labels, result, PartOf(progress, 0.5, 0.6));
+  result.boneMm3 = VolumeOf(SharpContour(*bone, grid, {}, nullptr, PartOf(progress, 0.6, 0.75)));
   const TriangleMesh mesh =
-    SharpContour(*Without(bone, made), grid, {}, nullptr, ShareOf(progress, 0.75, 0.95));
+    SharpContour(*Without(bone, made), grid, {}, nullptr, PartOf(progress, 0.75, 0.95));
   result.fragments = FragmentsOf(mesh, recipe.crumbBelowMm3);
   MeasureSides(made, FaceTolerance * spacing, result);
   MarkResected(result.fragments, recipe.resected);

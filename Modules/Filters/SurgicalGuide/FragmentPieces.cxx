@@ -1,5 +1,6 @@
 #include "FragmentPieces.h"
 
+#include "BoneSolid.h"
 #include "Distance/TetrahedraContour.h"
 
 #include <glm/common.hpp>
@@ -11,6 +12,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace hasp
 {
@@ -208,6 +210,26 @@ std::pair<std::size_t, double> NearestFragment(
       least = away, found = f;
   }
   return { found, least };
+}
+
+void CheckResected(
+  const GridGeometry& ct, std::span<const std::uint8_t> bone, std::span<const glm::dvec3> places)
+{
+  if (places.empty())
+    return;
+  const auto [first, last] = KeptRange(ct.dims, bone);
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    const glm::dvec3 at = ct.WorldToIndex(places[n]),
+                     off = glm::max(glm::dvec3(first) - at, at - glm::dvec3(last)) * ct.spacing;
+    // Bone reaches out from its samples by less than a step.
+    const glm::dvec3 away = glm::max(off - ct.spacing, glm::dvec3(0.0));
+    if (glm::length(away) > FarthestSeedMm)
+      throw std::runtime_error("cuts: resected[" + std::to_string(n) + "] is over " +
+                               std::to_string(int(glm::length(away))) +
+                               " mm from the bone that is cut, must be within " +
+                               std::to_string(int(FarthestSeedMm)) + " mm");
+  }
 }
 
 void MarkResected(std::vector<BoneFragment>& fragments, std::span<const glm::dvec3> places)

@@ -38,6 +38,11 @@ inline constexpr double FarthestSeedMm = 3.0;
 std::pair<std::size_t, double> NearestFragment(
   std::span<const BoneFragment> fragments, std::span<const MeshRays> rays, const glm::dvec3& place);
 
+/// Whether each place can lie in a fragment, to be asked before there are any. bone   1: that is
+/// cut. Throws std::runtime_error "resected[n] …".
+void CheckResected(
+  const GridGeometry& ct, std::span<const std::uint8_t> bone, std::span<const glm::dvec3> places);
+
 /// Marks the fragment that each place lies in, or within 3 mm of. Throws std::runtime_error
 /// "resected[n] …" where there is none.
 void MarkResected(std::vector<BoneFragment>& fragments, std::span<const glm::dvec3> places);

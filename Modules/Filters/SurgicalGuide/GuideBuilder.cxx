@@ -13,6 +13,7 @@
 #include "GuideWalls.h"
 #include "InsertionAxis.h"
 #include "OnePiece.h"
+#include "PlaceChecks.h"
 #include "Planning/GuideSlots.h"
 
 #include <glm/common.hpp>
@@ -97,16 +98,12 @@ void ForEachLandmark(const GuideRecipe& recipe, const Check& check)
 
 void CheckLandmarksInVolume(const GridGeometry& volume, const GuideRecipe& recipe)
 {
+  std::vector<NamedPlace> places;
   ForEachLandmark(recipe,
-    [&](const std::string& name, const glm::dvec3& p)
-    {
-      if (LocateCell(volume, volume.WorldToIndex(p)))
-        return;
-      std::ostringstream text;
-      text << "guide: " << name << " (" << p.x << ", " << p.y << ", " << p.z
-           << ") is outside the volume";
-      throw std::runtime_error(text.str());
+    [&](const std::string& name, const glm::dvec3& p) {
+      places.push_back({ name, p });
     });
+  CheckInVolume("guide", volume, places);
 }
 
 void CheckLandmarksOnBone(const GridView<const float>& bone, const GuideRecipe& recipe)
@@ -256,7 +253,7 @@ GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& given,
     ValidateGuideRecipe(recipe);
   ReportProgress(progress, 0.15);
   const GuideParts parts = MakeGuideParts(recipe);
-  const GuideFrame frame = MakeGuideFrame(recipe, volume, keep, parts.added);
+  const GuideFrame frame = MakeGuideFrame(recipe, volume, keep, parts);
   const GuideDistances distances =
     DistanceToBone(ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.2, 0.7));
   CheckLandmarksOnBone({ distances->data(), frame.grid }, recipe);

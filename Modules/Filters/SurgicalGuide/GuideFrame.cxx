@@ -5,6 +5,7 @@
 #include "Distance/SolidPrisms.h"
 #include "Distance/SolidShapes.h"
 #include "Distance/SolidSweeps.h"
+#include "WorkingGrid.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,18 +24,6 @@ namespace hasp
 
 namespace
 {
-constexpr double MostVoxels = 2e8;
-
-/// Right-handed axes with `z` as the third column.
-glm::dmat3 AxesAlong(const glm::dvec3& z)
-{
-  glm::dvec3 least(0.0); // the world axis farthest from z
-  const glm::dvec3 size = glm::abs(z);
-  least[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1.0;
-  const glm::dvec3 x = glm::normalize(glm::cross(least, z));
-  return { x, glm::cross(z, x), z };
-}
-
 /// How far along the third axis marked samples go inside the polygon or within `reach` of it; at
 /// least `low`.
 double Highest(const GridGeometry& ct, std::span<const std::uint8_t> marked, const glm::dmat3& axes,
@@ -111,14 +100,20 @@ SolidPointer Band(const GuideRecipe& recipe, const Sweep& sweep)
   return WithStrokes(std::move(band), recipe, sweep);
 }
 
-GridGeometry GridOf(const Span& span, const glm::dmat3& axes, double spacing)
+/// Whether a part comes near what spans the guide: a box along `axes`. What is apart along an axis
+/// of the part need not be looked for by samples later.
+void CheckNear(const GuidePart& part, const char* verb, const Span& span, const glm::dmat3& axes)
 {
-  const glm::dvec3 count = glm::ceil((span.high - span.low) / spacing) + 1.0;
-  if (!(count.x * count.y * count.z <= MostVoxels))
-    throw std::invalid_argument(
-      "guide: the working grid would have " + std::to_string(count.x * count.y * count.z) +
-      " voxels, at most 2e8 are allowed; raise spacingMm (now " + std::to_string(spacing) + " mm)");
-  return { glm::ivec3(count), axes * span.low, glm::dvec3(spacing), axes };
+  const glm::dvec3 middle = axes * (0.5 * (span.low + span.high)),
+                   reach = 0.5 * (span.high - span.low);
+  double apart = 0.0;
+  for (int a = 0; a < 3; ++a)
+    apart = std::max(apart, std::abs(glm::dot(middle - part.center, part.axes[a])) - part.half[a] -
+                              glm::dot(glm::abs(part.axes[a] * axes), reach));
+  if (apart > 0.0)
+    throw std::runtime_error("guide: " + part.name + " does not " + verb +
+                             " the guide: it is over " + std::to_string(int(apart)) +
+                             " mm off the landmarks' band");
 }
 } // namespace
 
@@ -128,7 +123,7 @@ SolidPointer MakeGuideBand(const GuideRecipe& recipe)
 }
 
 GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
-  std::span<const std::uint8_t> keep, std::span<const GuidePart> parts)
+  std::span<const std::uint8_t> keep, const GuideParts& parts)
 {
   const glm::dmat3 axes = AxesAlong(recipe.withdrawal);
   const double reach = 0.5 * recipe.widthMm;
@@ -164,14 +159,18 @@ GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
       std::max(margin, recipe.gapMm + recipe.thicknessMm + label.depthMm + 3.0 * recipe.spacingMm);
   span.low -= margin;
   span.high += margin;
-  for (const GuidePart& part : parts)
+  for (const GuidePart& part : parts.taken)
+    CheckNear(part, "meet", span, axes);
+  for (const GuidePart& part : parts.added)
+    CheckNear(part, "stand on", span, axes);
+  for (const GuidePart& part : parts.added)
     for (int c = 0; c < 8; ++c)
     {
       const glm::dvec3 side(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1);
       span.Add(
         (part.center + part.axes * (side * part.half)) * axes, glm::dvec3(3.0 * recipe.spacingMm));
     }
-  return { GridOf(span, axes, recipe.spacingMm), std::move(region) };
+  return { GridIn("guide", { span.low, span.high }, axes, recipe.spacingMm), std::move(region) };
 }
 
 } // namespace hasp

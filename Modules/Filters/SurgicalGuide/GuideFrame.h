@@ -23,9 +23,10 @@ struct GuideFrame
 
 /// The recipe must be valid, and its directions unit. `keep` marks the samples of `ct` that are
 /// bone: the grid of a filled outline reaches as high as bone does inside it. The grid holds all of
-/// `parts`, too. Throws std::invalid_argument if it would exceed 2e8 voxels. Any thread.
+/// `parts` that are added, too. Throws std::invalid_argument if it would exceed 2e8 points, and
+/// std::runtime_error if a part lies apart from the region. Any thread.
 GuideFrame MakeGuideFrame(const GuideRecipe& recipe, const GridGeometry& ct,
-  std::span<const std::uint8_t> keep, std::span<const GuidePart> parts);
+  std::span<const std::uint8_t> keep, const GuideParts& parts);
 
 /// Tubes around the landmarks' line, closed for a filled outline, and the strokes: what needs no
 /// withdrawal direction, to look for one.

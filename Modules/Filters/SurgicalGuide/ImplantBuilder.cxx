@@ -8,6 +8,7 @@
 #include "Distance/SolidMoves.h"
 #include "Distance/SolidShapes.h"
 #include "Grid/ParallelFor.h"
+#include "Grid/ProgressPart.h"
 #include "ImplantOutline.h"
 #include "MirrorFit.h"
 #include "OnePiece.h"
@@ -215,6 +216,7 @@ ImplantSolid MakeImplantSolid(
   ValidateImplantRecipe(recipe);
   const GridGeometry& scan = GeometryOf(ct);
   scan.Validate();
+  CheckOutlineInVolume(recipe, scan);
   const std::vector<std::uint8_t> keep =
     KeepLargePieces(ct, recipe.isovalue, recipe.ignoreBelowMm3, PartOf(progress, 0.0, 0.1));
   CoverageSettings settings;

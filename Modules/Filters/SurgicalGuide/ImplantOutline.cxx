@@ -2,6 +2,8 @@
 
 #include "Distance/ImplicitShapes.h"
 #include "Grid/ParallelFor.h"
+#include "PlaceChecks.h"
+#include "WorkingGrid.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -34,13 +36,6 @@ glm::dvec3 AreaVector(const std::vector<glm::dvec3>& outline)
   for (std::size_t n = 1; n + 1 < outline.size(); ++n)
     area += glm::cross(outline[n] - outline[0], outline[n + 1] - outline[0]);
   return area;
-}
-
-glm::dmat3 AxesAlong(const glm::dvec3& z)
-{
-  const glm::dvec3 least = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 x = glm::normalize(glm::cross(least, z));
-  return { x, glm::cross(z, x), z };
 }
 
 double Turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -157,15 +152,15 @@ GridGeometry ImplantGrid(const ImplantRecipe& recipe, const glm::dvec3& axis)
   high.z += 0.5 * std::max(high.x - low.x, high.y - low.y);
   low -= RingMm;
   high += RingMm;
-  const glm::dvec3 count = glm::ceil((high - low) / recipe.spacingMm) + 1.0;
-  if (!(count.x * count.y * count.z <= 2e8))
-  {
-    std::ostringstream text;
-    text << "implant: the working grid would have " << count.x * count.y * count.z
-         << " points, at most 2e8 are allowed; raise spacingMm (now " << recipe.spacingMm << " mm)";
-    throw std::invalid_argument(text.str());
-  }
-  return { glm::ivec3(count), axes * low, glm::dvec3(recipe.spacingMm), axes };
+  return GridIn("implant", { low, high }, axes, recipe.spacingMm);
+}
+
+void CheckOutlineInVolume(const ImplantRecipe& recipe, const GridGeometry& volume)
+{
+  std::vector<NamedPlace> places;
+  for (std::size_t n = 0; n < recipe.outline.size(); ++n)
+    places.push_back({ Named(n), recipe.outline[n] });
+  CheckInVolume("implant", volume, places, FarthestMm);
 }
 
 void CheckOutline(const ImplantRecipe& recipe, const GridGeometry& grid, const ImplicitSolid& bone)

@@ -19,6 +19,9 @@ glm::dvec3 ImplantAxis(const ImplantRecipe& recipe, const glm::dvec3& head);
 /// std::invalid_argument over 2e8 points.
 GridGeometry ImplantGrid(const ImplantRecipe& recipe, const glm::dvec3& axis);
 
+/// As CheckInVolume does, within 3 mm: before any work.
+void CheckOutlineInVolume(const ImplantRecipe& recipe, const GridGeometry& volume);
+
 /// Throws std::runtime_error, naming the places, where a point of the outline is more than 3 mm
 /// from bone, the outline crosses or touches itself seen along the grid's third axis, or there is
 /// no bone below a place between two of its points, down to the grid's end, so that the hole is

@@ -3,7 +3,8 @@
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/GridSolid.h"
-#include "PosedBone.h"
+#include "Grid/ProgressPart.h"
+#include "WorkingGrid.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -39,7 +40,10 @@ CoarseBone MakeCoarseBone(const AnyGridView& ct, double isovalue,
   GridGeometry grid = scan;
   grid.spacing = glm::dvec3(GridMm);
   grid.origin = scan.origin - scan.direction * glm::dvec3(2.0 * GridMm);
-  grid.dims = glm::ivec3(glm::ceil(glm::dvec3(scan.Cells()) * scan.spacing / GridMm)) + 5;
+  const glm::dvec3 count = glm::ceil(glm::dvec3(scan.Cells()) * scan.spacing / GridMm) + 5.0;
+  CheckPoints(
+    "implant", count, GridMm, "the mirror plane is fitted to heads: crop the scan to one");
+  grid.dims = glm::ivec3(count);
   CoverageSettings settings;
   settings.isovalue = isovalue;
   settings.samplesPerAxis = 3;

@@ -6,6 +6,7 @@
 
 #include "Distance/Coverage.h"
 #include "Distance/SharpContour.h"
+#include "Grid/ProgressPart.h"
 #include "Planning/PlanLists.h"
 
 #include <glm/common.hpp>
@@ -229,9 +230,9 @@ const TriangleMesh& PlanBones::MeshOf(
   if (const auto found = this->Whole.find(id); found != this->Whole.end())
     return found->second;
   const BoneDistance bone = DistanceOfBone(Who, this->Grey(this->VolumeOf(fragment)),
-    this->Isovalue(id), this->Mark(fragment), this->SpacingMm(id), ShareOf(progress, 0.0, 0.6));
+    this->Isovalue(id), this->Mark(fragment), this->SpacingMm(id), PartOf(progress, 0.0, 0.6));
   TriangleMesh mesh =
-    SharpContour(*bone.Solid(), bone.grid, {}, nullptr, ShareOf(progress, 0.6, 1.0));
+    SharpContour(*bone.Solid(), bone.grid, {}, nullptr, PartOf(progress, 0.6, 1.0));
   return this->Whole.emplace(id, std::move(mesh)).first->second;
 }
 

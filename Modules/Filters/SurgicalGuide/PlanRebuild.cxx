@@ -23,12 +23,6 @@ namespace hasp
 
 namespace
 {
-std::string Called(const Plan& plan, PlanId id)
-{
-  const char* noun = PlanNoun(plan, id);
-  return std::string(noun ? noun : "object") + " " + std::to_string(id);
-}
-
 void Append(TriangleMesh& mesh, const TriangleMesh& other, const PlanPose& pose)
 {
   const auto first = std::uint32_t(mesh.points.size());
@@ -248,7 +242,7 @@ PlanRebuild::~PlanRebuild() = default;
 RebuiltPart PlanRebuild::Make(PlanId object, const ProgressFunction& progress)
 {
   std::vector<PartInput> inputs = PartInputs(this->Inside->plan, object);
-  const std::string before = Called(this->Inside->plan, object) + ": ";
+  const std::string before = CalledObject(this->Inside->plan, object) + ": ";
   RebuiltPart part = SayingErrors([&] { return this->Inside->MakeObject(object, progress); },
     [&](const std::string& text) { return text.starts_with(before) ? text : before + text; });
   part.object = object;

@@ -3,18 +3,26 @@
 #include "Distance/Csg.h"
 #include "Distance/SharpContour.h"
 #include "Distance/SolidSweeps.h"
+#include "Grid/ProgressPart.h"
 #include "OnePiece.h"
+#include "PlaceChecks.h"
 #include "PlateBed.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace hasp
 {
 
 namespace
 {
-constexpr double GridRimSteps = 4.0; // of the grid around the plate
+constexpr double PlaceMarginMm = 3.0; // as far as landmarks and screws may be from bone
+constexpr double GridRimSteps = 4.0;  // of the grid around the plate
 
 double OuterHeight(const PlateRecipe& recipe)
 {
@@ -27,6 +35,27 @@ ImplicitSolid::Box RegionOf(const PlateRecipe& recipe)
 {
   return BoxAround(recipe.landmarks, OuterHeight(recipe) + 2.5 * recipe.widthMm +
                                        2.0 * recipe.bridgeMm + GridRimSteps * recipe.spacingMm);
+}
+
+/// What can be said of the recipe's places before bone is looked at.
+void CheckPlaces(
+  const GridGeometry& volume, const PlateRecipe& recipe, const ImplicitSolid::Box& region)
+{
+  volume.Validate();
+  std::vector<NamedPlace> places;
+  for (std::size_t n = 0; n < recipe.landmarks.size(); ++n)
+    places.push_back({ "landmarks[" + std::to_string(n) + "]", recipe.landmarks[n] });
+  for (std::size_t n = 0; n < recipe.screws.size(); ++n)
+    places.push_back({ "screws[" + std::to_string(n) + "].point", recipe.screws[n].point });
+  if (recipe.fragments.empty()) // moved ones may leave it
+    CheckInVolume("plate", volume, places, PlaceMarginMm);
+  for (const NamedPlace& place : places)
+  {
+    const glm::dvec3 off = glm::max(region.low - place.point, place.point - region.high);
+    if (const double most = std::max({ off.x, off.y, off.z }); most > PlaceMarginMm)
+      throw std::runtime_error("plate: " + place.name + " is over " + std::to_string(int(most)) +
+                               " mm off the landmarks' band");
+  }
 }
 
 SolidPointer MakeBody(const SolidPointer& surface, const PlatePath& path, const PlateRecipe& recipe)
@@ -75,6 +104,7 @@ PlateSolid MakePlateSolid(
   ValidatePlateRecipe(recipe);
   const bool bridged = recipe.bridgeMm > 0.0;
   const ImplicitSolid::Box region = RegionOf(recipe);
+  CheckPlaces(GeometryOf(scan.grey), recipe, region);
   const SolidPointer bone =
     PosedBone(scan, recipe, region, PartOf(progress, 0.0, bridged ? 0.5 : 0.95));
   const SolidPointer surface = bridged ? BridgedSolid(*bone, recipe.bridgeMm, region,

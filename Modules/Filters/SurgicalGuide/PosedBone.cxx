@@ -5,14 +5,15 @@
 #include "Distance/GridSolid.h"
 #include "Distance/SolidMoves.h"
 #include "Grid/ParallelFor.h"
+#include "Grid/ProgressPart.h"
 #include "GuideBone.h"
 #include "LabelGrid.h"
+#include "WorkingGrid.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +24,6 @@ namespace
 {
 using Box = ImplicitSolid::Box;
 
-constexpr double MostPoints = 2e8;
 constexpr double RimSteps = 3.0; // of air around a scan that ends in bone
 
 template <typename Place>
@@ -51,20 +51,6 @@ Box WithinScan(const Box& world, const GridGeometry& ct, double rim)
   return box;
 }
 
-GridGeometry GridOf(const char* who, const Box& local, const glm::dmat3& axes, double spacingMm)
-{
-  const glm::dvec3 count = glm::ceil((local.high - local.low) / spacingMm) + 1.0;
-  if (!(count.x * count.y * count.z <= MostPoints))
-  {
-    std::ostringstream text;
-    text << who << ": the working grid would have " << count.x * count.y * count.z
-         << " points, at most " << MostPoints << " are allowed; raise spacingMm (now " << spacingMm
-         << " mm)";
-    throw std::invalid_argument(text.str());
-  }
-  return { glm::max(glm::ivec3(count), 2), axes * local.low, glm::dvec3(spacingMm), axes };
-}
-
 /// Bone as a solid; null if there is none in the grid.
 SolidPointer SolidOf(const AnyGridView& grey, const std::vector<std::uint8_t>& keep,
   double isovalue, const GridGeometry& grid, const ProgressFunction& progress)
@@ -90,7 +76,7 @@ SolidPointer OneBone(const AnyGridView& ct, const std::vector<std::uint8_t>& kee
   const Box local = WithinScan(scanned, geometry, RimSteps * recipe.spacingMm);
   if (local.low.x >= local.high.x || local.low.y >= local.high.y || local.low.z >= local.high.z)
     return nullptr;
-  const GridGeometry grid = GridOf("plate", local, geometry.direction, recipe.spacingMm);
+  const GridGeometry grid = GridIn("plate", local, geometry.direction, recipe.spacingMm);
   const SolidPointer bone = SolidOf(ct, keep, recipe.isovalue, grid, progress);
   return !bone || pose == RigidPose{} ? bone : MakeMoved(bone, pose);
 }
@@ -102,12 +88,6 @@ void CheckLabels(const BoneScan& scan)
   CheckLabelGrid("plate", GeometryOf(scan.grey), GeometryOf(*scan.labels));
 }
 } // namespace
-
-ProgressFunction PartOf(const ProgressFunction& progress, double from, double to)
-{
-  return [progress, from, to](double share)
-  { return !progress || progress(from + share * (to - from)); };
-}
 
 Box BoxAround(std::span<const glm::dvec3> points, double margin)
 {
@@ -122,7 +102,7 @@ Box BoxAround(std::span<const glm::dvec3> points, double margin)
 
 GridGeometry GridAround(const char* who, const Box& box, const glm::dmat3& axes, double spacingMm)
 {
-  return GridOf(
+  return GridIn(
     who, BoxOfCorners(box, [&](const glm::dvec3& p) { return p * axes; }), axes, spacingMm);
 }
 

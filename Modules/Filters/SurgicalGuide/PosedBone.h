@@ -38,15 +38,11 @@ SolidPointer PosedBone(const BoneScan& scan, const PlateRecipe& recipe,
 SolidPointer BridgedSolid(const ImplicitSolid& solid, double radiusMm,
   const ImplicitSolid::Box& region, double spacingMm, const ProgressFunction& progress);
 
-/// Of a grid with these axes around a box of the world. Throws std::invalid_argument, beginning
-/// with `who`, over 2e8 points.
+/// GridIn, around a box of the world.
 GridGeometry GridAround(
   const char* who, const ImplicitSolid::Box& box, const glm::dmat3& axes, double spacingMm);
 
 /// The least box that holds all points and `margin` around them.
 ImplicitSolid::Box BoxAround(std::span<const glm::dvec3> points, double margin);
-
-/// Part [from, to] of the whole.
-ProgressFunction PartOf(const ProgressFunction& progress, double from, double to);
 
 } // namespace hasp

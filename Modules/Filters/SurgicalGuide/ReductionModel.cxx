@@ -1,5 +1,7 @@
 #include "ReductionModel.h"
 
+#include "FragmentPieces.h"
+#include "Grid/ProgressPart.h"
 #include "PosedBone.h"
 
 #include "Distance/BodyDistance.h"
@@ -37,18 +39,6 @@ void CheckPose(const RigidPose& pose)
                                 std::to_string(length) + ", must be 1");
 }
 
-double SignedVolume(const TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (const glm::uvec3& t : mesh.triangles)
-  {
-    const glm::dvec3& origin = mesh.points[mesh.triangles[0].x]; // near: less is lost
-    sum += glm::dot(
-      mesh.points[t.x] - origin, glm::cross(mesh.points[t.y] - origin, mesh.points[t.z] - origin));
-  }
-  return sum / 6.0;
-}
-
 /// Throws what the header says of fragment n.
 TriangleMesh Checked(const PosedMesh& fragment, std::size_t n)
 {
@@ -66,7 +56,7 @@ TriangleMesh Checked(const PosedMesh& fragment, std::size_t n)
   {
     Refuse(n, error.what());
   }
-  if (!(SignedVolume(placed) > 0.0))
+  if (!(VolumeOf(placed) > 0.0))
     Refuse(n, "encloses no volume, or is inside out");
   return placed;
 }

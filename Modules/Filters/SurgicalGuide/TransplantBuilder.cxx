@@ -2,6 +2,7 @@
 
 #include "BoneSolid.h"
 #include "DonorAxis.h"
+#include "Grid/ProgressPart.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -17,12 +18,6 @@ namespace hasp
 namespace
 {
 const TriangleMesh Nothing;
-
-/// Exact near 0, where an arc cosine is not.
-double AngleOf(const glm::dvec3& a, const glm::dvec3& b)
-{
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 /// With the donor's axis found, where that is asked for.
 TransplantRecipe WithAxis(
@@ -157,16 +152,16 @@ MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor
   const Transplant draft = JointsOf(given);
   if (!given.findAxis)
     LayOutSegments(draft);
-  const TransplantRecipe recipe = WithAxis(donor, given, ShareOf(progress, 0.0, 0.1));
+  const TransplantRecipe recipe = WithAxis(donor, given, PartOf(progress, 0.0, 0.1));
   MadeTransplant made;
   made.plan = JointsOf(recipe);
   const std::vector<DonorSegment> cuts = LayOutSegments(made.plan);
   TransplantSegments bone(donor, recipe.donor,
     { recipe.donorIsovalue, recipe.resection.spacingMm, recipe.resection.ignoreBelowMm3 },
-    ShareOf(progress, 0.1, 0.3));
+    PartOf(progress, 0.1, 0.3));
   made.segments = bone.Place(made.plan);
   ReportProgress(progress, 0.5);
-  made.recipient = CutFragments(recipient, recipe.resection, ShareOf(progress, 0.5, 0.9));
+  made.recipient = CutFragments(recipient, recipe.resection, PartOf(progress, 0.5, 0.9));
   for (const PlacedSegment& segment : made.segments)
     made.onDonor.push_back(MovedBack(segment));
   const std::vector<TransplantJoint>& joints = made.plan.joints;

@@ -7,6 +7,7 @@
 #include "Distance/GridSolid.h"
 #include "Distance/SharpContour.h"
 #include "Distance/SolidShapes.h"
+#include "Grid/ProgressPart.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -124,13 +125,13 @@ TransplantSegments::TransplantSegments(const BoneImage& image, const DonorBone& 
     throw std::invalid_argument("transplant: donor.axis has " + std::to_string(donor.axis.size()) +
                                 " places, must be at least 2");
   const std::vector<std::uint8_t> keep = IslandNear(Who, image, settings.isovalue,
-    settings.ignoreBelowMm3, MiddleOf(donor.axis), donor.radiusMm, ShareOf(progress, 0.0, 0.2));
+    settings.ignoreBelowMm3, MiddleOf(donor.axis), donor.radiusMm, PartOf(progress, 0.0, 0.2));
   if (keep.empty())
     throw std::invalid_argument(
       "transplant: there is no bone within donor.radiusMm of the middle of "
       "donor.axis: is it in this volume's world, and the isovalue right?");
   this->Inside->donor = DistanceOfBone(
-    Who, image.grey, settings.isovalue, keep, settings.spacingMm, ShareOf(progress, 0.2, 1.0));
+    Who, image.grey, settings.isovalue, keep, settings.spacingMm, PartOf(progress, 0.2, 1.0));
   this->Inside->radiusMm = donor.radiusMm;
   this->Inside->spacingMm = settings.spacingMm;
 }

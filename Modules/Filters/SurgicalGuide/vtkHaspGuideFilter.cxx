@@ -2,6 +2,7 @@
 
 #include "GuideBuilder.h"
 #include "Planning/GuideRecipe.h"
+#include "RecipeFilter.h"
 #if HASP_WITH_JSON
 #include "Planning/GuideRecipeFile.h"
 #endif
@@ -13,8 +14,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <exception>
-
 vtkStandardNewMacro(vtkHaspGuideFilter);
 
 vtkHaspGuideFilter::vtkHaspGuideFilter()
@@ -26,12 +25,16 @@ vtkHaspGuideFilter::~vtkHaspGuideFilter() = default;
 
 void vtkHaspGuideFilter::SetRecipe(const hasp::GuideRecipe& recipe)
 {
+  if (*this->Recipe == recipe)
+    return;
   *this->Recipe = recipe;
   this->Modified();
 }
 
 void vtkHaspGuideFilter::SetBlades(const std::vector<hasp::Osteotomy>& blades)
 {
+  if (this->Blades == blades)
+    return;
   this->Blades = blades;
   this->Modified();
 }
@@ -39,26 +42,16 @@ void vtkHaspGuideFilter::SetBlades(const std::vector<hasp::Osteotomy>& blades)
 bool vtkHaspGuideFilter::ReadRecipe(const std::string& path)
 {
 #if HASP_WITH_JSON
-  try
-  {
-    this->SetRecipe(hasp::ReadGuideRecipe(path));
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
+  return hasp::Succeeds(this, [&] { this->SetRecipe(hasp::ReadGuideRecipe(path)); });
 #else
-  vtkErrorMacro("cannot read " << path << ": built without HASP_ENABLE_JSON");
-  return false;
+  (void)path;
+  return hasp::CannotReadRecipe(this);
 #endif
 }
 
-int vtkHaspGuideFilter::FillInputPortInformation(int, vtkInformation* info)
+int vtkHaspGuideFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
+  return hasp::AskForImages(port, info);
 }
 
 int vtkHaspGuideFilter::RequestData(
@@ -67,29 +60,15 @@ int vtkHaspGuideFilter::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
-  const auto progress = [this](double share)
-  {
-    this->UpdateProgress(share);
-    return !this->GetAbortExecute();
-  };
-  try
-  {
-    const hasp::BuiltGuide guide =
-      hasp::BuildGuide(hasp::ViewImage(image), *this->Recipe, this->Blades, progress);
-    output->ShallowCopy(hasp::MakePolyData(guide.mesh));
-    *this->MadeRecipe = guide.made.recipe;
-    this->UndercutShare = guide.made.undercut;
-    return 1;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    return 1; // what was asked for: nothing
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return hasp::Succeeds(this,
+    [&]
+    {
+      const hasp::BuiltGuide guide = hasp::BuildGuide(
+        hasp::ViewImage(image), *this->Recipe, this->Blades, hasp::ProgressOf(this));
+      output->ShallowCopy(hasp::MakePolyData(guide.mesh));
+      *this->MadeRecipe = guide.made.recipe;
+      this->UndercutShare = guide.made.undercut;
+    });
 }
 
 vtkSmartPointer<vtkImageData> vtkHaspGuideFilter::MakePreview(double spacingMm)
@@ -105,18 +84,16 @@ vtkSmartPointer<vtkImageData> vtkHaspGuideFilter::MakePreview(double spacingMm)
     vtkErrorMacro("has no image to make a preview from");
     return nullptr;
   }
-  try
-  {
-    const hasp::GuideSamples samples = hasp::SampleGuide(
-      hasp::MakePreviewSolid(hasp::ViewImage(image), *this->Recipe, this->Blades, spacingMm),
-      spacingMm);
-    return hasp::MakeImage(samples.grid, samples.values);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return nullptr;
-  }
+  vtkSmartPointer<vtkImageData> preview;
+  hasp::Succeeds(this,
+    [&]
+    {
+      const hasp::GuideSamples samples = hasp::SampleGuide(
+        hasp::MakePreviewSolid(hasp::ViewImage(image), *this->Recipe, this->Blades, spacingMm),
+        spacingMm);
+      preview = hasp::MakeImage(samples.grid, samples.values);
+    });
+  return preview;
 }
 
 void vtkHaspGuideFilter::GetInsertionAxis(double direction[3]) const

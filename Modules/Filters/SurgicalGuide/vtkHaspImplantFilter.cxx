@@ -2,12 +2,12 @@
 
 #include "ImplantBuilder.h"
 #include "Planning/ImplantRecipe.h"
+#include "RecipeFilter.h"
 #if HASP_WITH_JSON
 #include "Planning/ImplantRecipeFile.h"
 #endif
 
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkHaspVolumeView.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <span>
 #include <vector>
 
@@ -64,27 +63,16 @@ void vtkHaspImplantFilter::SetRecipe(const hasp::ImplantRecipe& recipe)
 bool vtkHaspImplantFilter::ReadRecipe(const std::string& path)
 {
 #if HASP_WITH_JSON
-  try
-  {
-    this->SetRecipe(hasp::ReadImplantRecipe(path));
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
+  return hasp::Succeeds(this, [&] { this->SetRecipe(hasp::ReadImplantRecipe(path)); });
 #else
   (void)path;
-  vtkErrorMacro("cannot read a recipe: built without HASP_ENABLE_JSON");
-  return false;
+  return hasp::CannotReadRecipe(this);
 #endif
 }
 
-int vtkHaspImplantFilter::FillInputPortInformation(int, vtkInformation* info)
+int vtkHaspImplantFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
+  return hasp::AskForImages(port, info);
 }
 
 int vtkHaspImplantFilter::RequestData(
@@ -93,28 +81,14 @@ int vtkHaspImplantFilter::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
-  const auto progress = [this](double share)
-  {
-    this->UpdateProgress(share);
-    return !this->GetAbortExecute();
-  };
-  try
-  {
-    const hasp::BuiltImplant implant =
-      hasp::BuildImplant(hasp::ViewImage(image), *this->Recipe, progress);
-    output->ShallowCopy(hasp::MakePolyData(implant.mesh));
-    AddFieldData(output, implant.made);
-    return 1;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    return 1; // what was asked for: nothing
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return hasp::Succeeds(this,
+    [&]
+    {
+      const hasp::BuiltImplant implant =
+        hasp::BuildImplant(hasp::ViewImage(image), *this->Recipe, hasp::ProgressOf(this));
+      output->ShallowCopy(hasp::MakePolyData(implant.mesh));
+      AddFieldData(output, implant.made);
+    });
 }
 
 void vtkHaspImplantFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,20 +2,18 @@
 
 #include "Planning/PlateRecipe.h"
 #include "PlateBuilder.h"
+#include "RecipeFilter.h"
 #if HASP_WITH_JSON
 #include "Planning/PlateRecipeFile.h"
 #endif
 
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkHaspVolumeView.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include <exception>
 
 vtkStandardNewMacro(vtkHaspPlateFilter);
 
@@ -50,29 +48,16 @@ void vtkHaspPlateFilter::SetRecipe(const hasp::PlateRecipe& recipe)
 bool vtkHaspPlateFilter::ReadRecipe(const std::string& path)
 {
 #if HASP_WITH_JSON
-  try
-  {
-    this->SetRecipe(hasp::ReadPlateRecipe(path));
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
+  return hasp::Succeeds(this, [&] { this->SetRecipe(hasp::ReadPlateRecipe(path)); });
 #else
   (void)path;
-  vtkErrorMacro("cannot read a recipe: built without HASP_ENABLE_JSON");
-  return false;
+  return hasp::CannotReadRecipe(this);
 #endif
 }
 
 int vtkHaspPlateFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  if (port == 1)
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return hasp::AskForImages(port, info);
 }
 
 int vtkHaspPlateFilter::RequestData(
@@ -82,30 +67,16 @@ int vtkHaspPlateFilter::RequestData(
   vtkImageData* labels = vtkImageData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
-  const auto progress = [this](double share)
-  {
-    this->UpdateProgress(share);
-    return !this->GetAbortExecute();
-  };
-  try
-  {
-    hasp::BoneScan scan{ hasp::ViewImage(image), {} };
-    if (labels)
-      scan.labels = hasp::ViewImage(labels);
-    const hasp::BuiltPlate plate = hasp::BuildPlate(scan, *this->Recipe, progress);
-    output->ShallowCopy(hasp::MakePolyData(plate.mesh));
-    AddScrewAxes(plate.made.screws, output);
-    return 1;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    return 1; // what was asked for: nothing
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return hasp::Succeeds(this,
+    [&]
+    {
+      hasp::BoneScan scan{ hasp::ViewImage(image), {} };
+      if (labels)
+        scan.labels = hasp::ViewImage(labels);
+      const hasp::BuiltPlate plate = hasp::BuildPlate(scan, *this->Recipe, hasp::ProgressOf(this));
+      output->ShallowCopy(hasp::MakePolyData(plate.mesh));
+      AddScrewAxes(plate.made.screws, output);
+    });
 }
 
 void vtkHaspPlateFilter::PrintSelf(ostream& os, vtkIndent indent)

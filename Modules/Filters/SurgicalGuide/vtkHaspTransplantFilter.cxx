@@ -1,5 +1,6 @@
 #include "vtkHaspTransplantFilter.h"
 
+#include "RecipeFilter.h"
 #include "TransplantBuilder.h"
 #if HASP_WITH_JSON
 #include "Planning/TransplantRecipeFile.h"
@@ -7,8 +8,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkHaspVolumeView.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -22,42 +21,13 @@
 
 #include <glm/trigonometric.hpp>
 
-#include <exception>
-
 vtkStandardNewMacro(vtkHaspTransplantFilter);
 
 namespace
 {
-/// Meshes in one, and the number that each triangle's has.
-class NumberedMeshes
-{
-public:
-  void Add(const hasp::TriangleMesh& mesh, int number)
-  {
-    const auto first = static_cast<unsigned>(this->All.points.size());
-    this->All.points.insert(this->All.points.end(), mesh.points.begin(), mesh.points.end());
-    for (const glm::uvec3& t : mesh.triangles)
-    {
-      this->All.triangles.push_back(t + first);
-      this->Numbers->InsertNextValue(number);
-    }
-  }
-  void Give(vtkPolyData* output, const char* name)
-  {
-    this->Numbers->SetName(name);
-    output->ShallowCopy(hasp::MakePolyData(this->All));
-    output->GetCellData()->AddArray(this->Numbers);
-    output->GetCellData()->SetActiveScalars(name);
-  }
-
-private:
-  hasp::TriangleMesh All;
-  vtkNew<vtkIntArray> Numbers;
-};
-
 void AddMeshes(const hasp::MadeTransplant& made, vtkInformationVector* outputs)
 {
-  NumberedMeshes inDefect, onDonor, jaw;
+  hasp::NumberedMeshes inDefect, onDonor, jaw;
   for (std::size_t n = 0; n < made.segments.size(); ++n)
   {
     inDefect.Add(made.segments[n].mesh, int(n));
@@ -97,24 +67,14 @@ void AddLines(const hasp::MadeTransplant& made, vtkPolyData* output)
   output->GetCellData()->AddArray(paddle);
 }
 
-template <typename Items, typename Value>
-void AddField(vtkPolyData* output, const char* name, const Items& items, Value value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  for (const auto& item : items)
-    array->InsertNextValue(value(item));
-  output->GetFieldData()->AddArray(array);
-}
-
 void AddMeasures(const hasp::MadeTransplant& made, vtkPolyData* output)
 {
   using Segment = hasp::PlacedSegment;
   using Joint = hasp::MadeJoint;
   const auto segment = [&](const char* name, auto value)
-  { AddField(output, name, made.segments, value); };
+  { hasp::AddField(output, name, made.segments, value); };
   const auto joint = [&](const char* name, auto value)
-  { AddField(output, name, made.joints, value); };
+  { hasp::AddField(output, name, made.joints, value); };
   segment("SegmentLengthMm", [](const Segment& s) { return s.cut.lengthMm; });
   segment("SegmentShortestMm", [](const Segment& s) { return s.cut.shortestMm; });
   segment("SegmentLongestMm", [](const Segment& s) { return s.cut.longestMm; });
@@ -159,29 +119,16 @@ void vtkHaspTransplantFilter::SetRecipe(const hasp::TransplantRecipe& recipe)
 bool vtkHaspTransplantFilter::ReadRecipe(const std::string& path)
 {
 #if HASP_WITH_JSON
-  try
-  {
-    this->SetRecipe(hasp::ReadTransplantRecipe(path));
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
+  return hasp::Succeeds(this, [&] { this->SetRecipe(hasp::ReadTransplantRecipe(path)); });
 #else
   (void)path;
-  vtkErrorMacro("cannot read a recipe: built without HASP_ENABLE_JSON");
-  return false;
+  return hasp::CannotReadRecipe(this);
 #endif
 }
 
 int vtkHaspTransplantFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  if (port == 1)
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return hasp::AskForImages(port, info);
 }
 
 int vtkHaspTransplantFilter::RequestUpdateExtent(
@@ -203,33 +150,20 @@ int vtkHaspTransplantFilter::RequestData(
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     vtkPolyData::GetData(outputs, port)->Initialize();
   *this->Result = {};
-  const auto progress = [this](double share)
-  {
-    this->UpdateProgress(share);
-    return !this->GetAbortExecute();
-  };
-  try
-  {
-    hasp::MadeTransplant made = hasp::MakeTransplant({ hasp::ViewImage(recipient), {}, 1 },
-      { hasp::ViewImage(other ? other : recipient), {}, 1 }, *this->Recipe, progress);
-    AddMeshes(made, outputs);
-    AddLines(made, vtkPolyData::GetData(outputs, 3));
-    AddMeasures(made, vtkPolyData::GetData(outputs, 0));
-    for (const std::string& warning : made.warnings)
-      vtkWarningMacro(<< warning);
-    DropMeshes(made);
-    *this->Result = std::move(made);
-    return 1;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    return 1; // what was asked for: nothing
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return hasp::Succeeds(this,
+    [&]
+    {
+      hasp::MadeTransplant made = hasp::MakeTransplant({ hasp::ViewImage(recipient), {}, 1 },
+        { hasp::ViewImage(other ? other : recipient), {}, 1 }, *this->Recipe,
+        hasp::ProgressOf(this));
+      AddMeshes(made, outputs);
+      AddLines(made, vtkPolyData::GetData(outputs, 3));
+      AddMeasures(made, vtkPolyData::GetData(outputs, 0));
+      for (const std::string& warning : made.warnings)
+        vtkWarningMacro(<< warning);
+      DropMeshes(made);
+      *this->Result = std::move(made);
+    });
 }
 
 void vtkHaspTransplantFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,6 +4,7 @@
 #include "Distance/CoverageDistance.h"
 #include "Distance/MeshCoverage.h"
 #include "Grid/ParallelFor.h"
+#include "Grid/ProgressPart.h"
 
 #include <glm/common.hpp>
 
@@ -102,13 +103,6 @@ Extent InsideExtent(const GridView<const T>& view, double isovalue)
   return box;
 }
 
-ProgressFunction Part(const ProgressFunction& progress, double from, double to)
-{
-  if (!progress)
-    return {};
-  return [&progress, from, to](double share) { return progress(from + share * (to - from)); };
-}
-
 BodyDistance Measure(
   const GridGeometry& grid, std::vector<float> coverage, const ProgressFunction& progress)
 {
@@ -116,7 +110,7 @@ BodyDistance Measure(
     throw std::invalid_argument("body distance: nothing is inside; is the isovalue beyond the "
                                 "values, or the body thinner than the spacing of " +
                                 std::to_string(grid.spacing.x) + " mm?");
-  return { grid, CoverageDistance(grid, coverage, Part(progress, CoverageShare, 1.0)) };
+  return { grid, CoverageDistance(grid, coverage, PartOf(progress, CoverageShare, 1.0)) };
 }
 
 } // namespace
@@ -140,7 +134,8 @@ BodyDistance DistanceOfVolume(const AnyGridView& volume, double isovalue,
   box.high *= source.spacing;
   const GridGeometry grid = GridAround(box, source.origin, source.direction, spacing, settings);
   return Measure(grid,
-    Coverage(volume, grid, { .isovalue = isovalue }, Part(progress, 0.0, CoverageShare)), progress);
+    Coverage(volume, grid, { .isovalue = isovalue }, PartOf(progress, 0.0, CoverageShare)),
+    progress);
 }
 
 BodyDistance DistanceOfMesh(
@@ -160,7 +155,7 @@ BodyDistance DistanceOfMesh(
     throw std::invalid_argument("body distance: the mesh is a point, or not finite");
   const double spacing = settings.spacingMm > 0.0 ? settings.spacingMm : longest / 96.0;
   const GridGeometry grid = GridAround(box, glm::dvec3(0.0), glm::dmat3(1.0), spacing, settings);
-  return Measure(grid, MeshCoverage(mesh, grid, 4, Part(progress, 0.0, CoverageShare)), progress);
+  return Measure(grid, MeshCoverage(mesh, grid, 4, PartOf(progress, 0.0, CoverageShare)), progress);
 }
 
 } // namespace hasp

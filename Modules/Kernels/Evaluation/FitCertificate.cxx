@@ -6,6 +6,7 @@
 #include "Evaluation/Misfit.h"
 #include "Evaluation/SurfaceDistance.h"
 #include "Evaluation/TriangleTree.h"
+#include "Grid/ProgressPart.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,14 +19,6 @@ namespace hasp
 
 namespace
 {
-/// Progress of a part of the work.
-ProgressFunction Within(const ProgressFunction& progress, double from, double to)
-{
-  if (!progress)
-    return {};
-  return [&progress, from, to](double share) { return progress(from + share * (to - from)); };
-}
-
 void MeasureMesh(const TriangleMesh& mesh, const FindSelfIntersectionsFunction& selfIntersections,
   FitCertificate& c)
 {
@@ -166,7 +159,7 @@ FitCertificate CertifyFit(const TriangleMesh& mesh, const AnyGridView& bone,
   c.wall = MeasureWalls(samples, chords);
   ReportProgress(progress, 0.5);
   if (claims.shell)
-    MeasureGap(samples, chords, bone, c, Within(progress, 0.5, 0.8));
+    MeasureGap(samples, chords, bone, c, PartOf(progress, 0.5, 0.8));
   JudgeWalls(c, c.faults);
   MeasureCuts(tree, c);
   if (claims.withdrawal)
@@ -175,7 +168,7 @@ FitCertificate CertifyFit(const TriangleMesh& mesh, const AnyGridView& bone,
     settings.isovalue = claims.isovalue;
     settings.ignoreBelowMm3 = claims.ignoreBelowMm3;
     settings.direction = *claims.withdrawal;
-    c.insertion = MeasureInsertion(bone, samples, settings, Within(progress, 0.8, 1.0));
+    c.insertion = MeasureInsertion(bone, samples, settings, PartOf(progress, 0.8, 1.0));
     JudgeInsertion(*c.insertion, c.faults);
   }
   if (DoesNotFit(c))

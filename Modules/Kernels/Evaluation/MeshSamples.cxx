@@ -12,6 +12,9 @@ namespace hasp
 
 namespace
 {
+/// Well-shaped parts have a tenth of it, besides one of each triangle.
+constexpr std::size_t MostSamples = 4'000'000;
+
 void Halve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double spacing,
   MeshSample sample, std::vector<MeshSample>& samples)
 {
@@ -19,6 +22,10 @@ void Halve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double
   const double longest = std::max({ ab, bc, ca });
   if (longest <= spacing)
   {
+    if (samples.size() > MostSamples + sample.triangle)
+      throw std::invalid_argument("mesh: over " + std::to_string(MostSamples) +
+                                  " places would be measured, as its triangles are so long and "
+                                  "thin; mesh it anew");
     sample.point = (a + b + c) / 3.0;
     samples.push_back(sample);
     return;

@@ -25,7 +25,8 @@ inline constexpr double SliverMm = 1e-3;
 /// SliverMm are left out.
 ///
 /// spacingMm   > 0; made larger for large parts, so that some 100,000 places are enough
-/// Throws std::invalid_argument on a spacing out of range or a triangle whose points are not there.
+/// Throws std::invalid_argument on a spacing out of range, a triangle whose points are not there,
+/// and triangles so long and thin that there would be over 4,000,000 places besides one of each.
 /// Any thread; O(places), one core.
 std::vector<MeshSample> SampleMesh(const TriangleMesh& mesh, double spacingMm);
 

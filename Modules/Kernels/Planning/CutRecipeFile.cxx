@@ -1,11 +1,8 @@
 #include "Planning/CutRecipeFile.h"
 
 #include "Planning/CutRecipeJson.h"
+#include "Planning/RecipeFormat.h"
 #include "Planning/ValueChecks.h"
-
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace hasp
 {
@@ -18,10 +15,9 @@ constexpr const char* Format = "hasp-cut-recipe-1";
 
 CutRecipe CutRecipeFromJson(const Json& json)
 {
+  CheckFormat(json, Subject, { Format });
   const StrictJson top(json, Subject, "",
     { "format", "isovalue", "spacingMm", "ignoreBelowMm3", "crumbBelowMm3", "cuts", "resected" });
-  if (top.Text("format") != Format)
-    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   CutRecipe r;
   r.isovalue = top.Number("isovalue");
   r.spacingMm = top.Number("spacingMm");
@@ -60,7 +56,7 @@ Json CutRecipeToJson(const CutRecipe& r)
 
 CutRecipe ParseCutRecipe(const std::string& text)
 {
-  return CutRecipeFromJson(ParseJson(text, Subject));
+  return ReadJson(text, Subject, CutRecipeFromJson);
 }
 
 std::string FormatCutRecipe(const CutRecipe& recipe)
@@ -70,12 +66,7 @@ std::string FormatCutRecipe(const CutRecipe& recipe)
 
 CutRecipe ReadCutRecipe(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    throw std::runtime_error("cut recipe: the file cannot be read");
-  return ParseCutRecipe(text.str());
+  return ParseCutRecipe(ReadRecipeText(path, Subject));
 }
 
 } // namespace hasp

@@ -149,15 +149,9 @@ InputHashes Gather(const Plan& plan, PlanId object)
   return std::move(gathering.Found);
 }
 
-std::string Called(const Plan& plan, PlanId id)
-{
-  const char* noun = PlanNoun(plan, id);
-  return std::string(noun ? noun : "object") + " " + std::to_string(id);
-}
-
 std::string Called(const Plan& plan, const std::pair<PlanId, PartFacet>& input)
 {
-  return input.second == PartFacet::CaseLabel ? "the case label" : Called(plan, input.first);
+  return input.second == PartFacet::CaseLabel ? "the case label" : CalledObject(plan, input.first);
 }
 
 /// Whether meshes are made of a kind; a new kind is a line here.
@@ -201,7 +195,7 @@ std::vector<PartInput> PartInputs(const Plan& plan, PlanId object)
 {
   if (!IsPartObject(plan, object))
     throw std::invalid_argument(
-      Called(plan, object) +
+      CalledObject(plan, object) +
       ": nothing is made of it, only of a fragment, group, guide, plate, implant or transplant");
   std::vector<PartInput> inputs;
   for (auto& [key, hash] : Gather(plan, object))
@@ -211,7 +205,7 @@ std::vector<PartInput> PartInputs(const Plan& plan, PlanId object)
 
 std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part)
 {
-  const std::string outOfDate = Called(plan, part.object) + " is out of date: ";
+  const std::string outOfDate = CalledObject(plan, part.object) + " is out of date: ";
   if (!PlanNoun(plan, part.object))
     return outOfDate + "the plan has no such object any more";
   InputHashes now = Gather(plan, part.object);
@@ -251,7 +245,7 @@ std::string WhyNoPart(
   for (std::size_t n = parts.size(); n-- > 0;)
     if (parts[n].object == object && parts[n].format == format)
       return WhyOutOfDate(plan, parts[n]);
-  return Called(plan, object) + " has not been made";
+  return CalledObject(plan, object) + " has not been made";
 }
 
 void KeepPart(std::vector<DerivedPart>& parts, DerivedPart part)

@@ -37,8 +37,9 @@ namespace hasp
 GuideRecipe ParseGuideRecipe(const std::string& json);
 std::string FormatGuideRecipe(const GuideRecipe& recipe);
 
+/// At most 16 MiB are read.
 GuideRecipe ReadGuideRecipe(const std::string& path);
-/// Writes a temporary file beside `path` and renames it: the old file or the new one, never half.
+/// The old file or the new one, never half of one (DurableFile.h).
 void WriteGuideRecipe(const std::string& path, const GuideRecipe& recipe);
 
 } // namespace hasp

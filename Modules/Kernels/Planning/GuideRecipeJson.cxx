@@ -1,5 +1,6 @@
 #include "Planning/GuideRecipeJson.h"
 
+#include "Planning/RecipeFormat.h"
 #include "Planning/ValueChecks.h"
 
 namespace hasp
@@ -110,9 +111,6 @@ GuideRecipe FromPresentFormat(const Json& json)
     { "format", "note", "isovalue", "landmarks", "outline", "strokes", "withdrawal",
       "axisSearchDeg", "gapMm", "thicknessMm", "widthMm", "edgeRadiusMm", "clearanceMm", "wallMm",
       "sleeveWallMm", "spacingMm", "ignoreBelowMm3", "slots", "flanges", "holes", "labels" });
-  if (top.Text("format") != Format)
-    top.Fail("format",
-      std::string("is of another kind, must be '") + Format + "' or '" + FirstFormat + "'");
   GuideRecipe r;
   ReadCommon(top, r);
   r.axisSearchDeg = top.Number("axisSearchDeg");
@@ -152,6 +150,7 @@ Json ListOf(const std::vector<Item>& items, const Write& write)
 
 GuideRecipe GuideRecipeFromJson(const Json& json)
 {
+  CheckFormat(json, Subject, { Format, FirstFormat });
   const bool first = json.is_object() && json.contains("format") && json["format"] == FirstFormat;
   const GuideRecipe r = first ? FromFirstFormat(json) : FromPresentFormat(json);
   ValidateGuideRecipe(r);

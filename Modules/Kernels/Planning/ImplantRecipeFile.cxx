@@ -1,10 +1,7 @@
 #include "Planning/ImplantRecipeFile.h"
 
 #include "Planning/ImplantRecipeJson.h"
-
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include "Planning/RecipeFormat.h"
 
 namespace hasp
 {
@@ -28,11 +25,10 @@ constexpr NumberKey Numbers[] = { { "isovalue", &ImplantRecipe::isovalue },
 
 ImplantRecipe ImplantRecipeFromJson(const Json& json)
 {
+  CheckFormat(json, Subject, { Format });
   const StrictJson top(json, Subject, "",
     { "format", "note", "isovalue", "ignoreBelowMm3", "mirror", "outline", "axis", "clearanceMm",
       "thicknessMm", "spacingMm", "holeDiameterMm", "holePitchMm", "holeEdgeMm" });
-  if (top.Text("format") != Format)
-    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   ImplantRecipe r;
   if (top.Has("note"))
     r.note = top.Text("note");
@@ -71,7 +67,7 @@ Json ImplantRecipeToJson(const ImplantRecipe& r)
 
 ImplantRecipe ParseImplantRecipe(const std::string& json)
 {
-  return ImplantRecipeFromJson(ParseJson(json, Subject));
+  return ReadJson(json, Subject, ImplantRecipeFromJson);
 }
 
 std::string FormatImplantRecipe(const ImplantRecipe& recipe)
@@ -81,12 +77,7 @@ std::string FormatImplantRecipe(const ImplantRecipe& recipe)
 
 ImplantRecipe ReadImplantRecipe(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    throw std::runtime_error("implant recipe: the file cannot be read");
-  return ParseImplantRecipe(text.str());
+  return ParseImplantRecipe(ReadRecipeText(path, Subject));
 }
 
 } // namespace hasp

@@ -77,6 +77,12 @@ const char* PlanNoun(const Plan& plan, PlanId id)
   return noun;
 }
 
+std::string CalledObject(const Plan& plan, PlanId id)
+{
+  const char* noun = PlanNoun(plan, id);
+  return std::string(noun ? noun : "object") + " " + std::to_string(id);
+}
+
 bool IsDivided(const Plan& plan, PlanId fragment)
 {
   return std::any_of(plan.fragments.begin(), plan.fragments.end(),

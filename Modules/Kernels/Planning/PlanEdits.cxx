@@ -16,12 +16,6 @@ std::string Called(const std::string& noun, PlanId id)
   return noun + " " + std::to_string(id);
 }
 
-std::string Called(const Plan& plan, PlanId id)
-{
-  const char* noun = PlanNoun(plan, id);
-  return Called(noun ? noun : "object", id);
-}
-
 [[noreturn]] void Refuse(const std::string& what, const std::string& why)
 {
   throw std::invalid_argument(what + ": " + why);
@@ -63,18 +57,18 @@ struct Applied
   }
   void operator()(const RemoveObject& edit) const
   {
-    const std::string subject = Called(this->plan, edit.id);
+    const std::string subject = CalledObject(this->plan, edit.id);
     if (!PlanNoun(this->plan, edit.id))
       Refuse(subject, "the plan has none");
     if (const std::vector<PlanId> users = UsersOf(this->plan, edit.id); !users.empty())
-      Refuse(
-        subject, "is named by " + Called(this->plan, users[0]) + "; remove or change that first");
+      Refuse(subject,
+        "is named by " + CalledObject(this->plan, users[0]) + "; remove or change that first");
     ForEachPlanList([&](const auto& list)
       { std::erase_if(this->plan.*list.objects, [&](const auto& o) { return o.id == edit.id; }); });
   }
   void operator()(const RenameObject& edit) const
   {
-    const std::string subject = Called(this->plan, edit.id);
+    const std::string subject = CalledObject(this->plan, edit.id);
     if (!PlanNoun(this->plan, edit.id))
       Refuse(subject, "the plan has none");
     ValueChecks(subject).Text("name", edit.name);
@@ -145,11 +139,11 @@ struct Labelled
   }
   std::string operator()(const RemoveObject& edit) const
   {
-    return "Remove " + Called(this->before, edit.id);
+    return "Remove " + CalledObject(this->before, edit.id);
   }
   std::string operator()(const RenameObject& edit) const
   {
-    return "Rename " + Called(this->before, edit.id);
+    return "Rename " + CalledObject(this->before, edit.id);
   }
   std::string operator()(const PoseFragments& edit) const
   {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -73,5 +74,7 @@ const T* FindPlanObject(const Plan& plan, PlanId id)
 
 /// What `id` names: "cut", …; nullptr if nothing.
 const char* PlanNoun(const Plan& plan, PlanId id);
+/// The same with its number: "cut 6", or "object 6". Names are the user's own and are not said.
+std::string CalledObject(const Plan& plan, PlanId id);
 
 } // namespace hasp

@@ -1,12 +1,10 @@
 #include "Planning/PlateRecipeFile.h"
 
 #include "Planning/PlateRecipeJson.h"
+#include "Planning/RecipeFormat.h"
 #include "Planning/ValueChecks.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace hasp
 {
@@ -69,12 +67,11 @@ Json FragmentToJson(const PlateFragment& fragment)
 
 PlateRecipe PlateRecipeFromJson(const Json& json)
 {
+  CheckFormat(json, Subject, { Format });
   const StrictJson top(json, Subject, "",
     { "format", "note", "isovalue", "ignoreBelowMm3", "landmarks", "gapMm", "thicknessMm",
       "widthMm", "bevelMm", "bridgeMm", "edgeDistanceMm", "holeDistanceMm", "spacingMm", "screws",
       "fragments" });
-  if (top.Text("format") != Format)
-    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   PlateRecipe r;
   if (top.Has("note"))
     r.note = top.Text("note");
@@ -119,7 +116,7 @@ Json PlateRecipeToJson(const PlateRecipe& r)
 
 PlateRecipe ParsePlateRecipe(const std::string& json)
 {
-  return PlateRecipeFromJson(ParseJson(json, Subject));
+  return ReadJson(json, Subject, PlateRecipeFromJson);
 }
 
 std::string FormatPlateRecipe(const PlateRecipe& recipe)
@@ -129,12 +126,7 @@ std::string FormatPlateRecipe(const PlateRecipe& recipe)
 
 PlateRecipe ReadPlateRecipe(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    throw std::runtime_error("plate recipe: the file cannot be read");
-  return ParsePlateRecipe(text.str());
+  return ParsePlateRecipe(ReadRecipeText(path, Subject));
 }
 
 } // namespace hasp

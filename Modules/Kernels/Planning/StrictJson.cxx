@@ -3,18 +3,94 @@
 #include "Planning/ValueChecks.h"
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
 namespace hasp
 {
 
+namespace
+{
+constexpr int MostDepth = 64;
+
+/// How many letters to put in, take out or change (Levenshtein), of the first 100; a letter's case
+/// is half a change.
+double Misspelling(const std::string& wrong, const std::string& right)
+{
+  const std::string a = wrong.substr(0, 100);
+  std::vector<double> row(right.size() + 1);
+  std::iota(row.begin(), row.end(), 0.0);
+  for (std::size_t n = 0; n < a.size(); ++n)
+  {
+    double corner = row[0];
+    row[0] = double(n + 1);
+    for (std::size_t m = 0; m < right.size(); ++m)
+    {
+      const bool letter = std::tolower(static_cast<unsigned char>(a[n])) ==
+                          std::tolower(static_cast<unsigned char>(right[m]));
+      const double change = corner + (a[n] == right[m] ? 0.0 : letter ? 0.5 : 1.0);
+      corner = row[m + 1];
+      row[m + 1] = std::min({ change, row[m] + 1.0, row[m + 1] + 1.0 });
+    }
+  }
+  return row.back();
+}
+
+/// Of our own keys; one that the object has already is a letter farther.
+std::string Nearest(
+  const std::string& wrong, const Json& object, std::initializer_list<const char*> keys)
+{
+  const auto far = [&](const char* key)
+  { return Misspelling(wrong, key) + (object.contains(key) ? 1.0 : 0.0); };
+  return *std::min_element(
+    keys.begin(), keys.end(), [&](const char* a, const char* b) { return far(a) < far(b); });
+}
+} // namespace
+
+std::size_t LineOf(const UnknownKey& unknown, const Json& json, const std::string& text)
+{
+  std::size_t before = 0; // keys of the whole, down to the one wanted
+  const std::function<bool(const Json&)> counted = [&](const Json& value)
+  {
+    std::size_t number = 0;
+    for (auto member = value.begin(); value.is_structured() && member != value.end(); ++member)
+    {
+      if (&value == unknown.object && number++ == unknown.key)
+        return true;
+      before += value.is_object();
+      if (counted(*member))
+        return true;
+    }
+    return false;
+  };
+  counted(json);
+  std::size_t line = 1, keys = 0;
+  for (std::size_t n = 0; n < text.size(); ++n)
+  {
+    line += text[n] == '\n';
+    if (text[n] != '"')
+      continue;
+    while (text[++n] != '"')
+      n += text[n] == '\\';
+    const std::size_t after = text.find_first_not_of(" \t\r\n", n + 1);
+    if (after != std::string::npos && text[after] == ':' && keys++ == before)
+      return line;
+  }
+  return line;
+}
+
 Json ParseJson(const std::string& text, const std::string& subject)
 {
   std::vector<std::set<std::string>> keys; // of the objects that are open
   bool twice = false;
-  const Json::parser_callback_t watch = [&](int, Json::parse_event_t event, Json& parsed)
+  const std::string no = subject + ": no JSON: ";
+  const Json::parser_callback_t watch = [&](int depth, Json::parse_event_t event, Json& parsed)
   {
+    if (depth > MostDepth)
+      throw std::runtime_error(no + "it is nested deeper than " + std::to_string(MostDepth));
     if (event == Json::parse_event_t::object_start)
       keys.emplace_back();
     else if (event == Json::parse_event_t::object_end)
@@ -23,7 +99,6 @@ Json ParseJson(const std::string& text, const std::string& subject)
       twice |= !keys.back().insert(parsed.get_ref<const std::string&>()).second;
     return true;
   };
-  const std::string no = subject + ": no JSON: ";
   try
   {
     Json json = Json::parse(text, watch);
@@ -61,10 +136,14 @@ StrictJson::StrictJson(
 {
   if (!json.is_object())
     this->Fail("", "must be an object");
-  int number = 0;
-  for (const auto& [key, value] : json.items())
-    if (++number; std::none_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; }))
-      this->Fail("key " + std::to_string(number), "is unknown; mend its spelling or take it out");
+  std::size_t number = 0;
+  for (auto member = json.begin(); member != json.end(); ++member, ++number)
+    if (const std::string& key = member.key();
+        std::none_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; }))
+      throw UnknownKey(this->Subject + ": a key" + (this->Name.empty() ? "" : " of " + this->Name) +
+                         " is unknown, the nearest known is '" + Nearest(key, json, keys) +
+                         "'; mend its spelling or take it out",
+        json, number);
 }
 
 bool StrictJson::Has(const char* key) const

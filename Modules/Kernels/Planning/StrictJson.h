@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,9 +17,42 @@ namespace hasp
 using Json = nlohmann::ordered_json;
 
 /// Reads a text. Throws std::runtime_error "SUBJECT: no JSON: …" with the byte of the first
-/// mistake; a key that stands twice in one object is a mistake, too. Never quotes the text.
-/// Internal.
+/// mistake; a key that stands twice in one object is a mistake, too, and so is a nesting deeper
+/// than
+/// 64. Never quotes the text. Internal.
 Json ParseJson(const std::string& text, const std::string& subject);
+
+/// A key that is none. Says which of ours is nearest to it.
+struct UnknownKey : std::invalid_argument
+{
+  UnknownKey(const std::string& text, const Json& whose, std::size_t number)
+    : std::invalid_argument(text),
+      object(&whose),
+      key(number)
+  {
+  }
+  const Json* object; ///< that it is in
+  std::size_t key;    ///< from 0, in the order of the text
+};
+/// On what line of the text that `json` was parsed from the key stands, from 1.
+std::size_t LineOf(const UnknownKey& unknown, const Json& json, const std::string& text);
+
+/// read(ParseJson(text, subject)); an UnknownKey says its line, too.
+template <typename Read>
+auto ReadJson(const std::string& text, const std::string& subject, const Read& read)
+{
+  const Json json = ParseJson(text, subject);
+  try
+  {
+    return read(json);
+  }
+  catch (const UnknownKey& unknown)
+  {
+    throw std::invalid_argument(
+      unknown.what() + (" (line " + std::to_string(LineOf(unknown, json, text)) + ")"));
+  }
+}
+
 /// Two spaces a level, a line feed at the end. Throws std::invalid_argument "SUBJECT: a text is not
 /// UTF-8" rather than write what no one can read back.
 std::string FormatJson(const Json& json, const std::string& subject);

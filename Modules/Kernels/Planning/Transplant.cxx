@@ -166,12 +166,6 @@ double KerfAlong(double kerfMm, const glm::dvec3& slope)
   return kerfMm * std::sqrt(1.0 + glm::dot(slope, slope));
 }
 
-double AngleOf(const glm::dvec3& a, const glm::dvec3& b)
-{
-  // Exact near 0, where an arc cosine is not.
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 DonorSegment MakeSegment(const Transplant& t, std::size_t n, const AxisLine& axis, double fromMm)
 {
   DonorSegment segment;
@@ -242,6 +236,11 @@ std::vector<DonorSegment> LayOutInOrder(const Transplant& t)
   return segments;
 }
 } // namespace
+
+double AngleOf(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
 
 std::vector<TransplantJoint> MitreJoints(std::span<const glm::dvec3> line)
 {

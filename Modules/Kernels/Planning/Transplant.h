@@ -78,6 +78,9 @@ struct DonorSegment
   bool operator==(const DonorSegment&) const noexcept = default;
 };
 
+/// Between two vectors of any length but 0, [0, pi]; exact near 0, too.
+double AngleOf(const glm::dvec3& a, const glm::dvec3& b);
+
 /// Joints for a line of places: square at its ends, and half way between two segments inside, so
 /// that both are cut at the same angle (a mitre). Throws std::invalid_argument on fewer than two
 /// places, and on neighbours closer than 1 mm.

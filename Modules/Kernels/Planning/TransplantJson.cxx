@@ -1,5 +1,6 @@
 #include "Planning/TransplantJson.h"
 
+#include "Planning/RecipeFormat.h"
 #include "Planning/ValueChecks.h"
 
 namespace hasp
@@ -40,11 +41,10 @@ Json TransplantToJson(const Transplant& t)
 
 Transplant TransplantFromJson(const Json& json)
 {
+  CheckFormat(json, Subject, { Format });
   const StrictJson top(json, Subject, "",
     { "format", "joints", "outward", "donor", "fromLastTip", "startOffsetMm", "kerfMm", "betweenMm",
       "vessel", "paddle" });
-  if (top.Text("format") != Format)
-    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   Transplant t;
   for (const Json& value : top.List("joints"))
   {

@@ -1,10 +1,7 @@
 #include "Planning/TransplantRecipeFile.h"
 
 #include "Planning/CutRecipeJson.h"
-
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include "Planning/RecipeFormat.h"
 
 namespace hasp
 {
@@ -72,16 +69,13 @@ void ForEachGuideKey(Choices& guide, const Visit& visit)
   visit("pinDiameterMm", guide.pinDiameterMm);
   visit("spacingMm", guide.spacingMm);
 }
-} // namespace
 
-TransplantRecipe ParseTransplantRecipe(const std::string& text)
+TransplantRecipe RecipeFromJson(const Json& json)
 {
-  const Json json = ParseJson(text, Subject);
+  CheckFormat(json, Subject, { Format });
   const StrictJson top(json, Subject, "",
     { "format", "resection", "path", "outward", "rollDeg", "leastSegmentMm", "mostGapMm",
       "mostOverlapMm", "donor", "guide" });
-  if (top.Text("format") != Format)
-    top.Fail("format", std::string("is of another kind, must be '") + Format + "'");
   TransplantRecipe r;
   r.resection = CutRecipeFromJson(top.Get("resection"));
   r.path = top.Vectors("path");
@@ -97,6 +91,12 @@ TransplantRecipe ParseTransplantRecipe(const std::string& text)
   ForEachGuideKey(r.guide, [&](const char* key, double& value) { value = guide.Number(key); });
   ValidateTransplantRecipe(r);
   return r;
+}
+} // namespace
+
+TransplantRecipe ParseTransplantRecipe(const std::string& text)
+{
+  return ReadJson(text, Subject, RecipeFromJson);
 }
 
 std::string FormatTransplantRecipe(const TransplantRecipe& r)
@@ -114,12 +114,7 @@ std::string FormatTransplantRecipe(const TransplantRecipe& r)
 
 TransplantRecipe ReadTransplantRecipe(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    throw std::runtime_error("transplant recipe: the file cannot be read");
-  return ParseTransplantRecipe(text.str());
+  return ParseTransplantRecipe(ReadRecipeText(path, Subject));
 }
 
 } // namespace hasp

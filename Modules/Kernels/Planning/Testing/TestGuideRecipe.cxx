@@ -1,4 +1,5 @@
 #include "Planning/GuideRecipeFile.h"
+#include "Planning/PartRecipeFile.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -108,17 +109,46 @@ TEST(GuideRecipe, FilesAreStrict)
   EXPECT_NAMES(Refusal("{"), "no JSON");
   EXPECT_NAMES(Refusal("[]"), "must be an object");
   EXPECT_NAMES(Refusal("{}"), "format is missing");
-  EXPECT_NAMES(Refusal(Replaced("\"gapMm\"", "\"gap\"")), "key 9 is unknown");
+  EXPECT_NAMES(Refusal(Replaced("\"gapMm\"", "\"gap\"")),
+    "guide recipe: a key is unknown, the nearest known is 'gapMm'");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3,", "")), "gapMm is missing");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": \"0.3\"")), "gapMm must be a number");
   EXPECT_NAMES(Refusal(Replaced("recipe-2", "recipe-3")),
-    "must be 'hasp-guide-recipe-2' or 'hasp-guide-recipe-1'");
+    "of another version, must be 'hasp-guide-recipe-2' or 'hasp-guide-recipe-1'");
+  EXPECT_NAMES(Refusal(Replaced("hasp-guide-recipe-2", "hasp-plate-recipe-1")),
+    "the file is a plate recipe, which hasp plate takes; here it must be 'hasp-guide-recipe-2' or");
+  EXPECT_NAMES(Refusal(Replaced("\"hasp-guide-recipe-2\"", "2")), "format must be text");
   EXPECT_NAMES(Refusal(Replaced("closed", "round")), "open, closed or filled");
-  EXPECT_NAMES(
-    Refusal(Replaced("\"diameterMm\": 2.0", "\"radius\": 2.0")), "holes[0].key 3 is unknown");
+  EXPECT_NAMES(Refusal(Replaced("\"diameterMm\": 2.0", "\"diameter\": 2.0")),
+    "a key of holes[0] is unknown, the nearest known is 'diameterMm'");
   EXPECT_NAMES(Refusal(Replaced("\"lengthMm\": 20.0", "\"lengthMm\": -20.0")), "slots[0].lengthMm");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": NaN")), "no JSON");
   EXPECT_NAMES(Refusal(Replaced("\"gapMm\": 0.3", "\"gapMm\": 1e999")), "no JSON");
+}
+
+TEST(GuideRecipe, APartsRecipeIsOfTheKindThatItsFormatSays)
+{
+  EXPECT_EQ(
+    std::get<hasp::GuideRecipe>(hasp::ParsePartRecipe(hasp::FormatGuideRecipe(Good()))), Good());
+  const auto refusal = [](const std::string& json)
+  {
+    try
+    {
+      hasp::ParsePartRecipe(json);
+      return std::string();
+    }
+    catch (const std::exception& error)
+    {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NAMES(refusal(R"({ "format": "hasp-plate-recipe-1", "Erika": 1 })"),
+    "plate recipe: a key is unknown");
+  EXPECT_NAMES(refusal(R"({ "format": "hasp-implant-recipe-9" })"),
+    "implant recipe: format is of another version");
+  EXPECT_NAMES(refusal(R"({ "format": "hasp-cut-recipe-1" })"),
+    "the file is a cut recipe, which hasp cut --cuts takes; here it must be 'hasp-guide-recipe-2'");
+  EXPECT_NAMES(refusal("{}"), "guide recipe: format is missing");
 }
 
 TEST(GuideRecipe, ErrorsSayNothingOfTheFilesText)
@@ -257,7 +287,17 @@ TEST(GuideRecipe, AFileIsReplacedWholeOrNotAtAll)
   bad.gapMm = -1;
   EXPECT_THROW(hasp::WriteGuideRecipe(path, bad), std::invalid_argument);
   EXPECT_EQ(hasp::ReadGuideRecipe(path).gapMm, Good().gapMm);
-  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+  std::filesystem::resize_file(path, (16U << 20U) + 1); // zeros
+  std::string refusal;
+  try
+  {
+    hasp::ReadGuideRecipe(path);
+  }
+  catch (const std::runtime_error& error)
+  {
+    refusal = error.what();
+  }
+  EXPECT_EQ(refusal, "guide recipe: the file has 16777217 bytes, at most 16777216 are read");
   std::remove(path.c_str());
   EXPECT_THROW(hasp::ReadGuideRecipe(path), std::runtime_error);
   EXPECT_THROW(hasp::WriteGuideRecipe((folder / "no such folder" / "r.json").string(), Good()),

@@ -86,10 +86,11 @@ TEST(ImplantRecipe, AFileIsReadAsItWasWrittenAndStrictly)
   EXPECT_EQ(fault("holeEdgeMm", "secret").find("secret"), std::string::npos);
   EXPECT_NAMES(fault("implant-recipe-1", "guide-recipe-1"), "format is of another kind");
   EXPECT_NAMES(fault("\"clearanceMm\": 0.5,", ""), "clearanceMm is missing");
-  EXPECT_NAMES(fault("\"normal\"", "\"norm\""), "mirror.key 2 is unknown");
+  EXPECT_NAMES(
+    fault("\"normal\"", "\"norm\""), "a key of mirror is unknown, the nearest known is 'normal'");
   EXPECT_NAMES(Fault([] { hasp::ParseImplantRecipe("{"); }), "no JSON");
   EXPECT_NAMES(
-    Fault([] { hasp::ReadImplantRecipe("/nowhere/implant.json"); }), "the file cannot be read");
+    Fault([] { hasp::ReadImplantRecipe("/nowhere/implant.json"); }), "the file is not there");
 }
 
 } // namespace

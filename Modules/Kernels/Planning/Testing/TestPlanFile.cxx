@@ -262,7 +262,7 @@ TEST(PlanFile, ErrorsNameTheKeyAndNothingElse)
   EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-2", "hasp-plan-9")),
     "plan: format is none that this version of Hasp reads: hasp-plan-1 to 2");
   EXPECT_EQ(Refusal(Sealed(text, "\"plan\"", "\"plans\"")),
-    "plan: key 2 is unknown; mend its spelling or take it out");
+    "plan: a key is unknown, the nearest known is 'plan'; mend its spelling or take it out");
   EXPECT_EQ(Refusal(Sealed(text, "\"name\": \"Erika\"", "\"name\": \"Erik\"")),
     "plan: plan is not the one that its history leads to");
   EXPECT_EQ(Refusal(Sealed(text, "\"kerfMm\": 1.0", "\"kerfMm\": \"1.0\"")),
@@ -270,7 +270,9 @@ TEST(PlanFile, ErrorsNameTheKeyAndNothingElse)
   EXPECT_EQ(Refusal(Sealed(text, "\"add\": \"volume\"", "\"add\": \"Erika\"")),
     "plan: history.steps[0].edits[0].add is of no kind that a plan holds");
   EXPECT_EQ(Refusal(Sealed(text, "\"add\": \"volume\"", "\"put\": \"volume\"")),
-    "plan: history.steps[0].edits[0].key 1 is unknown; mend its spelling or take it out");
+    "plan: a key of history.steps[0].edits[0] is unknown, the nearest known is 'caseLabel'; mend "
+    "its "
+    "spelling or take it out");
   EXPECT_EQ(
     Refusal(Sealed(text, "\"done\": 1", "\"done\": 2")), "history: done is 2, must be in [0, 1]");
   EXPECT_EQ(Refusal(Sealed(text, "\"format\"", "Erika")), "plan: no JSON: a mistake at byte 5");

@@ -105,7 +105,8 @@ TEST(PlateRecipe, AFileIsReadAsItWasWrittenAndStrictly)
     changed.replace(at, from.size(), to);
     return Fault([&] { hasp::ParsePlateRecipe(changed); });
   };
-  EXPECT_NAMES(fault("bridgeMm", "secret"), "key 10 is unknown");
+  EXPECT_NAMES(fault("bridgeMm", "secret"), "plate recipe: a key is unknown");
+  EXPECT_NAMES(fault("bridgeMm", "bridge_mm"), "the nearest known is 'bridgeMm'");
   EXPECT_EQ(fault("bridgeMm", "secret").find("secret"), std::string::npos);
   EXPECT_NAMES(fault("hasp-plate-recipe-1", "hasp-guide-recipe-1"), "format is of another kind");
   EXPECT_NAMES(fault("\"gapMm\": 0.2,", ""), "gapMm is missing");
@@ -116,7 +117,7 @@ TEST(PlateRecipe, AFileIsReadAsItWasWrittenAndStrictly)
     fault("\"orientation\": [", "\"orientation\": [ \"Erika\","), "must be four numbers");
   EXPECT_NAMES(Fault([] { hasp::ParsePlateRecipe("{"); }), "no JSON");
   EXPECT_NAMES(
-    Fault([] { hasp::ReadPlateRecipe("/nowhere/plate.json"); }), "the file cannot be read");
+    Fault([] { hasp::ReadPlateRecipe("/nowhere/plate.json"); }), "the file is not there");
 }
 
 } // namespace

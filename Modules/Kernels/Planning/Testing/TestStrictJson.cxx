@@ -44,7 +44,42 @@ TEST(StrictJson, SaysWhereAndWhatButNothingOfTheText)
   EXPECT_EQ(Refusal("{\"a\": [{\"b\": 1}, {\"b\": 1}]}", any), ""); // in two objects
   EXPECT_EQ(Refusal("[]", any), "basket: rows[1] must be an object");
   EXPECT_EQ(Refusal("{\"a\": 1, \"Erika\": 1}", any),
-    "basket: rows[1].key 2 is unknown; mend its spelling or take it out");
+    "basket: a key of rows[1] is unknown, the nearest "
+    "known is 'a'; mend its spelling or take it out");
+  std::string deep = std::string(70, '[') + std::string(70, ']');
+  EXPECT_EQ(Refusal("{\"a\": " + deep + "}", any), "basket: no JSON: it is nested deeper than 64");
+}
+
+TEST(StrictJson, AnUnknownKeyIsToldByTheNearestKnownAndItsLine)
+{
+  const std::string text = "{ \"rows\": [\n  { \"kerfMm\": 1, \"a\\\": \\\"b\": [{\"x\": 1}],\n"
+                           "    \"Erika\":\n 2 } ],\n \"last\": 1 }";
+  const auto refusal = [&](std::initializer_list<const char*> keys)
+  {
+    try
+    {
+      hasp::ReadJson(text, "basket",
+        [&](const Json& json)
+        {
+          const StrictJson whole(json, "basket", "", { "rows", "last" });
+          StrictJson(whole.List("rows")[0], "basket", "rows[0]", keys);
+          return 0;
+        });
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto told = [](const std::string& key, int line)
+  {
+    return "basket: a key of rows[0] is unknown, the nearest known is '" + key +
+           "'; mend its spelling or take it out (line " + std::to_string(line) + ")";
+  };
+  EXPECT_EQ(refusal({ "kerfMm", "a\": \"b", "Erika" }), "");
+  EXPECT_EQ(refusal({ "kerfMm", "a\": \"b", "depthMm", "erica" }), told("erica", 3));
+  EXPECT_EQ(refusal({ "Kerfmm", "gapMm", "a\": \"b", "Erika" }), told("Kerfmm", 2));
 }
 
 TEST(StrictJson, MembersAreOfTheirKind)

@@ -1,5 +1,6 @@
 #pragma once
 #include "Evaluation/MeshCheck.h"
+#include "FilterFixture.h"
 #include "Grid/AnalyticVolumes.h"
 #include "Planning/GuideRecipe.h"
 #include "Planning/Osteotomy.h"
@@ -101,16 +102,13 @@ struct Answer
 {
   vtkNew<vtkHaspGuideFilter> filter;
   std::string error;
+  double share = 0.0; ///< of its work, as far as it came
 
   explicit Answer(vtkImageData* ct, const hasp::GuideRecipe& recipe,
     const std::vector<hasp::Osteotomy>& blades = {})
   {
-    vtkNew<vtkCallbackCommand> keep;
-    keep->SetClientData(this);
-    keep->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Answer*>(self)->error += static_cast<const char*>(text); });
-    this->filter->AddObserver(vtkCommand::ErrorEvent, keep);
-    this->filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
+    parttest::KeepWords(this->filter, this->error);
+    parttest::KeepProgress(this->filter, this->share);
     this->filter->SetInputData(ct);
     this->filter->SetRecipe(recipe);
     this->filter->SetBlades(blades);

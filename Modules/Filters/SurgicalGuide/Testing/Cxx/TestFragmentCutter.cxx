@@ -78,6 +78,23 @@ TEST(FragmentCutter, RefusesWhatCannotBeCutByName)
              r.resected = { { 0, 0, 12 } };
            }),
     "resected[0] is"); // 6 mm from the bar
+  double share = 0.0;
+  const hasp::CutRecipe far = with([](auto& r) { r.resected = { { 0, 0, 0 }, { 0, 300, 0 } }; });
+  try
+  {
+    hasp::CutFragments({ scan.View(), {}, 1 }, far,
+      [&](double done)
+      {
+        share = done;
+        return true;
+      });
+    ADD_FAILURE() << "not refused";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("resected[1] is over 2"), std::string::npos);
+  }
+  EXPECT_LE(share, 0.1); // before bone is measured
   expect(with([](auto& r) { r.isovalue = 20000; }), "does not meet bone");
   const std::vector<std::uint8_t> few(8);
   EXPECT_THROW(hasp::CutFragments({ scan.View(),

@@ -47,6 +47,34 @@ TEST(GuideFilter, WhatCannotBeMadeIsNamed)
     "raise spacingMm");
 }
 
+TEST(GuideFilter, WhatLiesFarOffIsToldBeforeBoneIsMeasured)
+{
+  const auto ct = ScanOf(Skull(), glm::dvec3(2), 0);
+  const auto refusal = [&](const std::function<void(hasp::GuideRecipe&)>& spoil)
+  {
+    auto recipe = Band();
+    recipe.spacingMm = 0.6;
+    spoil(recipe);
+    Answer answer(ct, recipe);
+    EXPECT_LE(answer.share, 0.2);
+    return answer.error;
+  };
+  const auto says = [](const std::string& text, const char* words)
+  { EXPECT_NE(text.find(words), std::string::npos) << text; };
+  says(refusal([](auto& r) { r.slots[0].point.y = -400; }),
+    "slots[0] does not meet the guide: it is over 3");
+  says(refusal([](auto& r) { r.holes[1].point.x = 300; }),
+    "holes[1] does not meet the guide: it is over 2");
+  // Not that the grid that reaches so far is too large.
+  says(refusal(
+         [](auto& r)
+         {
+           r.slots[0].point.y = -400;
+           r.slots[0].guidingHeightMm = 12;
+         }),
+    "slots[0] does not meet the guide: it is over 3");
+}
+
 TEST(GuideFilter, RandomRecipesOnNoisyBoneAreSoundOrNamed)
 {
   std::mt19937 random(29);

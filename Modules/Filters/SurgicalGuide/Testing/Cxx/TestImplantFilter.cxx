@@ -1,5 +1,6 @@
 // Implants through the filter and their file, held to what they promise.
 #include "Evaluation/FitCertificate.h"
+#include "FilterFixture.h"
 #include "GuideFixture.h"
 #include "ImplantClaims.h"
 #include "ImplantFixture.h"
@@ -40,12 +41,7 @@ struct ImplantAnswer
 
   explicit ImplantAnswer(const hasp::ImplantRecipe& recipe)
   {
-    vtkNew<vtkCallbackCommand> keep;
-    keep->SetClientData(this);
-    keep->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<ImplantAnswer*>(self)->error += static_cast<const char*>(text); });
-    this->filter->AddObserver(vtkCommand::ErrorEvent, keep);
-    this->filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
+    parttest::KeepWords(this->filter, this->error);
     this->filter->SetInputData(this->ct);
     this->filter->SetRecipe(recipe);
     this->filter->Update();

@@ -80,6 +80,22 @@ TEST(MirrorFit, AJawThatStandsAsideDoesNotPullIt)
   ExpectTruePlane(scan, glm::dmat3(1.0));
 }
 
+TEST(MirrorFit, AScanThatIsTooLargeIsRefusedBeforeMemoryIsTaken)
+{
+  const std::vector<std::int16_t> samples(8, 1000);
+  const hasp::GridView<const std::int16_t> scan{ samples.data(),
+    { glm::ivec3(2), {}, glm::dvec3(1200), glm::dmat3(1) } };
+  try
+  {
+    hasp::FitMirrorPlane(scan, HalfWayHU, std::vector<std::uint8_t>(8, 1));
+    ADD_FAILURE() << "not refused";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("crop the scan"), std::string::npos) << error.what();
+  }
+}
+
 TEST(MirrorFit, BoneUnlikeItsMirrorImageIsNamed)
 {
   // Balls of many sizes, anywhere.

@@ -1,4 +1,5 @@
 #include "CutFixture.h"
+#include "FilterFixture.h"
 #include "FragmentCutter.h"
 #include "vtkHaspOsteotomyFilter.h"
 #include "vtkHaspVolumeView.h"
@@ -28,12 +29,7 @@ class OsteotomyFilter : public testing::Test
 protected:
   OsteotomyFilter()
   {
-    vtkNew<vtkCallbackCommand> keep;
-    keep->SetClientData(&this->error);
-    keep->SetCallback([](vtkObject*, unsigned long, void* text, void* data)
-      { *static_cast<std::string*>(text) += static_cast<const char*>(data); });
-    this->filter->AddObserver(vtkCommand::ErrorEvent, keep);
-    this->filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
+    parttest::KeepWords(this->filter, this->error);
     this->filter->SetInputData(hasp::MakeImage(this->scan.grid, this->scan.samples));
     this->filter->SetRecipe(OneCut({ 5.0, 0.0, 0.0 }));
   }

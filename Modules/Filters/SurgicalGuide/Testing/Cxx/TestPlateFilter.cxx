@@ -31,12 +31,7 @@ struct PlateAnswer
 
   PlateAnswer(vtkImageData* ct, const hasp::PlateRecipe& recipe)
   {
-    vtkNew<vtkCallbackCommand> keep;
-    keep->SetClientData(this);
-    keep->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<PlateAnswer*>(self)->error += static_cast<const char*>(text); });
-    this->filter->AddObserver(vtkCommand::ErrorEvent, keep);
-    this->filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
+    parttest::KeepWords(this->filter, this->error);
     this->filter->SetInputData(ct);
     this->filter->SetRecipe(recipe);
     this->filter->Update();
@@ -80,12 +75,25 @@ TEST(PlateFilter, SaysWhatCannotBeMadeAndLeavesNothing)
     return answer.error;
   };
   EXPECT_NE(
-    fault([](auto& r) { r.landmarks[2].z = 60; }).find("landmarks[2] is"), std::string::npos);
+    fault([](auto& r) { r.landmarks[2].z -= 5; }).find("landmarks[2] is"), std::string::npos);
   EXPECT_NE(fault(
               [](auto& r) {
                 r.landmarks = { { 300, 0, 0 }, { 310, 0, 0 } };
               })
-              .find("there is no bone around the landmarks"),
+              .find("landmarks[0] (300, 0, 0) is outside the volume"),
+    std::string::npos);
+  EXPECT_NE(
+    fault([](auto& r) { r.isovalue = 30000; }).find("there is no bone around the landmarks"),
+    std::string::npos);
+  EXPECT_NE(fault([](auto& r) { r.screws[1].point.y = 400; }).find("screws[1].point (0, 400, "),
+    std::string::npos);
+  EXPECT_NE(fault(
+              [](auto& r)
+              {
+                r.landmarks = { OnSkull(14, 0), OnSkull(16, 0) };
+                r.screws = { { OnSkull(15, 0) }, { OnSkull(-16, 0) } };
+              })
+              .find("screws[1].point is over "),
     std::string::npos);
   EXPECT_NE(fault([](auto& r) { r.widthMm = -1; }).find("widthMm is -1"), std::string::npos);
   EXPECT_NE(

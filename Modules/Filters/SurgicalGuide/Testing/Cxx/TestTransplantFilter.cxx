@@ -1,3 +1,4 @@
+#include "FilterFixture.h"
 #include "TransplantBuilder.h"
 #include "TransplantFixture.h"
 #include "vtkHaspTransplantFilter.h"
@@ -27,15 +28,8 @@ class TransplantFilter : public testing::Test
 protected:
   TransplantFilter()
   {
-    vtkNew<vtkCallbackCommand> keep;
-    keep->SetClientData(&this->said);
-    keep->SetCallback([](vtkObject*, unsigned long, void* text, void* data)
-      { *static_cast<std::string*>(text) += static_cast<const char*>(data); });
-    for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
-    {
-      this->filter->AddObserver(event, keep);
-      this->filter->GetExecutive()->AddObserver(event, keep);
-    }
+    parttest::KeepWords(
+      this->filter, this->said, { vtkCommand::ErrorEvent, vtkCommand::WarningEvent });
     this->filter->SetInputData(0, hasp::MakeImage(this->jaw.grid, this->jaw.samples));
     this->filter->SetInputData(1, hasp::MakeImage(this->leg.grid, this->leg.samples));
     this->filter->SetRecipe(Recipe());
