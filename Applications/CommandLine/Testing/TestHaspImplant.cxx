@@ -89,8 +89,10 @@ TEST_F(HaspImplant, IsHeldToItsRecipe)
   this->Head();
   json recipe = Recipe();
   recipe["spacingMm"] = 0.6; // contours of coarser grids have burrs in holes: ImplantClaims.h
-  const HaspRun made = this->Implant(recipe, { "--check" });
+  const HaspRun made = this->Implant(recipe, { "--check", "--html", this->Path("a.html") });
   ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
+  EXPECT_NE(made.out.find("the mirrored side was moved"), std::string::npos) << made.out;
+  EXPECT_EQ(ReadBytes(this->Path("a.html")).find("no recipe"), std::string::npos);
   const auto certify = [this](const std::vector<std::string>& more = {})
   {
     std::vector<std::string> words{ "certify", this->Path("implant.stl"), "--bone",
@@ -100,6 +102,11 @@ TEST_F(HaspImplant, IsHeldToItsRecipe)
   };
   EXPECT_EQ(certify().exitCode, 0); // its axis and holes are found again
   ExpectFailure(certify({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
+  // Perforated or not, it is as thick as that where it has no holes.
+  recipe["thicknessMm"] = 4.6;
+  this->WriteText("implant.json", recipe.dump());
+  ExpectFailure(certify(), 3, "a wall away from slots and holes is ");
+  recipe["thicknessMm"] = 4;
   recipe["holeDiameterMm"] = 3.4;
   this->WriteText("implant.json", recipe.dump());
   ExpectFailure(certify(), 3, "must have 3.40");
