@@ -42,8 +42,11 @@ std::string Base64(std::string_view bytes)
 
 std::string Title(const FitCertificate& c)
 {
-  const std::string verdict = CertificateVerdict(c);
-  return ClaimFit(c.claims) || !c.Holds() ? "The part " + verdict : "T" + verdict.substr(1);
+  std::string verdict = CertificateVerdict(c);
+  if (ClaimFit(c.claims) || !c.Holds())
+    return "The part " + verdict;
+  verdict.front() = 'T';
+  return verdict;
 }
 
 std::string Verdict(const FitCertificate& c, const CertificatePage& page)

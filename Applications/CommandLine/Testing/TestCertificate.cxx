@@ -187,6 +187,7 @@ TEST_F(Certificate, PicturesShowTheBoneAroundThePartAlone)
   const glm::dvec3 index = g.WorldToIndex(whole.IndexToWorld({ 10, 10, 10 }));
   const auto sample = std::size_t((index.z * g.dims.y + index.y) * g.dims.x + index.x + 0.5);
   EXPECT_EQ(std::get<hasp::GridView<const float>>(view).data[sample], 1000.0F);
+  EXPECT_EQ(std::get<hasp::GridView<const float>>(view).data[sample - 1], 0.0F);
   // Of a part that lies elsewhere all is shown.
   EXPECT_EQ(hasp::BoneAround(bone, {}, glm::dvec3(900), glm::dvec3(901), 20.0), bone);
 }
