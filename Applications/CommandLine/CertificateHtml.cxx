@@ -1,6 +1,7 @@
 #include "CertificatePage.h"
 
 #include "CertificateTable.h"
+#include "CertificateText.h"
 #include "GapColours.h"
 #include "ReportChart.h"
 #include "Version.h"
@@ -16,7 +17,7 @@ namespace
 constexpr const char* Style = R"(<style>
 body { font: 15px/1.5 system-ui, sans-serif; max-width: 68em; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; width: 100%; margin: 1em 0 } th, td { padding: .3em .6em; text-align: left; border-bottom: 1px solid #ddd }
-h1 { padding: .4em .6em; border-radius: .2em; color: #fff } h1.good { background: #1d6b34 } h1.bad { background: #a40000 }
+h1 { padding: .4em .6em; border-radius: .2em; color: #fff } h1.good { background: #1d6b34 } h1.bad { background: #a40000 } h1.unheld { background: #5c5c5c }
 td.good { color: #1d6b34 } td.bad { color: #a40000; font-weight: bold } .faint { color: #666 } code { overflow-wrap: anywhere }
 figure { display: inline-block; margin: .5em 1em .5em 0; max-width: 640px } figure img { max-width: 100% }
 svg { max-width: 640px; font: 12px system-ui, sans-serif; display: block }
@@ -39,13 +40,26 @@ std::string Base64(std::string_view bytes)
   return text;
 }
 
+std::string Title(const FitCertificate& c)
+{
+  std::string verdict = CertificateVerdict(c);
+  if (ClaimFit(c.claims) || !c.Holds())
+    return "The part " + verdict;
+  verdict.front() = 'T';
+  return verdict;
+}
+
 std::string Verdict(const FitCertificate& c, const CertificatePage& page)
 {
+  if (c.Holds() && !ClaimFit(c.claims))
+    return "<h1 class=\"unheld\">" + Title(c) +
+           "</h1>\n<p>It was read back from its file and measured. No recipe says what the part "
+           "must be: whether it fits the bone is not known.</p>\n";
   if (c.Holds())
-    return "<h1 class=\"good\">The part holds</h1>\n<p>It was read back from its file and "
-           "measured: "
-           "nothing of what it must be is missing.</p>\n";
-  std::string html = "<h1 class=\"bad\">The part DOES NOT HOLD</h1>\n";
+    return "<h1 class=\"good\">" + Title(c) +
+           "</h1>\n<p>It was read back from its file and measured: nothing of what it must be is "
+           "missing.</p>\n";
+  std::string html = "<h1 class=\"bad\">" + Title(c) + "</h1>\n";
   if (!page.fate.empty())
     html += "<p><b>" + EscapeHtml(page.fate) + "</b></p>\n";
   html += "<p>It must not be used, because:</p>\n<ol>\n";
@@ -54,20 +68,28 @@ std::string Verdict(const FitCertificate& c, const CertificatePage& page)
   return html + "</ol>\n";
 }
 
+const char* VerdictCell(const CertificateRow& row)
+{
+  if (row.fault)
+    return "<td class=\"bad\">does not hold</td>";
+  if (row.limit.empty())
+    return "<td></td>";
+  return row.missing ? "<td class=\"faint\">not measured</td>" : "<td class=\"good\">holds</td>";
+}
+
 std::string Measures(const FitCertificate& c)
 {
   std::string html = "<h2>What was measured</h2>\n<table><tr><th>measure</th><th>measured</th>"
                      "<th>must be</th><th></th></tr>\n";
   for (const CertificateRow& row : CertificateTable(c))
     html += "<tr><td>" + EscapeHtml(row.measure) + "</td><td>" + EscapeHtml(row.measured) +
-            "</td><td>" + EscapeHtml(row.limit) + "</td>" +
-            (row.fault            ? "<td class=\"bad\">does not hold</td>"
-              : row.limit.empty() ? "<td></td>"
-                                  : "<td class=\"good\">holds</td>") +
-            "</tr>\n";
+            "</td><td>" + EscapeHtml(row.limit) + "</td>" + VerdictCell(row) + "</tr>\n";
   html += "</table>\n";
-  if (!c.claims.shell)
-    html += "<p>No gap was claimed: there was no recipe to hold the part to.</p>\n";
+  if (!ClaimFit(c.claims))
+    html += "<p>There was no recipe to hold the part to: no gap, slot or hole was looked "
+            "for.</p>\n";
+  else if (!c.claims.shell)
+    html += "<p>The gap to the bone is not claimed of such a part, and was not measured.</p>\n";
   return html;
 }
 
@@ -124,10 +146,9 @@ std::string Origin(const FitCertificate& c, const CertificatePage& page)
 std::string CertificateHtml(const FitCertificate& certificate, const CertificatePage& page)
 {
   return std::string("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>") +
-         (certificate.Holds() ? "The part holds" : "The part does not hold") + "</title>\n" +
-         Style + "</head><body>\n" + Verdict(certificate, page) + Measures(certificate) +
-         Histogram(certificate) + Pictures(certificate, page) + Origin(certificate, page) +
-         "</body></html>\n";
+         Title(certificate) + "</title>\n" + Style + "</head><body>\n" +
+         Verdict(certificate, page) + Measures(certificate) + Histogram(certificate) +
+         Pictures(certificate, page) + Origin(certificate, page) + "</body></html>\n";
 }
 
 } // namespace hasp

@@ -87,10 +87,11 @@ Json SlotJson(const SlotFit& fit, const ClaimedSlot& claim)
     { "blocked_at", At(fit.blockedAt) } };
 }
 
-Json HoleJson(const HoleFit& fit, const ClaimedHole& claim)
+Json HoleJson(const HoleFit& fit, const ClaimedHole& claim, std::size_t number)
 {
-  return { { "asked_mm", claim.diameterMm }, { "tolerance_mm", claim.toleranceMm },
-    { "sections", fit.sections }, { "diameter_mm", fit.diameterMm }, { "least_mm", fit.leastMm },
+  return { { "name", NameOfHole(claim, number) }, { "asked_mm", claim.diameterMm },
+    { "tolerance_mm", claim.toleranceMm }, { "sections", fit.sections },
+    { "diameter_mm", fit.diameterMm }, { "least_mm", fit.leastMm },
     { "roundness_mm", fit.roundnessMm }, { "tilt_degrees", fit.tiltDegrees },
     { "offset_mm", fit.offsetMm }, { "guide_mm", fit.guideMm }, { "middle", At(fit.middle) },
     { "wall_around", fit.touchedShare }, { "blocked_at", At(fit.blockedAt) } };
@@ -116,14 +117,16 @@ nlohmann::ordered_json CertificateJson(const FitCertificate& c)
   for (std::size_t n = 0; n < c.slots.size(); ++n)
     slots.push_back(SlotJson(c.slots[n], c.claims.slots[n]));
   for (std::size_t n = 0; n < c.holes.size(); ++n)
-    holes.push_back(HoleJson(c.holes[n], c.claims.holes[n]));
+    holes.push_back(HoleJson(c.holes[n], c.claims.holes[n], n));
   for (const FitFault& fault : c.faults)
     faults.push_back(
       { { "kind", FitFaultName(fault.kind) }, { "text", fault.text }, { "at", At(fault.at) } });
-  return { { "format", "hasp-certificate-1" }, { "passed", c.Holds() }, { "faults", faults },
-    { "isovalue", c.claims.isovalue }, { "mesh", MeshJson(c) },
-    { "walls", WallsJson(c.wall, c.claims.leastWallMm) }, { "shell", ShellJson(c) },
-    { "gap", GapJson(c) }, { "slots", slots }, { "holes", holes },
+  const Json passed = c.Holds() && !ClaimFit(c.claims) ? Json(nullptr) : Json(c.Holds());
+  return { { "format", "hasp-certificate-1" }, { "passed", passed },
+    { "verdict", CertificateVerdict(c) }, { "faults", faults }, { "isovalue", c.claims.isovalue },
+    { "mesh", MeshJson(c) }, { "walls", WallsJson(c.wall, c.claims.leastWallMm) },
+    { "uncut_walls", c.uncut ? WallsJson(*c.uncut, c.claims.leastUncutMm) : Json(nullptr) },
+    { "shell", ShellJson(c) }, { "gap", GapJson(c) }, { "slots", slots }, { "holes", holes },
     { "insertion", InsertionJson(c) },
     { "program", std::string("hasp ") + Version() + ", commit " + Commit() },
     { "intended_use", "research use only, not a medical device" } };

@@ -1,5 +1,6 @@
 #include "CertificatePictures.h"
 
+#include "BoneAround.h"
 #include "InnerWall.h"
 #include "PictureFile.h"
 #include "Session.h"
@@ -38,6 +39,7 @@ namespace
 constexpr int Width = 640, Height = 480;
 constexpr double MarkShare = 0.02;      // of the part's size: the radius of a fault's ball
 constexpr std::size_t MostNumbers = 30; // of faults that have theirs beside them
+constexpr double LeastAroundMm = 20.0;  // of bone beside the part; of large parts their radius
 constexpr int MostFrames = 50;          // of a picture, until its bone is whole
 
 /// Where the viewer stands, as seen from the part: unit vectors.
@@ -89,6 +91,7 @@ public:
         this->Mark(*certificate.faults[n].at, n + 1);
   }
 
+  double PartRadius() const { return this->Radius; }
   vtkPolyData* PartMesh() { return this->Part; }
   void Show(vtkProp3D* prop) { this->Scene->AddViewProp(prop); }
   void Hide(vtkProp3D* prop) { this->Scene->RemoveViewProp(prop); }
@@ -144,11 +147,13 @@ private:
   vtkSmartPointer<vtkPolyData> Part;
 };
 
-void DrawOnBone(Sketch& sketch, const Axes& axes, vtkImageData* bone, double isovalue,
+void DrawOnBone(Sketch& sketch, const Axes& axes, vtkImageData* bone, const FitCertificate& c,
   Session& session, std::vector<CertificatePicture>& pictures)
 {
   SurfaceDrawing drawing;
-  const SurfaceActor surface = MakeIsosurface(bone, isovalue, drawing, session);
+  const auto around =
+    BoneAround(bone, c.claims, c.low, c.high, std::max(LeastAroundMm, sketch.PartRadius()));
+  const SurfaceActor surface = MakeIsosurface(around, c.claims.isovalue, drawing, session);
   vtkActor::SafeDownCast(surface.prop)->GetProperty()->SetColor(0.93, 0.87, 0.76);
   vtkNew<vtkPolyDataNormals> normals; // edges stay sharp from 30 degrees
   normals->SetInputData(sketch.PartMesh());
@@ -212,7 +217,7 @@ std::vector<CertificatePicture> DrawCertificate(
   }
   const Axes axes = AxesOf(glm::normalize(off));
   std::vector<CertificatePicture> pictures;
-  DrawOnBone(sketch, axes, bone, claims.isovalue, session, pictures);
+  DrawOnBone(sketch, axes, bone, certificate, session, pictures);
   if (claims.shell)
     DrawInnerWall(sketch, axes, colours, pictures);
   return pictures;

@@ -18,10 +18,10 @@ struct CertificatePicture
   bool ofGap = false; ///< coloured by GapColour
 };
 
-/// The part on its bone from three sides, and, where a shell is claimed, its inner wall from the
-/// bone, coloured by its gap; on all of them the faults that have a place, by their numbers, in
-/// front of everything. The same bytes for the same part with the same OpenGL. Throws Failure:
-/// CannotDraw. RENDER thread.
+/// The part on the bone around it (BoneAround) from three sides, and, where a shell is claimed, its
+/// inner wall from the bone, coloured by its gap; on all of them the faults that have a place, by
+/// their numbers, in front of everything. The same bytes for the same part with the same OpenGL.
+/// Throws Failure: CannotDraw. RENDER thread.
 std::vector<CertificatePicture> DrawCertificate(const TriangleMesh& part, vtkImageData* bone,
   const FitCertificate& certificate, Session& session);
 

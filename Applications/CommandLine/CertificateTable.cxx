@@ -70,7 +70,7 @@ private:
       { "volume, area", Text("%.1f mm3, %.1f mm2", m.volumeMm3, m.areaMm2), "" },
       { "triangles", count(m.triangles) + ", of them slivers " + count(this->C.slivers), "" },
       { "pieces", count(this->C.pieces.size()), count(this->C.claims.pieces),
-        this->Is({ FitFaultKind::Pieces }) },
+        this->C.pieces.size() != this->C.claims.pieces },
       { "open edges", count(m.borderEdges), "0", this->Is({ FitFaultKind::NotClosed }) },
       { "edges and points that are not 2-manifold", count(m.crowdedEdges + m.pinchedPoints), "0",
         this->Is({ FitFaultKind::NotManifold }) },
@@ -79,7 +79,8 @@ private:
       { "triangles without an area", count(m.degenerate), "0", this->Is({ FitFaultKind::NoArea }) },
       { "pairs of triangles that meet",
         this->C.selfIntersections ? count(*this->C.selfIntersections) : "not measured", "0",
-        this->Is({ FitFaultKind::MeetsItself, FitFaultKind::NotChecked }) },
+        this->Is({ FitFaultKind::MeetsItself, FitFaultKind::NotChecked }),
+        !this->C.selfIntersections },
     };
   }
 
@@ -91,15 +92,21 @@ private:
         { "thinnest wall", Text("%.2f mm at ", wall.leastMm) + Place(wall.leastAt),
           Text("at least %.2f mm", this->C.claims.leastWallMm),
           wall.leastMm < this->C.claims.leastWallMm });
+    if (const auto& uncut = this->C.uncut; uncut && uncut->wallMm2 > 0.0)
+      this->All.push_back({ "thinnest wall away from slots and holes",
+        Text("%.2f mm at ", uncut->leastMm) + Place(uncut->leastAt),
+        Text("at least %.2f mm", this->C.claims.leastUncutMm),
+        uncut->leastMm < this->C.claims.leastUncutMm });
     if (!this->C.shell || !this->C.claims.shell)
       return;
     const ClaimedShell& claim = *this->C.claims.shell;
     const double least = claim.thicknessMm - claim.thicknessToleranceMm;
+    const bool there = this->C.shell->shellMm2 > 0.0;
     this->All.push_back({ "shell, least and median",
-      Text("%.2f mm, %.2f mm", this->C.shell->leastMm, this->C.shell->p50Mm),
+      there ? Text("%.2f mm, %.2f mm", this->C.shell->leastMm, this->C.shell->p50Mm) : "not found",
       Text(
         "at least %.2f mm: %.2f less %.2f", least, claim.thicknessMm, claim.thicknessToleranceMm),
-      this->C.shell->shellMm2 > 0.0 && this->C.shell->leastMm < least });
+      there && this->C.shell->leastMm < least, !there });
   }
 
   void Gap()
@@ -111,10 +118,11 @@ private:
     this->All.push_back({ Text("inner wall within %.2f mm of that", claim.gapToleranceMm),
       Text("%.2f %% of %.1f mm2", 100.0 * gap.share, gap.innerWallMm2),
       Text("at least %.1f %%", 100.0 * claim.leastGapShare), this->Is({ FitFaultKind::Gap }) });
+    const bool near = gap.leastAnywhere < 1e30;
     this->All.push_back({ "nearest to bone of all walls",
-      gap.leastAnywhere < 1e30 ? Text("%.3f mm at ", gap.leastAnywhere) + Place(gap.leastAnywhereAt)
-                               : "none within reach",
-      "outside of bone", this->Is({ FitFaultKind::TouchesBone }) });
+      near ? Text("%.3f mm at ", gap.leastAnywhere) + Place(gap.leastAnywhereAt)
+           : "none within reach",
+      "outside of bone", this->Is({ FitFaultKind::TouchesBone }), !near });
   }
 
   void Slot(std::size_t n)
@@ -134,7 +142,7 @@ private:
   {
     const HoleFit& fit = this->C.holes[n];
     const ClaimedHole& claim = this->C.claims.holes[n];
-    const std::string name = "holes[" + std::to_string(n) + "]";
+    const std::string name = NameOfHole(claim, n);
     this->All.push_back({ name,
       Text("%.3f mm, lets %.3f through; round within %.3f; off %.3f mm, %.2f degrees; guides %.1f "
            "mm",

@@ -12,6 +12,7 @@ struct CertificateRow
 {
   std::string measure, measured, limit; ///< without a limit: it is told alone
   bool fault = false;                   ///< it is beyond
+  bool missing = false;                 ///< it could not be measured: it holds nothing
 };
 
 /// All that was measured, in the order of a part's life: its mesh, its walls, its fit.

@@ -19,6 +19,12 @@ std::string Line(const char* format, auto... figures)
   return text;
 }
 
+std::string WallText(const char* name, const WallThickness& wall, double leastMm)
+{
+  return Line("%-20s%.2f mm at (%.1f, %.1f, %.1f); at least %.2f\n", name, wall.leastMm,
+    wall.leastAt.x, wall.leastAt.y, wall.leastAt.z, leastMm);
+}
+
 std::string MeshText(const FitCertificate& c)
 {
   const glm::dvec3 size = c.high - c.low;
@@ -30,8 +36,8 @@ std::string MeshText(const FitCertificate& c)
          Line("outward             %s\n", YesNo(c.mesh.Outward())) + "self-intersections  " +
          (c.selfIntersections ? std::to_string(*c.selfIntersections) : "not measured") + "\n" +
          Line("slivers             %zu\n", c.slivers) +
-         Line("thinnest wall       %.2f mm at (%.1f, %.1f, %.1f); at least %.2f\n", c.wall.leastMm,
-           c.wall.leastAt.x, c.wall.leastAt.y, c.wall.leastAt.z, c.claims.leastWallMm);
+         WallText("thinnest wall", c.wall, c.claims.leastWallMm) +
+         (c.uncut ? WallText("away from holes", *c.uncut, c.claims.leastUncutMm) : "");
 }
 
 std::string ShellText(const FitCertificate& c)
@@ -58,15 +64,22 @@ std::string CutsText(const FitCertificate& c)
       n, c.slots[n].widthMm, c.slots[n].leastWidthMm, c.claims.slots[n].widthMm,
       c.slots[n].flatnessMm, c.slots[n].offsetMm, c.slots[n].tiltDegrees, c.slots[n].guideMm);
   for (std::size_t n = 0; n < c.holes.size(); ++n)
-    text +=
-      Line("holes[%zu]            %.3f mm, lets %.3f through, asked %.3f; round within %.3f, off "
-           "%.3f mm, %.2f degrees; guides %.1f mm\n",
-        n, c.holes[n].diameterMm, c.holes[n].leastMm, c.claims.holes[n].diameterMm,
-        c.holes[n].roundnessMm, c.holes[n].offsetMm, c.holes[n].tiltDegrees, c.holes[n].guideMm);
+    text += Line("%-20s%.3f mm, lets %.3f through, asked %.3f; round within %.3f, off "
+                 "%.3f mm, %.2f degrees; guides %.1f mm\n",
+      NameOfHole(c.claims.holes[n], n).c_str(), c.holes[n].diameterMm, c.holes[n].leastMm,
+      c.claims.holes[n].diameterMm, c.holes[n].roundnessMm, c.holes[n].offsetMm,
+      c.holes[n].tiltDegrees, c.holes[n].guideMm);
   return text;
 }
 
 } // namespace
+
+std::string CertificateVerdict(const FitCertificate& c)
+{
+  if (!c.Holds())
+    return "DOES NOT HOLD";
+  return ClaimFit(c.claims) ? "holds" : "the mesh is sound; not held to a recipe";
+}
 
 std::string CertificateText(const FitCertificate& c)
 {
@@ -79,9 +92,7 @@ std::string CertificateText(const FitCertificate& c)
       c.insertion->blocked == 0
         ? "put on along its axis  yes, no bone in the way\n"
         : Line("put on along its axis  NO, bone %.2f mm deep in the way\n", c.insertion->deepestMm);
-  for (const FitFault& fault : c.faults)
-    text += "fault               " + fault.text + "\n";
-  return text + "verdict             " + (c.Holds() ? "holds" : "DOES NOT HOLD") + "\n";
+  return text + "verdict             " + CertificateVerdict(c) + "\n";
 }
 
 } // namespace hasp

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -39,6 +41,19 @@ fs::path FolderOf(const std::string& path)
 {
   const fs::path folder = fs::path(path).parent_path();
   return folder.empty() ? fs::path(".") : folder;
+}
+
+/// Why no file can be made in a folder, as only trying tells: of some folders the system says that
+/// they can be written to, and refuses it then. Empty: one can. Nothing is left.
+std::string WhyNotIn(const fs::path& folder)
+{
+  std::string name = (folder / ".hasp-XXXXXX").string();
+  const int file = mkstemp(name.data());
+  if (file < 0)
+    return std::generic_category().message(errno);
+  close(file);
+  unlink(name.c_str());
+  return {};
 }
 
 Failure CannotWrite(const std::string& path, const std::string& reason)
@@ -98,12 +113,14 @@ void RequireWritable(const std::string& path, const std::vector<std::string>& en
   if (place != fs::file_type::directory)
     throw CannotWrite(path, "its folder does not exist; make it first");
   const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none)
+    throw CannotWrite(path, error.message() + "; choose another name");
   if (fs::is_directory(status))
     throw CannotWrite(path, "a folder has this name; choose another");
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw CannotWrite(path, "it is not a regular file; choose another name");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw CannotWrite(path, "its folder is not yours to write to; choose another");
+  if (const std::string why = WhyNotIn(folder); !why.empty())
+    throw CannotWrite(path, "its folder takes no file: " + why + "; choose another");
 }
 
 void RequireDifferent(const std::string& path, const std::string& other, const std::string& options)
@@ -137,8 +154,8 @@ void RequireWritableFolder(const std::string& path)
     refuse("a file has this name; choose another");
   if (there && !fs::is_empty(place, error))
     refuse("a folder that is not empty has this name; choose another");
-  if (access(parent.c_str(), W_OK | X_OK) != 0)
-    refuse("the folder it is to lie in is not yours to write to; choose another");
+  if (const std::string why = WhyNotIn(parent); !why.empty())
+    refuse("the folder it is to lie in takes no file: " + why + "; choose another");
 }
 
 void WriteFile(const std::string& path, std::string_view bytes)

@@ -8,8 +8,8 @@ namespace hasp
 {
 
 /// Call before the work begins. Throws Failure: WrongUse unless the path's ending is one of
-/// `endings` (lower case, with the dot; empty: any), its folder exists and can be written to, and
-/// what is there already, if anything, is a regular file.
+/// `endings` (lower case, with the dot; empty: any), its folder exists and takes a file (one is
+/// made there and removed), and what is there already, if anything, is a regular file.
 void RequireWritable(const std::string& path, const std::vector<std::string>& endings);
 
 /// Call before the work begins that ends in a 3mf file. Throws Failure: WrongUse in a build without

@@ -3,6 +3,7 @@
 #include "PartReport.h"
 #include "PlanInput.h"
 #include "Session.h"
+#include "VerbWork.h"
 
 #include <exception>
 
@@ -38,7 +39,7 @@ void KeepInPlan(const std::string& folder, const std::vector<PartFile>& parts)
 {
   if (parts.empty())
     return;
-  TryPlan(ExitCode::WrongUse,
+  Try(ExitCode::WrongUse, "",
     [&]
     {
       const PlanLock lock(folder);

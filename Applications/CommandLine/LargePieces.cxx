@@ -30,21 +30,13 @@ T JustBelow(double isovalue)
 
 } // namespace
 
-vtkSmartPointer<vtkImageData> WithoutSmallPieces(
-  vtkImageData* image, double isovalue, double leastMm3, Session& session)
+vtkSmartPointer<vtkImageData> LargePiecesOf(vtkImageData* image, double isovalue, double leastMm3)
 {
-  session.progress.Step("finding connected pieces");
-  const auto start = std::chrono::steady_clock::now();
   const AnyGridView grid = ViewImage(image);
   const std::vector<std::uint8_t> keep = KeepLargePieces(grid, isovalue, leastMm3);
   if (std::find(keep.begin(), keep.end(), 1) == keep.end())
-  {
-    std::ostringstream text;
-    text << "no connected piece at or above " << isovalue << " has " << leastMm3
-         << " mm3; lower --ignore-below";
-    throw Failure(ExitCode::BadInput, text.str());
-  }
-  const auto large = std::visit(
+    return nullptr;
+  return std::visit(
     [&]<typename T>(const GridView<const T>& view)
     {
       std::vector<T> samples(view.data, view.data + keep.size());
@@ -54,6 +46,21 @@ vtkSmartPointer<vtkImageData> WithoutSmallPieces(
       return MakeImage(view.geometry, samples);
     },
     grid);
+}
+
+vtkSmartPointer<vtkImageData> WithoutSmallPieces(
+  vtkImageData* image, double isovalue, double leastMm3, Session& session)
+{
+  session.progress.Step("finding connected pieces");
+  const auto start = std::chrono::steady_clock::now();
+  const vtkSmartPointer<vtkImageData> large = LargePiecesOf(image, isovalue, leastMm3);
+  if (!large)
+  {
+    std::ostringstream text;
+    text << "no connected piece at or above " << isovalue << " has " << leastMm3
+         << " mm3; lower --ignore-below";
+    throw Failure(ExitCode::BadInput, text.str());
+  }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back({ "volume without small pieces", 1024 * large->GetActualMemorySize(),
     spent.count(), "--ignore-below" });

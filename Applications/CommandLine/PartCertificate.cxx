@@ -1,9 +1,9 @@
 #include "PartCertificate.h"
 
 #include "CertificateText.h"
-#include "Failure.h"
 #include "Session.h"
 #include "SurfaceInput.h"
+#include "VerbWork.h"
 #include "VtkMessages.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspVolumeView.h"
@@ -20,6 +20,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -51,11 +52,11 @@ TriangleMesh ReadByVtk(const std::string& file)
 
 } // namespace
 
-TriangleMesh ReadPart(const std::string& path, Session& session)
+PrintedPart ReadPart(const std::string& path, Session& session)
 {
   const LoadedSurface read = ReadSurface(path, FileLabel(path), session.quiet, session);
   session.resources.push_back({ "part", BytesOf(read), 0.0, "read back as written" });
-  return WeldPoints(MakeTriangleMesh(read.surface));
+  return { WeldPoints(MakeTriangleMesh(read.surface)), read.passport.label.doesNotHold };
 }
 
 TriangleMesh ReadBack(const std::string& pendingFile, Session& session)
@@ -67,7 +68,7 @@ TriangleMesh ReadBack(const std::string& pendingFile, Session& session)
   if (pendingFile.ends_with(".3mf"))
     try
     {
-      return ReadPart(pendingFile, session);
+      return ReadPart(pendingFile, session).mesh;
     }
     catch (const Failure& failure)
     {
@@ -86,29 +87,35 @@ FitCertificate MeasurePart(
 {
   session.progress.Step("measuring the part as written");
   const auto start = std::chrono::steady_clock::now();
-  FitCertificate certificate;
-  try
+  const auto progress = [&session](double share)
   {
-    certificate = CertifyFit(part, bone, claims, SelfIntersectionsOfThisBuild(),
-      [&session](double share)
+    session.progress.Share(share);
+    return true;
+  };
+  const FitCertificate certificate = Try(ExitCode::FailedCheck, "the part cannot be measured: ",
+    [&]
+    {
+      try
       {
-        session.progress.Share(share);
-        return true;
-      });
-  }
-  catch (const std::exception& error) // what cannot be measured does not hold
-  {
-    throw Failure(ExitCode::FailedCheck, SafeText(error));
-  }
+        return CertifyFit(part, bone, claims, SelfIntersectionsOfThisBuild(), progress);
+      }
+      catch (const std::invalid_argument& error) // of claims and volume: no fault of the part
+      {
+        throw Failure(ExitCode::BadInput, SafeText(error));
+      }
+    });
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back({ "certificate", 0, spent.count(), "measured; released again" });
   return certificate;
 }
 
 FitCertificate CertifyPart(
-  const TriangleMesh& part, vtkImageData* bone, const PartClaims& claims, Session& session)
+  const PrintedPart& part, vtkImageData* bone, const PartClaims& claims, Session& session)
 {
-  const FitCertificate certificate = MeasurePart(part, ViewImage(bone), claims, session);
+  FitCertificate certificate = MeasurePart(part.mesh, ViewImage(bone), claims, session);
+  if (part.saidRed)
+    certificate.faults.push_back({ FitFaultKind::SaidRed,
+      "its file says that it DOES NOT HOLD: it was kept by --force", std::nullopt });
   session.progress.Wipe();
   if (!session.json)
     std::cout << CertificateText(certificate);
@@ -116,12 +123,12 @@ FitCertificate CertifyPart(
   return certificate;
 }
 
-void ThrowFaults(const FitCertificate& certificate, const std::string& words)
+Failure Faulty(const FitCertificate& certificate, const std::string& words)
 {
   std::vector<std::string> faults;
   for (const FitFault& fault : certificate.faults)
     faults.push_back(fault.text);
-  throw FailedCheck(words, faults);
+  return FailedCheck(words, faults);
 }
 
 } // namespace hasp

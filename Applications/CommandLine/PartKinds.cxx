@@ -66,7 +66,7 @@ bool IsFree(const GuideRecipe& recipe, const ClaimedSlot& slot)
 void MeasurePlanes(const GuideRecipe& made, const TriangleMesh& mesh, PartLine& line)
 {
   line.figure = line.second = -1.0;
-  if (line.verdict != PartVerdict::Sound)
+  if (line.outcome != PartOutcome::Sound)
     return;
   const TriangleTree tree(mesh);
   constexpr std::size_t LeastPlaces = 30; // of fewer there is no plane to speak of

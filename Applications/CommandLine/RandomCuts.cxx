@@ -76,13 +76,13 @@ PartLine TryCut(std::uint32_t seed)
       { GridView<const std::int16_t>{ piece.samples.data(), piece.grid }, {}, 1 }, recipe);
     line.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     line.figure = cut.UnaccountedShare();
-    line.verdict = cut.fragments.empty() ? PartVerdict::Empty : PartVerdict::Sound;
+    line.outcome = cut.fragments.empty() ? PartOutcome::Empty : PartOutcome::Sound;
     line.text = std::to_string(cut.fragments.size()) + " fragments";
     for (const BoneFragment& fragment : cut.fragments)
     {
       line.triangles += fragment.mesh.triangles.size();
       if (!CheckMesh(AsWritten(fragment.mesh)).Sound())
-        line.verdict = PartVerdict::Open;
+        line.outcome = PartOutcome::Open;
     }
   }
   catch (const std::exception& error)

@@ -22,7 +22,7 @@ namespace
 /// A part as it was read back, and what was found of it.
 struct CheckedPart
 {
-  TriangleMesh mesh;
+  PrintedPart part;
   FitCertificate certificate;
 };
 
@@ -92,21 +92,21 @@ void WritePart(vtkPolyData* surface, const PartOptions& options, vtkImageData* b
   std::optional<CheckedPart> checked;
   const auto writePage = [&](const std::string& file, const std::string& fate)
   {
-    WriteCertificatePage(checked->mesh, bone, checked->certificate,
+    WriteCertificatePage(checked->part.mesh, bone, checked->certificate,
       { options.html, file, options.recipe, fate }, session);
   };
   const auto inspect = [&](const std::string& pendingFile)
   {
     if (!options.check)
       return PartVerdict::Holds;
-    checked.emplace(CheckedPart{ ReadBack(pendingFile, session), {} });
-    checked->certificate = CertifyPart(checked->mesh, bone, claims(), session);
+    checked.emplace(CheckedPart{ { ReadBack(pendingFile, session) }, {} });
+    checked->certificate = CertifyPart(checked->part, bone, claims(), session);
     if (checked->certificate.Holds())
       return PartVerdict::Holds;
     if (options.force)
       return PartVerdict::DoesNotHold;
     writePage(pendingFile, "The " + options.part + " was not kept.");
-    ThrowFaults(checked->certificate, "the " + options.part + " does not hold and was not kept");
+    throw Faulty(checked->certificate, "the " + options.part + " does not hold and was not kept");
   };
   const PartLabel label{ .name = options.part, .hash = HashOfFile(options.recipe) };
   Try(ExitCode::WrongUse, "", [&] { WriteSurface(surface, options.output, label, inspect); });
@@ -122,7 +122,9 @@ void WritePart(vtkPolyData* surface, const PartOptions& options, vtkImageData* b
                               " is kept although it does not hold, and its file says so.");
   session.result["certificate"]["forced"] = true;
   SayWarning(
-    session, "the " + options.part + " does not hold; it is kept, and its file says so (--force)");
+    session, Faulty(checked->certificate,
+               "the " + options.part + " does not hold; it is kept, and its file says so (--force)")
+               .what());
 }
 
 } // namespace hasp

@@ -33,7 +33,8 @@ CertifiedPart CertifyFile(
 {
   CertifiedPart part{ ReadBack(stl, session), {} };
   part.certificate = MeasurePart(part.mesh, check.bone, check.claims, session);
-  report["verdict"] = part.certificate.Holds() ? "green" : "red";
+  if (!part.certificate.Holds() || ClaimFit(part.certificate.claims))
+    report["verdict"] = part.certificate.Holds() ? "green" : "red";
   for (const FitFault& fault : part.certificate.faults)
     report["faults"].push_back(fault.text);
   report["certificate"] = CertificateJson(part.certificate);

@@ -81,15 +81,15 @@ void Run(const CertifyOptions& options, Session& session)
     SayWarning(session, "without --recipe there is no gap, slot or hole to hold the part to");
   else
     recipe = ReadRecipeFile(options.recipe, ReadPartRecipe);
-  const TriangleMesh part = ReadPart(options.part, session);
+  const PrintedPart part = ReadPart(options.part, session);
   const LoadedVolume bone = ReadVolume(options.bone, session);
   SayWarnings(bone.passport, session);
   const PartClaims claims = recipe ? ClaimsOfRecipe(*recipe, bone.image, options) : PartClaims();
   const FitCertificate certificate = CertifyPart(part, bone.image, claims, session);
-  WriteCertificatePage(
-    part, bone.image, certificate, { options.html, options.part, options.recipe, {} }, session);
+  WriteCertificatePage(part.mesh, bone.image, certificate,
+    { options.html, options.part, options.recipe, {} }, session);
   if (!certificate.Holds())
-    ThrowFaults(certificate, "the part does not hold");
+    throw Faulty(certificate, "the part does not hold");
 }
 
 } // namespace
@@ -117,10 +117,11 @@ void AddCertifyVerb(CLI::App& app, Session& session)
   verb->footer(
     "Measured on the file alone: closed, 2-manifold, self-intersections, pieces, walls, gap to "
     "the\n"
-    "bone, slots, holes, and whether it can be put on along its axis. In other units, mirrored or\n"
-    "in RAS it is told so.\n"
+    "bone, slots, holes, and whether it can be put on along its axis. In inches, centimetres or\n"
+    "metres, mirrored or in RAS it is told so. Without --recipe the mesh alone is measured.\n"
     "Example: hasp certify guide.stl --bone head.mha --recipe guide.json --json\n"
-    "Exit codes: 0 it holds, 1 wrong use, 2 bad input, 3 it does not hold.");
+    "Exit codes: 0 it holds (without --recipe: its mesh is sound), 1 wrong use, 2 bad input,\n"
+    "3 it does not hold, or its file says so.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }

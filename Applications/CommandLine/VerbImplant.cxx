@@ -53,8 +53,9 @@ void SayFound(vtkPolyData* implant, Session& session)
   char text[500];
   std::snprintf(text, sizeof text,
     "mirror  through (%.2f, %.2f, %.2f) mm, upright on (%.4f, %.4f, %.4f)\n"
-    "rim     %.2f mm rms off the bone around the hole, 95 %% within %.2f; moved %.2f mm, tilted "
-    "%.2f degrees\n"
+    "rim     %.2f mm rms off the bone around the hole, 95 %% within %.2f\n"
+    "laid    the mirrored side was moved %.2f mm along the axis and tilted %.2f degrees, as heads "
+    "are\n        not quite symmetric (more than 6 mm or 8 degrees is refused)\n"
     "axis    (%.4f, %.4f, %.4f), out of the head\n"
     "holes   %d\n",
     plane[0], plane[1], plane[2], plane[3], plane[4], plane[5], rim[2], rim[3], rim[0], rim[1],

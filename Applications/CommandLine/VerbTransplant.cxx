@@ -101,24 +101,31 @@ std::optional<MadeGuide> MakeGuide(const TransplantOptions& options, const Trans
 void Write(const TransplantOptions& options, const MadeTransplant& made,
   const std::optional<MadeGuide>& guide, const nlohmann::ordered_json& measures, Session& session)
 {
-  const auto write = [&](const std::string& pendingName)
+  const auto write = [&, hash = HashOfFile(options.recipe)](const std::string& pendingName)
   {
     const std::filesystem::path folder = std::filesystem::u8path(pendingName);
     std::filesystem::create_directory(folder);
-    const auto mesh = [&](const TriangleMesh& surface, const std::string& name)
-    { WriteSurface(MakePolyData(surface), (folder / name).string()); };
+    const auto mesh = [&](const TriangleMesh& surface, const std::string& name, PartLabel label)
+    {
+      label.hash = hash;
+      WriteSurface(MakePolyData(surface), (folder / name).string(), label);
+    };
     for (std::size_t n = 0; n < made.segments.size(); ++n)
     {
-      mesh(made.segments[n].mesh, SegmentFile(n));
-      mesh(made.onDonor[n], DonorSegmentFile(n));
+      const PartLabel label{ .name = "segment " + std::to_string(n + 1), .hash = {} };
+      mesh(made.segments[n].mesh, SegmentFile(n), label);
+      mesh(made.onDonor[n], DonorSegmentFile(n), label);
     }
     for (const BoneFragment& fragment : made.recipient.fragments)
       if (IsStump(fragment))
-        mesh(fragment.mesh, StumpFile(fragment));
+        mesh(fragment.mesh, StumpFile(fragment),
+          { .name = "fragment " + std::to_string(fragment.number), .hash = {} });
     if (guide)
     {
-      WriteSurface(guide->surface, (folder / GuideFile).string());
-      WriteBytes(FormatGuideRecipe(guide->recipe), (folder / GuideRecipeName).string());
+      const std::string recipe = (folder / GuideRecipeName).string();
+      WriteBytes(FormatGuideRecipe(guide->recipe), recipe);
+      WriteSurface(guide->surface, (folder / GuideFile).string(),
+        { .name = "guide", .hash = HashOfFile(recipe) });
     }
     WriteBytes(measures.dump(2) + "\n", (folder / "measures.json").string());
   };

@@ -34,7 +34,8 @@ struct PartRunner
 
 /// guides.manifold, guides.crashes, guides.fallback, guides.refused: so many random parts, of each
 /// kind its shares of them; guides.planes: the saw planes of those that are guides, fitted to what
-/// was written; guides.conservation: so many osteotomies, which no other row counts.
+/// was written; guides.conservation: so many osteotomies, which no other row counts. Without the
+/// program manifold, planes and conservation say that they are absent, and there are no others.
 void TryParts(
   ReportContext& context, const PartRunner& runner, std::size_t parts, std::size_t cuts);
 

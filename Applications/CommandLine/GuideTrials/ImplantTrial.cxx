@@ -24,11 +24,11 @@ std::string TryOne(const RandomImplant& random, const ImplantSkull& skull,
     part.error = error.what();
   }
   const PartLine line = JudgePart(part);
-  trial.made += line.verdict == PartVerdict::Sound;
-  trial.refused += line.verdict == PartVerdict::Refused;
-  return line.verdict == PartVerdict::Sound || line.verdict == PartVerdict::Refused
+  trial.made += line.outcome == PartOutcome::Sound;
+  trial.refused += line.outcome == PartOutcome::Refused;
+  return line.outcome == PartOutcome::Sound || line.outcome == PartOutcome::Refused
            ? ""
-           : std::string(PartVerdictName(line.verdict)) + ", " + line.text;
+           : std::string(PartOutcomeName(line.outcome)) + ", " + line.text;
 }
 } // namespace
 

@@ -15,50 +15,50 @@ namespace hasp
 namespace
 {
 
-PartVerdict OfError(const TriedPart& part)
+PartOutcome OfError(const TriedPart& part)
 {
   if (part.error.find(part.owner) == std::string::npos)
-    return PartVerdict::FellBack;
+    return PartOutcome::FellBack;
   const bool expected =
     part.refusal.empty() ? part.mayBeRefused : part.error.find(part.refusal) != std::string::npos;
-  return expected && part.mesh.triangles.empty() ? PartVerdict::Refused : PartVerdict::Wrong;
+  return expected && part.mesh.triangles.empty() ? PartOutcome::Refused : PartOutcome::Wrong;
 }
 
-PartVerdict OfMesh(const TriedPart& part)
+PartOutcome OfMesh(const TriedPart& part)
 {
   if (!part.refusal.empty())
-    return PartVerdict::Wrong;
+    return PartOutcome::Wrong;
   if (part.mesh.triangles.empty())
-    return PartVerdict::Empty;
+    return PartOutcome::Empty;
   const MeshCheck check = CheckMesh(part.mesh);
   if (!check.Sound() || check.pieces != 1)
-    return PartVerdict::Open;
+    return PartOutcome::Open;
 #if HASP_WITH_CGAL
   if (CountSelfIntersections(part.mesh) > 0)
-    return PartVerdict::Crossed;
+    return PartOutcome::Crossed;
 #endif
-  return PartVerdict::Sound;
+  return PartOutcome::Sound;
 }
 
 } // namespace
 
-const char* PartVerdictName(PartVerdict verdict)
+const char* PartOutcomeName(PartOutcome outcome)
 {
-  switch (verdict)
+  switch (outcome)
   {
-    case PartVerdict::Sound:
+    case PartOutcome::Sound:
       return "sound";
-    case PartVerdict::Refused:
+    case PartOutcome::Refused:
       return "refused";
-    case PartVerdict::Open:
+    case PartOutcome::Open:
       return "not one closed 2-manifold piece, outward";
-    case PartVerdict::Crossed:
+    case PartOutcome::Crossed:
       return "meets itself";
-    case PartVerdict::Empty:
+    case PartOutcome::Empty:
       return "no part and no error";
-    case PartVerdict::Wrong:
+    case PartOutcome::Wrong:
       return "made against, or refused for other than, what is expected";
-    case PartVerdict::FellBack:
+    case PartOutcome::FellBack:
       return "an error of something below";
   }
   return "";
@@ -75,7 +75,7 @@ std::string FormatPartLine(const PartLine& line)
 {
   char text[160];
   std::snprintf(text, sizeof text, "%u %d %.9g %.9g %zu %.6g ", line.seed,
-    static_cast<int>(line.verdict), line.figure, line.second, line.triangles, line.seconds);
+    static_cast<int>(line.outcome), line.figure, line.second, line.triangles, line.seconds);
   std::string words = line.text;
   std::replace(words.begin(), words.end(), '\n', ' ');
   return text + words + " .\n"; // whatever was cut off lacks the end
@@ -84,12 +84,12 @@ std::string FormatPartLine(const PartLine& line)
 std::optional<PartLine> ParsePartLine(const std::string& text)
 {
   PartLine line;
-  int verdict = -1, words = 0;
-  if (std::sscanf(text.c_str(), "%u %d %lf %lf %zu %lf %n", &line.seed, &verdict, &line.figure,
+  int outcome = -1, words = 0;
+  if (std::sscanf(text.c_str(), "%u %d %lf %lf %zu %lf %n", &line.seed, &outcome, &line.figure,
         &line.second, &line.triangles, &line.seconds, &words) != 6 ||
-      verdict < 0 || verdict > static_cast<int>(PartVerdict::FellBack) || !text.ends_with(" ."))
+      outcome < 0 || outcome > static_cast<int>(PartOutcome::FellBack) || !text.ends_with(" ."))
     return std::nullopt;
-  line.verdict = static_cast<PartVerdict>(verdict);
+  line.outcome = static_cast<PartOutcome>(outcome);
   line.text = text.substr(std::size_t(words), text.size() - std::size_t(words) - 2);
   return line;
 }
@@ -97,7 +97,7 @@ std::optional<PartLine> ParsePartLine(const std::string& text)
 PartLine JudgePart(const TriedPart& part)
 {
   PartLine line;
-  line.verdict = part.error.empty() ? OfMesh(part) : OfError(part);
+  line.outcome = part.error.empty() ? OfMesh(part) : OfError(part);
   line.triangles = part.mesh.triangles.size();
   line.text = part.kind + (part.error.empty() ? "" : ": " + part.error);
   return line;

@@ -9,7 +9,7 @@ namespace hasp
 {
 
 /// What came of a random part.
-enum class PartVerdict
+enum class PartOutcome
 {
   Sound,   ///< closed, 2-manifold, outward, one piece, does not meet itself
   Refused, ///< by an error that names what is wrong
@@ -21,13 +21,13 @@ enum class PartVerdict
 };
 
 /// In words: "sound", "meets itself".
-const char* PartVerdictName(PartVerdict verdict);
+const char* PartOutcomeName(PartOutcome outcome);
 
 /// A line of hasp-part-trial, the child process that makes random parts.
 struct PartLine
 {
   std::uint32_t seed = 0;
-  PartVerdict verdict = PartVerdict::Empty;
+  PartOutcome outcome = PartOutcome::Empty;
   double figure = 0.0, second = 0.0; ///< what the kind measures besides: PartKind tells
   std::size_t triangles = 0;
   double seconds = 0.0; ///< of making it

@@ -79,31 +79,31 @@ Tried RunAll(
 
 struct Sum
 {
-  std::array<std::size_t, 7> of{}; ///< by verdict
+  std::array<std::size_t, 7> of{}; ///< by outcome
   std::size_t parts = 0, triangles = 0;
   double seconds = 0.0;
   std::string wrong{}; ///< a few
   std::vector<std::string> crashes{};
 
-  std::size_t Of(PartVerdict verdict) const { return this->of[std::size_t(verdict)]; }
+  std::size_t Of(PartOutcome outcome) const { return this->of[std::size_t(outcome)]; }
   std::size_t Made() const
   {
-    return this->Of(PartVerdict::Sound) + this->Of(PartVerdict::Open) +
-           this->Of(PartVerdict::Crossed) + this->Of(PartVerdict::Empty);
+    return this->Of(PartOutcome::Sound) + this->Of(PartOutcome::Open) +
+           this->Of(PartOutcome::Crossed) + this->Of(PartOutcome::Empty);
   }
-  std::size_t Fine() const { return this->Of(PartVerdict::Sound) + this->Of(PartVerdict::Refused); }
+  std::size_t Fine() const { return this->Of(PartOutcome::Sound) + this->Of(PartOutcome::Refused); }
   void Add(const std::string& kind, const Tried& tried)
   {
     for (const PartLine& line : tried.lines)
     {
       ++this->parts;
-      ++this->of[std::size_t(line.verdict)];
+      ++this->of[std::size_t(line.outcome)];
       this->triangles += line.triangles;
       this->seconds += line.seconds;
-      if (line.verdict != PartVerdict::Sound && line.verdict != PartVerdict::Refused &&
+      if (line.outcome != PartOutcome::Sound && line.outcome != PartOutcome::Refused &&
           this->wrong.size() < 400)
         this->wrong += "; " + kind + " " + std::to_string(line.seed) + ", " +
-                       PartVerdictName(line.verdict) + ", " + line.text;
+                       PartOutcomeName(line.outcome) + ", " + line.text;
     }
     this->parts += tried.crashes.size();
     this->crashes.insert(this->crashes.end(), tried.crashes.begin(), tried.crashes.end());
@@ -123,19 +123,19 @@ struct Sum
 std::string Said(const std::string& kind, const Sum& sum)
 {
   return std::to_string(sum.parts) + " of kind " + kind + ": " +
-         std::to_string(sum.Of(PartVerdict::Sound)) + " made and sound, " +
-         std::to_string(sum.Of(PartVerdict::Refused)) + " refused by name, " +
-         std::to_string(sum.Made() - sum.Of(PartVerdict::Sound)) + " unsound, " +
-         std::to_string(sum.Of(PartVerdict::Wrong) + sum.Of(PartVerdict::FellBack)) + " else, " +
+         std::to_string(sum.Of(PartOutcome::Sound)) + " made and sound, " +
+         std::to_string(sum.Of(PartOutcome::Refused)) + " refused by name, " +
+         std::to_string(sum.Made() - sum.Of(PartOutcome::Sound)) + " unsound, " +
+         std::to_string(sum.Of(PartOutcome::Wrong) + sum.Of(PartOutcome::FellBack)) + " else, " +
          std::to_string(sum.crashes.size()) + " crashed; ";
 }
 
 void AddSoundness(ReportContext& context, const Sum& sum, const std::string& said)
 {
   const double made = double(std::max<std::size_t>(1, sum.Made()));
-  ReportRow manifold = sum.Row("guides.manifold", double(sum.Of(PartVerdict::Sound)) / made,
+  ReportRow manifold = sum.Row("guides.manifold", double(sum.Of(PartOutcome::Sound)) / made,
     "share", "closed, 2-manifold, outward, one piece, does not meet itself, all as 32-bit floats");
-  manifold.error = made - double(sum.Of(PartVerdict::Sound));
+  manifold.error = made - double(sum.Of(PartOutcome::Sound));
   manifold.errorUnit = "parts that are not";
   manifold.timeS = sum.seconds / double(std::max<std::size_t>(1, sum.parts));
   manifold.data = said + "of " + std::to_string(sum.triangles / std::size_t(made)) +
@@ -148,11 +148,11 @@ void AddSoundness(ReportContext& context, const Sum& sum, const std::string& sai
   for (std::size_t n = 0; n < sum.crashes.size() && n < 5; ++n)
     crashes.data += (n > 0 ? "; " : "") + sum.crashes[n];
   crashes.bars = { { {}, 0.0 } };
-  ReportRow fallback = sum.Row("guides.fallback", double(sum.Of(PartVerdict::FellBack)), "parts",
+  ReportRow fallback = sum.Row("guides.fallback", double(sum.Of(PartOutcome::FellBack)), "parts",
     "none: each fault is one that the part itself names");
   fallback.bars = { { {}, 0.0 } };
-  const double refused = double(sum.Of(PartVerdict::Refused)),
-               wrong = double(sum.Of(PartVerdict::Wrong));
+  const double refused = double(sum.Of(PartOutcome::Refused)),
+               wrong = double(sum.Of(PartOutcome::Wrong));
   ReportRow named =
     sum.Row("guides.refused", refused + wrong > 0.0 ? refused / (refused + wrong) : 1.0, "share",
       "what cannot be is refused, and the error names the key or the object");
@@ -171,7 +171,7 @@ ReportRow Worst(const Tried& tried, const char* id, const char* unit, double Par
   row.better = Better::Lower;
   double worst = 0.0, seconds = 0.0;
   for (const PartLine& line : tried.lines)
-    if (line.verdict == PartVerdict::Sound && line.*figure >= 0.0) // below: it has none
+    if (line.outcome == PartOutcome::Sound && line.*figure >= 0.0) // below: it has none
     {
       ++row.n;
       worst = std::max(worst, line.*figure);

@@ -29,9 +29,9 @@ std::string WrongWithPlate(
   part.error = error;
   part.mesh = mesh;
   const PartLine line = JudgePart(part);
-  return line.verdict == PartVerdict::Sound || line.verdict == PartVerdict::Refused
+  return line.outcome == PartOutcome::Sound || line.outcome == PartOutcome::Refused
            ? ""
-           : std::string(PartVerdictName(line.verdict)) + ", " + line.text;
+           : std::string(PartOutcomeName(line.outcome)) + ", " + line.text;
 }
 
 } // namespace hasp

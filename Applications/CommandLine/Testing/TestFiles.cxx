@@ -69,6 +69,12 @@ TEST_F(Files, WhatCannotBeWrittenLeavesNothing)
   EXPECT_THROW(hasp::RequireWritable(this->Path("x.png"), { ".stl" }), hasp::Failure);
   EXPECT_THROW(hasp::RequireWritable(this->folder.string(), {}), hasp::Failure);
   EXPECT_THROW(hasp::RequireWritable("/dev/null", {}), hasp::Failure);
+  EXPECT_THROW(hasp::RequireWritable(this->Path(std::string(300, 'x')), {}), hasp::Failure);
+  // Its owner may write there, says the system, and then takes no file.
+  EXPECT_THROW(hasp::RequireWritable("/proc/x.html", {}), hasp::Failure);
+  EXPECT_THROW(hasp::RequireWritableFolder("/proc/x"), hasp::Failure);
+  EXPECT_NO_THROW(hasp::RequireWritable(this->Path("x.png"), {}));
+  EXPECT_NO_THROW(hasp::RequireWritableFolder(this->Path("x")));
   EXPECT_THROW(hasp::WriteFile(this->Path("none/x"), "text"), hasp::Failure);
   fs::create_directories(this->folder / "taken" / "inner");
   EXPECT_THROW(hasp::WriteFile(this->Path("taken"), "text"), hasp::Failure);

@@ -71,6 +71,46 @@ TEST_F(HaspCertify, WhatIsNoPartIsRefused)
   ExpectFailure(this->Certify("guide.stl"), 2, "guide recipe: no JSON");
 }
 
+TEST_F(HaspCertify, WithoutARecipeNothingIsSaidToHold)
+{
+  const HaspRun run = RunHasp({ "certify", this->Path("guide.stl"), "--bone",
+    this->Path("head.mha"), "--json", "--html", this->Path("a.html") });
+  const json certificate = json::parse(run.out).at("certificate");
+#if HASP_WITH_CGAL
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_TRUE(certificate.at("passed").is_null());
+  EXPECT_EQ(certificate.at("verdict"), "the mesh is sound; not held to a recipe");
+  EXPECT_EQ(this->Page("a.html").find("The part holds"), std::string::npos);
+#else
+  EXPECT_EQ(certificate.at("passed"), false);
+#endif
+}
+
+TEST_F(HaspCertify, AFileThatSaysItDoesNotHoldNeverDoes)
+{
+  ASSERT_EQ(this->Guide(Recipe(), { "--check", "--least-share", "1", "--force" }).exitCode, 0);
+  const HaspRun run = this->Certify("guide.stl", { "--json" }); // by the usual share
+  ExpectFailure(run, 3, "its file says that it DOES NOT HOLD");
+  EXPECT_EQ(json::parse(run.out).at("certificate").at("faults").back().at("kind"), "said-red");
+  ExpectFailure(RunHasp({ "certify", this->Path("guide.stl"), "--bone", this->Path("head.mha") }),
+    3, "its file says that it DOES NOT HOLD");
+}
+
+TEST_F(HaspCertify, FaultsAreToldOnceAndWhatCannotBeWrittenFirst)
+{
+  this->WriteScaled("inch.stl", 1.0F / 25.4F);
+  const HaspRun run = this->Certify("inch.stl");
+  ExpectFailure(run, 3, "it is in inches, and fits in millimetres");
+  EXPECT_EQ(run.out.find("it is in inches"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("verdict             DOES NOT HOLD"), std::string::npos);
+  this->WriteScaled("metre.stl", 1.0F / 1000.0F);
+  ExpectFailure(this->Certify("metre.stl"), 3, "it is in metres, and fits in millimetres");
+  const HaspRun late =
+    this->Certify("guide.stl", { "--html", this->Path(std::string(300, 'x') + ".html") });
+  ExpectFailure(late, 1, "cannot write the .html file");
+  EXPECT_EQ(late.out, "");
+}
+
 TEST_F(HaspCertify, APageSaysWhatWasFoundAndHowItWasForced)
 {
   json recipe = Recipe();

@@ -79,10 +79,17 @@ TEST_F(HaspImplant, IsHeldToItsRecipe)
   this->FinePhantom();
   json recipe = Recipe();
   recipe["spacingMm"] = 0.6; // contours of coarser grids have burrs in holes: ImplantClaims.h
-  const HaspRun made = this->Make(recipe, { "--check" });
+  const HaspRun made = this->Make(recipe, { "--check", "--html", this->Path("a.html") });
   ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
+  EXPECT_NE(made.out.find("the mirrored side was moved"), std::string::npos) << made.out;
+  EXPECT_EQ(ReadBytes(this->Path("a.html")).find("no recipe"), std::string::npos);
   EXPECT_EQ(this->CertifyMade().exitCode, 0); // its axis and holes are found again
   ExpectFailure(this->CertifyMade({ "--insertion-axis", "0,0,1" }), 1, "is for guides");
+  // Perforated or not, it is as thick as that where it has no holes.
+  recipe["thicknessMm"] = 4.6;
+  this->WriteText("implant.json", recipe.dump());
+  ExpectFailure(this->CertifyMade(), 3, "a wall away from slots and holes is ");
+  recipe["thicknessMm"] = 4;
   recipe["holeDiameterMm"] = 3.4;
   this->WriteText("implant.json", recipe.dump());
   ExpectFailure(this->CertifyMade(), 3, "must have 3.40");

@@ -122,7 +122,15 @@ TEST_F(HaspPlate, APlateIsHeldToItsRecipe)
   json recipe = Recipe();
   recipe["screws"][0]["diameterMm"] = 2.9;
   this->WriteText("plate.json", recipe.dump());
-  ExpectFailure(this->CertifyMade(), 3, "mm, must have 2.90 within 0.10");
+  const HaspRun held = this->CertifyMade({ "--html", this->Path("a.html"), "--json" });
+  ExpectFailure(held, 3, "screws[0] has a diameter of 2.");
+  ExpectFailure(held, 3, "must have 2.90 within 0.10");
+  // One name everywhere, so that the page shows that very screw red.
+  EXPECT_EQ(json::parse(held.out).at("certificate").at("holes")[0].at("name"), "screws[0]");
+  const std::string page = ReadBytes(this->Path("a.html"));
+  const std::string row = page.substr(std::min(page.find("<tr><td>screws[0]</td>"), page.size()));
+  EXPECT_NE(row.substr(0, row.find("</tr>")).find("<td class=\"bad\">"), std::string::npos) << row;
+  EXPECT_NE(this->CertifyMade().out.find("\nscrews[0] "), std::string::npos);
 }
 #endif
 

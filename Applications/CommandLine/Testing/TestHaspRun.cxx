@@ -25,6 +25,8 @@ TEST_F(HaspRunTest, AnyNumberOfThreadsAndASecondRunWriteTheSameBytes)
   EXPECT_EQ(run.at("parts")[3].at("verdict"), "green");
   EXPECT_EQ(run.at("parts")[3].at("certificate").at("slots").size(), 1U); // of the cut
   EXPECT_EQ(run.at("parts")[4].at("certificate").at("slots").size(), 0U);
+  EXPECT_EQ(run.at("parts")[5].at("verdict"), "green"); // on fragments: its screw's bore is held
+  EXPECT_EQ(run.at("parts")[5].at("certificate").at("holes")[0].at("name"), "screws[0]");
   EXPECT_EQ(this->OutOfDate(), std::vector<int>{});
 
   const HaspRun second = this->Make("second", { "--json" }); // needs no scan

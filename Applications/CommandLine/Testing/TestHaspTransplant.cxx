@@ -96,6 +96,16 @@ TEST_F(HaspTransplant, WritesSegmentsStumpsMeasuresAndAGuideThatIsCertified)
       EXPECT_EQ(ReadBytes(this->Path("set/" + segment.at(key).get<std::string>())).size(),
         84U + 50U * segment.at("triangles").get<std::size_t>());
   EXPECT_GE(document.at("fragments").size(), 2U);
+  const auto head = [&](const json& name)
+  { return ReadBytes(this->Path("set/" + name.get<std::string>())).substr(0, 80); };
+  EXPECT_NE(head(document["segments"][1]["donor_file"]).find("PART=segment 2"), std::string::npos);
+  EXPECT_NE(head(document["fragments"][0]["file"]).find("PART=fragment 1"), std::string::npos);
+  EXPECT_NE(head(document["guide"]["file"]).find("PART=guide"), std::string::npos);
+#if HASP_WITH_OPENSSL
+  for (const json& file : { document["segments"][0]["file"], document["fragments"][0]["file"],
+         document["guide"]["file"] })
+    EXPECT_NE(head(file).find("; HASH="), std::string::npos) << file;
+#endif
   // What is written is what `hasp certify` takes.
   const HaspRun certify = RunHasp({ "certify", this->Path("set/mitre-guide.stl"), "--bone",
     this->Path("leg.mha"), "--recipe", this->Path("set/mitre-guide.json") });

@@ -24,10 +24,12 @@ PartClaims ClaimsOf(
   claims.isovalue = recipe.isovalue;
   claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
   claims.withdrawal = axis;
+  const double bevel = 0.5 * recipe.spacingMm;
   double least = recipe.thicknessMm;
+  claims.leastUncutMm = std::max(least - bevel, 0.0);
   if (!holes.empty())
     least = std::min({ least, recipe.holePitchMm - recipe.holeDiameterMm, recipe.holeEdgeMm });
-  claims.leastWallMm = std::max(least - 0.5 * recipe.spacingMm, 0.0);
+  claims.leastWallMm = std::max(least - bevel, 0.0);
   for (const glm::dvec3& p : holes)
     claims.holes.push_back({ p, axis, recipe.holeDiameterMm, 0.1 });
   return claims;

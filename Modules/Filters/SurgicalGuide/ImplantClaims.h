@@ -31,10 +31,11 @@ VTKHASPFILTERSSURGICALGUIDE_EXPORT PlacedImplant PlaceImplant(
 /// axis   that it was made with, unit, out of the head: it is put in against it without meeting
 ///        bone (the filter's field data "Axis")
 /// holes  a place on the axis of each of its holes ("Holes"); they are 0.1 mm true
-/// Walls: as thick as the recipe says, less half its spacing (a contour bevels an edge by less),
-/// and what is between holes, or between them and the edge, where that is less. The hole in the
-/// skull is not claimed as a gap: along an irregular edge an implant may have more clearance than
-/// asked for. Throws std::invalid_argument as ValidateImplantRecipe does. Any thread.
+/// Walls: as thick as the recipe says, less half its spacing (a contour bevels an edge by less); at
+/// holes as thick as what is between them, or between them and the edge, where that is less. The
+/// hole in the skull is not claimed as a gap: along an irregular edge an implant may have more
+/// clearance than asked for. Throws std::invalid_argument as ValidateImplantRecipe does. Any
+/// thread.
 VTKHASPFILTERSSURGICALGUIDE_EXPORT PartClaims ClaimsOf(
   const ImplantRecipe& recipe, const glm::dvec3& axis, std::span<const glm::dvec3> holes);
 

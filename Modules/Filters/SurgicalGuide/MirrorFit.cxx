@@ -71,13 +71,14 @@ CoarseBone MakeCoarseBone(const AnyGridView& ct, double isovalue,
   return bone;
 }
 
-/// Offset along the normal, and two turns of it.
+/// A plane through `middle`; all else unit and upright on each other. A step moves it along its
+/// normal, and turns that towards u and towards v.
 struct Frame
 {
   glm::dvec3 middle, normal, u, v;
 };
 
-/// Sizes of the distances that the places have, mirrored, in the middle of the list.
+/// The median of the sizes of distances; not of none.
 double MedianSize(std::vector<double> sizes)
 {
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);

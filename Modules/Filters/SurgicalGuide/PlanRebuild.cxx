@@ -147,15 +147,7 @@ struct PlanRebuild::Internals
     }
     BuiltPlate built = BuildPlate(scan, recipe, progress);
     part.mesh = std::move(built.mesh);
-    PartClaims claims;
-    if (plate.volume != 0)
-      claims = ClaimsOf(recipe, AxesOf(built.made.screws));
-    else // bone that was moved is in no scan, so that its gap is not claimed
-    {
-      claims.isovalue = recipe.isovalue;
-      claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
-    }
-    part.check = { claims, scan.grey };
+    part.check = { ClaimsOf(recipe, AxesOf(built.made.screws)), scan.grey };
     if (plate.volume != 0)
       part.check->recipe = recipe;
     return part;

@@ -15,17 +15,23 @@ namespace
 constexpr double LeastBoreMm = 0.5;
 constexpr double RimMm = 0.1; // of a bore before its cone: edges are true to less
 
-void RequireScan(const PlateRecipe& recipe)
+ClaimedShell ShellOf(const PlateRecipe& recipe, double leastGapShare, double leastWallMm)
 {
-  if (!recipe.fragments.empty())
-    throw std::invalid_argument("plate claims: the recipe moves fragments, so that the plate does "
-                                "not lie on the bone of the scan; there is no gap to measure");
+  ClaimedShell shell;
+  shell.gapMm = recipe.gapMm;
+  shell.leastGapShare = leastGapShare;
+  shell.thicknessMm = recipe.thicknessMm;
+  shell.thicknessToleranceMm =
+    std::min(recipe.bevelMm + recipe.spacingMm, recipe.thicknessMm - leastWallMm);
+  return shell;
 }
 } // namespace
 
 std::vector<ScrewAxis> FindScrewAxes(const AnyGridView& scan, const PlateRecipe& recipe)
 {
-  RequireScan(recipe);
+  if (!recipe.fragments.empty())
+    throw std::invalid_argument("plate claims: the recipe moves fragments, so that the plate does "
+                                "not lie on the bone of the scan; there is no gap to measure");
   std::vector<ScrewAxis> axes;
   for (const PlacedScrew& screw : MakePlateSolid({ scan }, recipe).screws)
     axes.push_back({ screw.outer, screw.axis });
@@ -36,7 +42,6 @@ PartClaims ClaimsOf(
   const PlateRecipe& recipe, std::span<const ScrewAxis> screws, double leastGapShare)
 {
   ValidatePlateRecipe(recipe);
-  RequireScan(recipe);
   if (screws.size() != recipe.screws.size())
     throw std::invalid_argument("plate claims: there are " + std::to_string(screws.size()) +
                                 " axes for " + std::to_string(recipe.screws.size()) + " screws");
@@ -44,13 +49,8 @@ PartClaims ClaimsOf(
   claims.isovalue = recipe.isovalue;
   claims.ignoreBelowMm3 = recipe.ignoreBelowMm3;
   claims.leastWallMm = std::min(claims.leastWallMm, recipe.thicknessMm - recipe.spacingMm);
-  ClaimedShell shell;
-  shell.gapMm = recipe.gapMm;
-  shell.leastGapShare = leastGapShare;
-  shell.thicknessMm = recipe.thicknessMm;
-  shell.thicknessToleranceMm =
-    std::min(recipe.bevelMm + recipe.spacingMm, recipe.thicknessMm - claims.leastWallMm);
-  claims.shell = shell;
+  if (recipe.fragments.empty())
+    claims.shell = ShellOf(recipe, leastGapShare, claims.leastWallMm);
   for (std::size_t n = 0; n < screws.size(); ++n)
   {
     const PlateScrew& screw = recipe.screws[n];

@@ -32,8 +32,8 @@ VTKHASPFILTERSSURGICALGUIDE_EXPORT std::vector<ScrewAxis> FindScrewAxes(
 /// are. Free of VTK.
 ///
 /// The bone to measure against is the one that the plate lies on: a scan only if the recipe moves
-/// no fragments. Of one that does, std::invalid_argument, since the gap to bone where it was says
-/// nothing.
+/// no fragments. Of one that does, gap and thickness are not claimed, since bone where it was says
+/// nothing of them: walls and bores are.
 /// Limits, and where they come from:
 ///  - gap: 0.2 mm on `leastGapShare` of the inner wall, as of guides; over what is bridged
 ///    (bridgeMm) it has more

@@ -35,11 +35,12 @@ VTKHASPFILTERSSURGICALGUIDE_EXPORT TriangleMesh PlacedMesh(const PosedMesh& frag
 /// (CoverageDistance.h says more), volumes of boxes of 20 spacings within 1 % (TestReductionModel).
 /// Limits: gaps and walls thinner than a spacing may close or break; so may bodies that meet in a
 /// line or a point alone.
-/// Throws std::invalid_argument without fragments, on a pose that is none, a fragment that is
-/// empty, not closed or inside out (named: "fragments[2] ..."), spacingMm out of its range, and a
-/// grid of more than 2e8 points; std::runtime_error where nothing is left of it; Cancelled. Any
-/// thread; all cores, the same bits on any number of them. About 0.4 us of CPU time and 25 bytes a
-/// point of the grid around all of them.
+/// Throws std::invalid_argument without fragments; on a fragment with a pose that is none, or that
+/// is empty, not closed or inside out (each error begins with its place in `fragments`, from 0:
+/// "fragments[2] ..."); on spacingMm out of its range, and a grid of more than 2e8 points;
+/// std::runtime_error where nothing is left of it; Cancelled. Any thread; all cores, the same bits
+/// on any number of them. About 0.4 us of CPU time and 25 bytes a point of the grid around all of
+/// them.
 VTKHASPFILTERSSURGICALGUIDE_EXPORT TriangleMesh UniteFragments(
   std::span<const PosedMesh> fragments, double spacingMm, const ProgressFunction& progress = {});
 

@@ -84,6 +84,17 @@ std::vector<Chord> ChordsOfShell(const std::vector<MeshSample>& samples,
   return uncut;
 }
 
+/// Those that do not begin in one, either: there a wall ends.
+std::vector<Chord> UncutChords(const std::vector<MeshSample>& samples,
+  const std::vector<Chord>& chords, const PartClaims& claims)
+{
+  std::vector<Chord> uncut = ChordsOfShell(samples, chords, claims);
+  for (std::size_t n = 0; n < uncut.size(); ++n)
+    if (InCut(claims, samples[n].point))
+      uncut[n].mm = 0.0;
+  return uncut;
+}
+
 void MeasureGap(const std::vector<MeshSample>& samples, const std::vector<Chord>& chords,
   const AnyGridView& bone, FitCertificate& c, const ProgressFunction& progress)
 {
@@ -157,6 +168,8 @@ FitCertificate CertifyFit(const TriangleMesh& mesh, const AnyGridView& bone,
   const std::vector<MeshSample> samples = SampleMesh(mesh, GapSampleMm);
   const std::vector<Chord> chords = MeasureChords(tree, samples);
   c.wall = MeasureWalls(samples, chords);
+  if (claims.leastUncutMm > 0.0)
+    c.uncut = MeasureWalls(samples, UncutChords(samples, chords, claims));
   ReportProgress(progress, 0.5);
   if (claims.shell)
     MeasureGap(samples, chords, bone, c, PartOf(progress, 0.5, 0.8));
@@ -172,7 +185,7 @@ FitCertificate CertifyFit(const TriangleMesh& mesh, const AnyGridView& bone,
     JudgeInsertion(*c.insertion, c.faults);
   }
   if (DoesNotFit(c))
-    if (const auto misfit = ExplainMisfit(mesh, samples, bone, claims, c.mesh.volumeMm3))
+    if (const auto misfit = ExplainMisfit(mesh, bone, claims, c.mesh.volumeMm3))
       c.faults.insert(c.faults.begin(), *misfit);
   ReportProgress(progress, 1.0);
   return c;

@@ -42,7 +42,8 @@ enum class FitFaultKind
   Undercut, ///< cannot be put on
   Mirrored,
   Units,
-  Space ///< of another patient space, such as RAS
+  Space,  ///< of another patient space, such as RAS
+  SaidRed ///< its file says itself that it does not hold: for programs that read files
 };
 
 /// Stable and lower case, for files: "thin-wall".
@@ -65,7 +66,8 @@ struct FitCertificate
   std::size_t slivers = 0;                      ///< triangles lower than SliverMm; no fault
   std::optional<std::size_t> selfIntersections; ///< pairs of triangles; none: not measured
   WallThickness wall;
-  std::optional<GuideGap> gap; ///< and shell: where one is claimed
+  std::optional<WallThickness> uncut; ///< of the walls that no slot or hole ends, where claimed
+  std::optional<GuideGap> gap;        ///< and shell: where one is claimed
   std::optional<ShellThickness> shell;
   std::vector<SlotFit> slots;         ///< one for each that is claimed, in that order
   std::vector<HoleFit> holes;         ///< likewise
@@ -88,8 +90,10 @@ using FindSelfIntersectionsFunction =
 ///  absolute.
 ///    Without `selfIntersections`, or where it throws std::invalid_argument: NotChecked, never
 ///    green
-///  - walls: claims.leastWallMm, what the printer can do, all over (WallThickness); a shell's
-///    thickness less its tolerance all over (ShellThickness) but where it ends in a claimed cut
+///  - walls: claims.leastWallMm, what the printer can do, all over (WallThickness);
+///  leastUncutMm on
+///    those neither of whose sides lies in a claimed slot or hole; a shell's thickness less its
+///    tolerance all over (ShellThickness) but where it ends in a claimed cut
 ///  - gap: its tolerance, on leastGapShare of the inner wall; at least InnerShare of the wall that
 ///    a shell of this volume (less besideMm3) and thickness has must face bone; nothing of the part
 ///    in bone

@@ -22,11 +22,6 @@ std::string Place(const glm::dvec3& p)
   return Text("(%.1f, %.1f, %.1f)", p.x, p.y, p.z);
 }
 
-std::string Name(const char* kind, std::size_t number)
-{
-  return std::string(kind) + "[" + std::to_string(number) + "]";
-}
-
 void Add(FitFaults& faults, FitFaultKind kind, const std::string& text,
   const std::optional<glm::dvec3>& at = {})
 {
@@ -76,6 +71,8 @@ const char* FitFaultName(FitFaultKind kind)
       return "units";
     case FitFaultKind::Space:
       return "space";
+    case FitFaultKind::SaidRed:
+      return "said-red";
   }
   return "unknown";
 }
@@ -120,6 +117,11 @@ void JudgeWalls(const FitCertificate& c, FitFaults& faults)
     Add(faults, FitFaultKind::ThinWall,
       Text("a wall is %.2f mm thick, must be %.2f at least", c.wall.leastMm, c.claims.leastWallMm),
       c.wall.leastAt);
+  if (c.uncut && c.uncut->wallMm2 > 0.0 && c.uncut->leastMm < c.claims.leastUncutMm)
+    Add(faults, FitFaultKind::ThinWall,
+      Text("a wall away from slots and holes is %.2f mm thick, must be %.2f at least",
+        c.uncut->leastMm, c.claims.leastUncutMm),
+      c.uncut->leastAt);
   if (!c.shell)
     return;
   const double least = c.claims.shell->thicknessMm - c.claims.shell->thicknessToleranceMm;
@@ -153,7 +155,7 @@ void JudgeGap(const GuideGap& gap, const ClaimedShell& shell, double volumeMm3, 
 
 void JudgeSlot(const SlotFit& fit, const ClaimedSlot& slot, std::size_t number, FitFaults& faults)
 {
-  const std::string name = Name("slots", number);
+  const std::string name = "slots[" + std::to_string(number) + "]";
   const double tolerance = slot.toleranceMm;
   const auto fault = [&](const std::string& text, const std::optional<glm::dvec3>& at = {})
   { Add(faults, FitFaultKind::Slot, name + text, at); };
@@ -183,7 +185,7 @@ void JudgeSlot(const SlotFit& fit, const ClaimedSlot& slot, std::size_t number, 
 
 void JudgeHole(const HoleFit& fit, const ClaimedHole& hole, std::size_t number, FitFaults& faults)
 {
-  const std::string name = hole.name.empty() ? Name("holes", number) : hole.name;
+  const std::string name = NameOfHole(hole, number);
   const double tolerance = hole.toleranceMm;
   const auto fault = [&](const std::string& text, const std::optional<glm::dvec3>& at = {})
   { Add(faults, FitFaultKind::Hole, name + text, at); };

@@ -1,6 +1,7 @@
 #include "Evaluation/Misfit.h"
 
 #include "Evaluation/FitFaults.h"
+#include "Evaluation/MeshSamples.h"
 #include "Evaluation/TriangleTree.h"
 
 #include <glm/common.hpp>
@@ -68,41 +69,54 @@ std::vector<Guess> Guesses(const glm::dvec3& middleOfPart, const glm::dvec3& mid
   return guesses;
 }
 
-/// The samples as the guess would have them.
-std::vector<MeshSample> Moved(
-  std::span<const MeshSample> samples, const Guess& guess, bool insideOut)
+/// The mesh as the guess would have it.
+TriangleMesh Moved(TriangleMesh mesh, const Guess& guess, bool insideOut)
 {
-  const std::size_t step = 1 + samples.size() / 1000;
-  std::vector<MeshSample> moved;
-  for (std::size_t n = 0; n < samples.size(); n += step)
-  {
-    MeshSample sample = samples[n];
-    sample.point = guess.Place(sample.point);
-    sample.normal = glm::normalize(sample.normal * guess.factor) * (insideOut ? -1.0 : 1.0);
-    sample.areaMm2 *= double(step) * guess.Scale() * guess.Scale();
-    moved.push_back(sample);
-  }
-  return moved;
+  for (glm::dvec3& p : mesh.points)
+    p = guess.Place(p);
+  if (guess.Mirrors() != insideOut)
+    for (glm::uvec3& t : mesh.triangles)
+      std::swap(t.y, t.z);
+  return mesh;
 }
 
-/// Are nine of ten of them in the volume? What is not is not worth measuring.
-bool MostlyWithin(const GridGeometry& g, const std::vector<MeshSample>& samples)
+/// Are nine of ten points of it in the volume? What is not is not worth measuring.
+bool MostlyWithin(const GridGeometry& g, const TriangleMesh& mesh)
 {
   std::size_t within = 0;
-  for (const MeshSample& sample : samples)
+  for (const glm::dvec3& p : mesh.points)
   {
-    const glm::dvec3 index = g.WorldToIndex(sample.point);
+    const glm::dvec3 index = g.WorldToIndex(p);
     within += glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
               glm::all(glm::lessThanEqual(index, glm::dvec3(g.dims - 1)));
   }
-  return 10 * within >= 9 * samples.size();
+  return 10 * within >= 9 * mesh.points.size();
 }
 
-bool GapFits(const std::vector<MeshSample>& samples, const AnyGridView& bone,
-  const PartClaims& claims, double volumeMm3)
+/// About 1,000 places of it, on 2,000 of its triangles at most.
+std::vector<MeshSample> SomePlaces(const TriangleMesh& mesh)
 {
-  if (!MostlyWithin(GeometryOf(bone), samples))
+  const std::size_t triangles = 1 + mesh.triangles.size() / 2000;
+  TriangleMesh part{ mesh.points, {} };
+  for (std::size_t n = 0; n < mesh.triangles.size(); n += triangles)
+    part.triangles.push_back(mesh.triangles[n]);
+  const std::vector<MeshSample> all = SampleMesh(part, GapSampleMm);
+  const std::size_t places = 1 + all.size() / 1000;
+  std::vector<MeshSample> some;
+  for (std::size_t n = 0; n < all.size(); n += places)
+  {
+    some.push_back(all[n]);
+    some.back().areaMm2 *= double(triangles * places);
+  }
+  return some;
+}
+
+bool GapFits(
+  const TriangleMesh& mesh, const AnyGridView& bone, const PartClaims& claims, double volumeMm3)
+{
+  if (!MostlyWithin(GeometryOf(bone), mesh))
     return false;
+  const std::vector<MeshSample> samples = SomePlaces(mesh);
   const GuideGapSettings settings = GapSettingsOf(claims);
   std::vector<glm::dvec3> places;
   for (const MeshSample& sample : samples)
@@ -115,13 +129,8 @@ bool GapFits(const std::vector<MeshSample>& samples, const AnyGridView& bone,
   return faults.empty();
 }
 
-bool CutsFit(TriangleMesh mesh, const Guess& guess, bool insideOut, const PartClaims& claims)
+bool CutsFit(const TriangleMesh& mesh, const PartClaims& claims)
 {
-  for (glm::dvec3& p : mesh.points)
-    p = guess.Place(p);
-  if (guess.Mirrors() != insideOut)
-    for (glm::uvec3& t : mesh.triangles)
-      std::swap(t.y, t.z);
   const TriangleTree tree(mesh);
   FitFaults faults;
   for (std::size_t n = 0; n < claims.slots.size() && faults.empty(); ++n)
@@ -132,13 +141,13 @@ bool CutsFit(TriangleMesh mesh, const Guess& guess, bool insideOut, const PartCl
 }
 } // namespace
 
-std::optional<FitFault> ExplainMisfit(const TriangleMesh& mesh, std::span<const MeshSample> samples,
-  const AnyGridView& bone, const PartClaims& claims, double volumeMm3)
+std::optional<FitFault> ExplainMisfit(
+  const TriangleMesh& mesh, const AnyGridView& bone, const PartClaims& claims, double volumeMm3)
 {
   const bool cuts = !claims.slots.empty() || !claims.holes.empty();
-  if (samples.empty() || !(cuts || claims.shell))
+  if (mesh.points.empty() || !(cuts || claims.shell))
     return std::nullopt;
-  glm::dvec3 low = samples.front().point, high = low;
+  glm::dvec3 low = mesh.points.front(), high = low;
   for (const glm::dvec3& p : mesh.points)
   {
     low = glm::min(low, p);
@@ -148,9 +157,10 @@ std::optional<FitFault> ExplainMisfit(const TriangleMesh& mesh, std::span<const 
   for (const Guess& guess : Guesses(0.5 * (low + high), MiddleOf(GeometryOf(bone))))
   {
     const double volume = std::abs(volumeMm3) * std::pow(guess.Scale(), 3.0);
-    if (claims.shell && !GapFits(Moved(samples, guess, insideOut), bone, claims, volume))
+    const TriangleMesh moved = Moved(mesh, guess, insideOut);
+    if (claims.shell && !GapFits(moved, bone, claims, volume))
       continue;
-    if (cuts && !CutsFit(mesh, guess, insideOut, claims))
+    if (cuts && !CutsFit(moved, claims))
       continue;
     return FitFault{ guess.kind, guess.text, std::nullopt };
   }

@@ -47,12 +47,23 @@ void RequireUnit(const std::string& what, const glm::dvec3& d)
 }
 } // namespace
 
+std::string NameOfHole(const ClaimedHole& hole, std::size_t number)
+{
+  return hole.name.empty() ? "holes[" + std::to_string(number) + "]" : hole.name;
+}
+
+bool ClaimFit(const PartClaims& claims)
+{
+  return claims.shell || claims.withdrawal || !claims.slots.empty() || !claims.holes.empty();
+}
+
 void ValidateClaims(const PartClaims& claims)
 {
   if (!std::isfinite(claims.isovalue))
     throw std::invalid_argument("claims: isovalue is not finite");
   RequireFrom0("ignoreBelowMm3", claims.ignoreBelowMm3, 1e6);
   RequireFrom0("leastWallMm", claims.leastWallMm, 50.0);
+  RequireFrom0("leastUncutMm", claims.leastUncutMm, 50.0);
   if (claims.withdrawal)
     RequireUnit("withdrawal", *claims.withdrawal);
   if (claims.shell)
@@ -80,7 +91,7 @@ void ValidateClaims(const PartClaims& claims)
   for (std::size_t n = 0; n < claims.holes.size(); ++n)
   {
     const ClaimedHole& hole = claims.holes[n];
-    const std::string name = "holes[" + std::to_string(n) + "].";
+    const std::string name = NameOfHole(hole, n) + ".";
     RequirePlace(name + "point", hole.point);
     RequireUnit(name + "axis", hole.axis);
     RequireAbove0(name + "diameterMm", hole.diameterMm, 50.0);

@@ -34,6 +34,9 @@ struct ClaimedHole
   std::string name = {};            ///< as its recipe names it: "screws[2]"; empty: "holes[n]"
 };
 
+/// What texts call the `number`-th of a part's claimed holes, from 0.
+std::string NameOfHole(const ClaimedHole& hole, std::size_t number);
+
 /// A shell that lies on bone: its inner wall `gapMm` off, its outer wall `thicknessMm` more.
 struct ClaimedShell
 {
@@ -59,7 +62,14 @@ struct PartClaims
   /// No wall may be thinner, whatever else is claimed; [0, 50]. 0.6: what a resin printer makes of
   /// a wall that stands free (Formlabs' design guide).
   double leastWallMm = 0.6;
+  /// Nor may a wall that no claimed slot or hole ends; [0, 50], 0: not claimed. What is perforated
+  /// is thinner between its holes than it is thick.
+  double leastUncutMm = 0.0;
 };
+
+/// Is more claimed than what every part is held to, a sound mesh of one piece and its least wall?
+/// Without, a certificate does not say how the part fits.
+bool ClaimFit(const PartClaims& claims);
 
 /// Throws std::invalid_argument, with the claim, its value and the legal range, unless all numbers
 /// are finite and in their ranges and directions unit within 1e-3 (a slot's two upright on each

@@ -19,8 +19,10 @@ namespace hasp
 GuideSlot SlotOfBlade(
   const Osteotomy& blade, const glm::dvec3& withdrawal, const std::string& subject = "guide slot");
 
-/// The same slot with its point `upMm` higher in the saw plane, and its lower end where it was. At
-/// least above that: upMm > -depthMm, else std::invalid_argument.
+/// The same slot with its point `upMm` higher in the saw plane, along SawAxes' third axis; below 0:
+/// lower. Its lower end stays where it was (depthMm grows by upMm), but for a depthMm above 500,
+/// which is cut to that. Its point must stay above that end: upMm > -depthMm, else
+/// std::invalid_argument. Pure.
 GuideSlot MovedSlot(const GuideSlot& slot, const glm::dvec3& withdrawal, double upMm);
 
 } // namespace hasp

@@ -12,10 +12,10 @@
 namespace
 {
 
-using hasp::PartVerdict;
+using hasp::PartOutcome;
 
 /// Says Sound of every seed, but of the first of a kind what is given for it.
-hasp::Report Tried(const std::map<std::string, PartVerdict>& first, const std::string& crash = "")
+hasp::Report Tried(const std::map<std::string, PartOutcome>& first, const std::string& crash = "")
 {
   hasp::PartRunner runner;
   runner.kinds = { { "guide", 2 }, { "plate", 1 }, { "implant", 1 }, { "cut", 0 } };
@@ -28,8 +28,8 @@ hasp::Report Tried(const std::map<std::string, PartVerdict>& first, const std::s
         return hasp::PartRun{ run.output, "exit code 139" };
       hasp::PartLine line;
       line.seed = seed;
-      line.verdict =
-        seed % 100'000 == 0 && first.contains(kind) ? first.at(kind) : PartVerdict::Sound;
+      line.outcome =
+        seed % 100'000 == 0 && first.contains(kind) ? first.at(kind) : PartOutcome::Sound;
       line.text = "fake";
       run.output += hasp::FormatPartLine(line);
     }
@@ -67,14 +67,14 @@ TEST(PartTrial, EveryKindOfPartCounts)
 {
   for (const char* kind : { "guide", "plate", "implant" })
   {
-    const hasp::Report open = Tried({ { kind, PartVerdict::Open } });
+    const hasp::Report open = Tried({ { kind, PartOutcome::Open } });
     EXPECT_EQ(*Row(open, "guides.manifold").value, 0.99) << kind;
     EXPECT_NE(Row(open, "guides.manifold").data.find(kind + std::string(" 100000, not one closed")),
       std::string::npos);
     EXPECT_EQ(Row(open, "guides.conservation").bars.at(1).figure, 0.0);
-    const hasp::Report wrong = Tried({ { kind, PartVerdict::Wrong } });
+    const hasp::Report wrong = Tried({ { kind, PartOutcome::Wrong } });
     EXPECT_EQ(*Row(wrong, "guides.refused").value, 0.0) << kind;
-    const hasp::Report fell = Tried({ { kind, PartVerdict::FellBack } });
+    const hasp::Report fell = Tried({ { kind, PartOutcome::FellBack } });
     EXPECT_EQ(*Row(fell, "guides.fallback").value, 1.0) << kind;
   }
 }
@@ -91,7 +91,7 @@ TEST(PartTrial, ACrashCostsOnePart)
 
 TEST(PartTrial, ACutThatIsNotSoundMissesItsOwnBarAlone)
 {
-  const hasp::Report open = Tried({ { "cut", PartVerdict::Open } });
+  const hasp::Report open = Tried({ { "cut", PartOutcome::Open } });
   EXPECT_EQ(Row(open, "guides.conservation").bars.at(1).figure, 1.0);
   EXPECT_EQ(*Row(open, "guides.manifold").value, 1.0);
   const hasp::Report crashed = Tried({}, "cut");

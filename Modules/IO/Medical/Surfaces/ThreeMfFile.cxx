@@ -94,7 +94,8 @@ LoadedSurface ReadThreeMf(const std::filesystem::path& file, const SurfaceReadSe
                          "part. Export its bodies alone");
   if (record.status != static_cast<std::uint32_t>(XMLStatus::Good))
     ThrowFileError(file, "is damaged or no 3MF file; write it again");
-  if (record.unit >= std::size(Units) || record.points > Most || record.triangles > Most)
+  if (record.unit >= std::size(Units) || record.objects > ThreeMfRecord::MostObjects ||
+      record.points > Most || record.triangles > Most)
     process.ThrowGarbage("size");
   SurfaceBuilder builder(file, settings);
   builder.Expect(record.points, record.triangles);

@@ -62,6 +62,7 @@ struct XMLSurfaceRecord
 /// it is built, and its triangles, three 32-bit words each, from 0 in its own points.
 struct ThreeMfRecord
 {
+  static constexpr std::uint32_t MostObjects = 100'000;
   std::uint32_t status;  ///< all else is 0 unless it is Good
   std::uint32_t unit;    ///< 0 micrometre, 1 mm, 2 cm, 3 inch, 4 foot, 5 metre
   std::uint32_t objects; ///< that are built, each time one

@@ -198,6 +198,23 @@ TEST(FitCertificate, HolesAreHeldToTheirClaims)
   EXPECT_NE(All(gone).find("holes[0] does not touch the part"), std::string::npos) << All(gone);
 }
 
+TEST(FitCertificate, WhatIsPerforatedIsAsThickAsClaimedAwayFromThat)
+{
+  Bench bench(4);
+  bench.claims.leastWallMm = 1.9; // 2 mm are between the slot's ends and the rim
+  bench.claims.leastUncutMm = 2.4;
+  const auto whole = bench.Placed(Bench::Plate());
+  EXPECT_TRUE(whole.Holds()) << All(whole);
+  ASSERT_TRUE(whole.uncut);
+  EXPECT_NEAR(whole.uncut->leastMm, 2.5, 1e-6);
+  const auto dented = bench.Placed(Bench::Plate(0.3, 1.2, 0.3)); // 2.2 mm are left
+  EXPECT_NE(All(dented).find("a wall away from slots and holes is 2.20 mm thick, must be 2.40"),
+    std::string::npos)
+    << All(dented);
+  bench.claims.leastUncutMm = 0.0;
+  EXPECT_FALSE(bench.Placed(Bench::Plate()).uncut);
+}
+
 TEST(FitCertificate, APartThatCannotBePutOnIsNamed)
 {
   Bench bench(1);
@@ -205,6 +222,35 @@ TEST(FitCertificate, APartThatCannotBePutOnIsNamed)
   const auto c = bench.Placed(Bench::Plate());
   ASSERT_TRUE(Has(c, FitFaultKind::Undercut)) << All(c);
   EXPECT_LT(glm::dot(c.insertion->boneAt - bench.motion.to, bench.motion.Turn({ 0, 0, 1 })), 0.0);
+}
+
+/// Each triangle as four.
+hasp::TriangleMesh Divided(const hasp::TriangleMesh& mesh)
+{
+  hasp::TriangleMesh fine;
+  const auto triangle = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+  {
+    const auto n = std::uint32_t(fine.points.size());
+    fine.points.insert(fine.points.end(), { a, b, c });
+    fine.triangles.emplace_back(n, n + 1, n + 2);
+  };
+  for (const glm::uvec3& t : mesh.triangles)
+  {
+    const glm::dvec3 &a = mesh.points[t.x], &b = mesh.points[t.y], &c = mesh.points[t.z];
+    const glm::dvec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+    triangle(a, ab, ca);
+    triangle(ab, b, bc);
+    triangle(ca, bc, c);
+    triangle(ab, bc, ca);
+  }
+  return hasp::WeldPoints(fine);
+}
+
+hasp::TriangleMesh Scaled(hasp::TriangleMesh mesh, double factor)
+{
+  for (glm::dvec3& p : mesh.points)
+    p *= factor;
+  return mesh;
 }
 
 TEST(FitCertificate, UnitsMirrorsAndSpacesAreNamed)
@@ -228,6 +274,8 @@ TEST(FitCertificate, UnitsMirrorsAndSpacesAreNamed)
   EXPECT_EQ(first(changed(glm::dvec3(1 / 25.4), zero, false)), "units");
   EXPECT_EQ(first(changed(glm::dvec3(25.4), zero, false)), "units");
   EXPECT_EQ(first(changed(glm::dvec3(0.1), zero, false)), "units");
+  // In metres all triangles of a real part are too low to be measured.
+  EXPECT_EQ(first(bench.Certify(Scaled(Divided(Divided(Divided(part))), 0.001))), "units");
   EXPECT_EQ(first(changed({ -1, 1, 1 }, zero, true)), "mirrored");
   EXPECT_EQ(first(changed({ 1, 1, -1 }, middle, true)), "mirrored");
   const auto insideOut = changed({ -1, 1, 1 }, zero, false);
@@ -247,6 +295,7 @@ TEST(FitCertificate, BadClaimsThrowAndItCanBeCancelled)
   };
   refused([](hasp::PartClaims& c) { c.isovalue = NAN; });
   refused([](hasp::PartClaims& c) { c.leastWallMm = -1; });
+  refused([](hasp::PartClaims& c) { c.leastUncutMm = NAN; });
   refused([](hasp::PartClaims& c) { c.shell->gapToleranceMm = 0; });
   refused([](hasp::PartClaims& c) { c.shell->thicknessMm = NAN; });
   refused([](hasp::PartClaims& c) { c.slots[0].normal *= 1.01; });

@@ -389,6 +389,14 @@ TEST_F(ThreeMfPretender, AnswersAreHeldToWhatTheyMayBe)
   this->Answer(record, Object(3, 2, "guide"));
   this->ExpectRefusal("x", "at most");
   record = Sound();
+  record.objects = 100'001; // of which none has a point
+  hasp::ThreeMfObject none{};
+  std::string many = Object(3, 2, "guide");
+  for (std::uint32_t n = 1; n < record.objects; ++n)
+    AppendBytes(many, &none, 1);
+  this->Answer(record, many);
+  this->ExpectRefusal("x", "size");
+  record = Sound();
   record.status = 99;
   this->Answer(record, "");
   this->ExpectRefusal("x", "status");

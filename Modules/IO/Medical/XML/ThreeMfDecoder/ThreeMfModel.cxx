@@ -10,7 +10,6 @@ using namespace NMR;
 namespace
 {
 
-constexpr std::size_t MostObjects = 100'000;
 constexpr int MostDepth = 64;
 
 constexpr Transform Identity = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
@@ -67,7 +66,7 @@ public:
 private:
   void Visit(hasp::Lib3mfHandle object, DWORD id, const Transform& place, int depth)
   {
-    if (depth > MostDepth || ++this->Visits > MostObjects)
+    if (depth > MostDepth || ++this->Visits > hasp::ThreeMfRecord::MostObjects)
       throw TooManyObjects();
     BOOL mesh = 0, components = 0;
     Check3mf(lib3mf_object_ismeshobject(object, &mesh));
