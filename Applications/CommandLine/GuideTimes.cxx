@@ -180,10 +180,16 @@ GapShare GapOf(const TriangleMesh& mesh, const GuideSubject& subject)
   settings.isovalue = subject.recipe.isovalue;
   settings.gapMm = subject.recipe.gapMm;
   settings.nearMm = subject.recipe.gapMm + 0.5 * subject.recipe.thicknessMm;
+  const std::vector<MeshSample> samples = SampleMesh(mesh, GapSampleMm);
+  std::vector<glm::dvec3> places;
+  for (const MeshSample& sample : samples)
+    places.push_back(sample.point);
+  const auto nearest =
+    DistanceToIsosurface(ViewImage(subject.image), settings.isovalue, places, settings.nearMm);
   const auto at = [&](double tolerance)
   {
     settings.toleranceMm = tolerance;
-    return MeasureGuideGap(ViewImage(subject.image), mesh, settings);
+    return MeasureGuideGap(samples, nearest, settings);
   };
   const GuideGap asked = at(WithinMm);
   double low = 0.0, high = 2.0 * settings.nearMm; // the share grows with the tolerance

@@ -14,7 +14,7 @@ namespace hasp
 namespace
 {
 
-constexpr std::size_t BatchSize = 20; ///< parts a process: starting one costs as much as a part
+constexpr std::size_t MostOfBatch = 20; ///< parts a process: starting one costs as much as a part
 
 struct Tried
 {
@@ -51,7 +51,9 @@ Tried RunAll(
   ReportContext& context, const PartRunner& runner, const std::string& kind, std::size_t count)
 {
   const auto seed = static_cast<std::uint32_t>(context.settings.seed * 100'000);
-  const std::size_t batches = (count + BatchSize - 1) / BatchSize;
+  const std::size_t cores = std::size_t(ParallelThreads());
+  const std::size_t batch = std::clamp<std::size_t>((count + cores - 1) / cores, 1, MostOfBatch);
+  const std::size_t batches = (count + batch - 1) / batch;
   constexpr std::size_t AtATime = 8;
   Tried all;
   for (std::size_t begin = 0; begin < batches; begin += AtATime)
@@ -63,9 +65,9 @@ Tried RunAll(
       {
         for (std::int64_t n = low; n < high; ++n)
         {
-          const std::size_t first = (begin + std::size_t(n)) * BatchSize;
+          const std::size_t first = (begin + std::size_t(n)) * batch;
           some[std::size_t(n)] =
-            RunBatch(runner, kind, seed + std::uint32_t(first), std::min(BatchSize, count - first));
+            RunBatch(runner, kind, seed + std::uint32_t(first), std::min(batch, count - first));
         }
       });
     for (const Tried& tried : some)

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hasp
@@ -135,14 +136,20 @@ bool PartMeets(const GuidePart& part, const ImplicitSolid& solid, double spacing
     step[a] = (to - from) / count[a];
     low[a] = from + 0.5 * step[a];
   }
+  const double partSteps = part.solid->Steepness() * step.x, steps = solid.Steepness() * step.x;
   int found = 0;
   for (int k = 0; k < count.z; ++k)
     for (int j = 0; j < count.y; ++j)
-      for (int i = 0; i < count.x; ++i)
+      for (int i = 0; i < count.x;)
       {
         const glm::dvec3 x = part.center + part.axes * (low + step * glm::dvec3(i, j, k));
-        if (part.solid->At(x) < 0.0 && solid.At(x) < 0.0 && ++found == LeastPlaces)
+        double free = part.solid->At(x) / partSteps; // places along the row, before there is any
+        if (free < 1.0 && &solid != part.solid.get())
+          free = std::max(free, solid.At(x) / steps);
+        found += free < 0.0;
+        if (found == LeastPlaces)
           return true;
+        i += std::max(1, static_cast<int>(std::min(free, double(count.x))));
       }
   return false;
 }

@@ -25,7 +25,12 @@ public:
   void Within(const glm::dvec3& x, const double& bound, const Visit& visit) const noexcept
   {
     // Halves: 2^32 boxes are 32 levels, and each level leaves one node behind.
-    std::array<std::pair<double, std::uint32_t>, 40> waiting;
+    struct Waiting
+    {
+      double excess;
+      std::uint32_t at;
+    };
+    std::array<Waiting, 40> waiting; // left as it is: to clear it takes as long as a few boxes
     std::size_t count = 0;
     waiting[count++] = { this->Nodes.front().box.Excess(x), 0 };
     while (count > 0)
@@ -39,9 +44,9 @@ public:
         visit(node.item);
         continue;
       }
-      std::pair<double, std::uint32_t> near{ this->Nodes[at + 1].box.Excess(x), at + 1 };
-      std::pair<double, std::uint32_t> far{ this->Nodes[node.second].box.Excess(x), node.second };
-      if (far.first < near.first)
+      Waiting near{ this->Nodes[at + 1].box.Excess(x), at + 1 };
+      Waiting far{ this->Nodes[node.second].box.Excess(x), node.second };
+      if (far.excess < near.excess)
         std::swap(near, far);
       waiting[count++] = far;
       waiting[count++] = near;

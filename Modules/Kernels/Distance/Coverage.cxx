@@ -17,6 +17,8 @@ namespace hasp
 
 namespace
 {
+constexpr int Brick = 8; ///< voxels along each axis
+
 /// Supersamples the voxels of one target grid in one source grid.
 template <typename T>
 class Sampler
@@ -39,6 +41,36 @@ public:
     for (int a = 0; a < 3; ++a)
       this->Half[a] = 0.5 * (std::abs(this->Step[0][a]) + std::abs(this->Step[1][a]) +
                               std::abs(this->Step[2][a]));
+    const int n = s.samplesPerAxis;
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          this->Places.push_back(this->Step * ((glm::dvec3(i, j, k) + 0.5) / double(n) - 0.5));
+  }
+
+  /// Of all voxels [first, last], where the samples that they reach tell it at once.
+  std::optional<float> OfAll(const glm::ivec3& first, const glm::ivec3& last) const
+  {
+    constexpr double Slack = 1e-6; // more than rounding
+    glm::dvec3 half(Slack);
+    for (int a = 0; a < 3; ++a)
+      half += 0.5 * (last[a] - first[a] + 1) * glm::abs(this->Step[a]);
+    const glm::dvec3 center = this->Origin + this->Step * (0.5 * glm::dvec3(first + last));
+    const SampleBox box = this->BoxAround(center, half);
+    bool allIn = box.within, noneInside = true;
+    for (int k = box.first.z; k <= box.last.z; ++k)
+      for (int j = box.first.y; j <= box.last.y; ++j)
+      {
+        for (int i = box.first.x; i <= box.last.x; ++i)
+        {
+          const bool inside = this->Inside(i, j, k);
+          allIn = allIn && inside && this->Kept(i, j, k);
+          noneInside = noneInside && !inside;
+        }
+        if (!allIn && !noneInside)
+          return std::nullopt;
+      }
+    return noneInside ? 0.0F : 1.0F;
   }
 
   float operator()(const glm::dvec3& index) const
@@ -48,11 +80,7 @@ public:
     if (glm::any(glm::lessThan(center + this->Half, glm::dvec3(0.0))) ||
         glm::any(glm::greaterThan(center - this->Half, glm::dvec3(top))))
       return 0.0F;
-    const glm::dvec3 low = glm::floor(center - this->Half), high = glm::ceil(center + this->Half);
-    const bool within = glm::all(glm::greaterThanEqual(low, glm::dvec3(0.0))) &&
-                        glm::all(glm::lessThanEqual(high, glm::dvec3(top)));
-    const glm::ivec3 first(glm::max(low, glm::dvec3(0.0)));
-    const glm::ivec3 last(glm::min(high, glm::dvec3(top)));
+    const auto [first, last, within] = this->BoxAround(center, this->Half);
     bool allInside = within, noneInside = true, allKept = true;
     for (int k = first.z; k <= last.z; ++k)
       for (int j = first.y; j <= last.y; ++j)
@@ -73,6 +101,21 @@ public:
   }
 
 private:
+  /// Samples of the source: all that were asked for are there, or those that are.
+  struct SampleBox
+  {
+    glm::ivec3 first, last;
+    bool within;
+  };
+  SampleBox BoxAround(const glm::dvec3& center, const glm::dvec3& half) const
+  {
+    const glm::dvec3 top(this->Source.geometry.dims - 1), zero(0.0);
+    const glm::dvec3 low = glm::floor(center - half), high = glm::ceil(center + half);
+    return { glm::ivec3(glm::clamp(low, zero, top + 1.0)),
+      glm::ivec3(glm::clamp(high, zero - 1.0, top)),
+      glm::all(glm::greaterThanEqual(low, zero)) && glm::all(glm::lessThanEqual(high, top)) };
+  }
+
   bool Inside(int i, int j, int k) const
   {
     return double(this->Source(i, j, k)) >= this->Settings.isovalue; // NaN is not
@@ -119,23 +162,27 @@ private:
 
   float Supersample(const glm::dvec3& center, bool askKeep) const
   {
-    const int n = this->Settings.samplesPerAxis;
     int count = 0;
-    for (int k = 0; k < n; ++k)
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i)
-          count += this->PointInside(
-            center + this->Step * ((glm::dvec3(i, j, k) + 0.5) / double(n) - 0.5), askKeep);
-    return static_cast<float>(double(count) / (double(n) * n * n));
+    Cell cell;
+    for (const glm::dvec3& place : this->Places)
+      count += this->PointInside(center + place, askKeep, cell);
+    return static_cast<float>(double(count) / double(this->Places.size()));
   }
 
-  bool PointInside(const glm::dvec3& index, bool askKeep) const
+  /// That of the last place: most have the same.
+  struct Cell
+  {
+    glm::ivec3 at{ -1 };
+    std::array<double, 8> corners{};
+  };
+  bool PointInside(const glm::dvec3& index, bool askKeep, Cell& cell) const
   {
     const auto at = LocateCell(this->Source.geometry, index);
     if (!at)
       return false;
-    if (!(TrilinearValue(CellCorners(this->Source, at->cell), at->local) >=
-          this->Settings.isovalue))
+    if (at->cell != cell.at)
+      cell = { at->cell, CellCorners(this->Source, at->cell) };
+    if (!(TrilinearValue(cell.corners, at->local) >= this->Settings.isovalue))
       return false;
     if (!askKeep)
       return true;
@@ -158,6 +205,7 @@ private:
   const CoverageSettings& Settings;
   glm::dvec3 Origin{}, Half{};
   glm::dmat3 Step{};
+  std::vector<glm::dvec3> Places; ///< that a voxel is supersampled at, from its centre
 };
 
 void Check(const AnyGridView& source, const GridGeometry& target, const CoverageSettings& s)
@@ -188,19 +236,23 @@ std::vector<float> Coverage(const AnyGridView& source, const GridGeometry& targe
   const auto fill = [&](const auto& view)
   {
     const Sampler sampler(view, target, settings);
-    const std::int64_t ny = target.dims.y, nz = target.dims.z;
-    const std::int64_t step = std::max<std::int64_t>(1, nz / 20); // slices between two reports
-    for (std::int64_t k = 0; k < nz; k += step)
+    const glm::i64vec3 bricks = (target.dims + (Brick - 1)) / Brick;
+    const GridView<float> filled{ coverage.data(), target };
+    const auto fillBrick = [&](const glm::ivec3& first)
     {
-      ReportProgress(progress, double(k) / double(nz));
-      ParallelFor(k * ny, std::min(nz, k + step) * ny, 8,
-        [&](std::int64_t first, std::int64_t last)
-        {
-          for (std::int64_t row = first; row < last; ++row)
-            for (int i = 0; i < target.dims.x; ++i)
-              coverage[row * target.dims.x + i] =
-                sampler(glm::dvec3(i, double(row % ny), double(row / ny)));
-        });
+      const glm::ivec3 end = glm::min(first + Brick, target.dims);
+      const auto all = sampler.OfAll(first, end - 1);
+      for (int k = first.z; k < end.z; ++k)
+        for (int j = first.y; j < end.y; ++j)
+          for (int i = first.x; i < end.x; ++i)
+            filled(i, j, k) = all ? *all : sampler(glm::dvec3(i, j, k));
+    };
+    for (std::int64_t k = 0; k < bricks.z; ++k)
+    {
+      ReportProgress(progress, double(k) / double(bricks.z));
+      ParallelFor(0, bricks.x * bricks.y, 1,
+        [&](std::int64_t first, std::int64_t)
+        { fillBrick(Brick * glm::ivec3(first % bricks.x, first / bricks.x, k)); });
     }
   };
   std::visit(fill, source);

@@ -68,6 +68,21 @@ public:
   const std::vector<SolidPointer>& Children() const { return this->All; }
 
 protected:
+  static constexpr std::size_t None = ~std::size_t{ 0 };
+  /// The sample of the part that was asked first, as it is the one that counts more often than
+  /// others: it need not be asked again, and its parts in turn.
+  struct Known
+  {
+    Sample sample;
+    std::size_t part = None;
+  };
+  double ValueOf(std::size_t part, const glm::dvec3& x, Known* known) const noexcept
+  {
+    if (!known)
+      return this->All[part]->At(x);
+    *known = { this->All[part]->SampleAt(x), part };
+    return known->sample.value;
+  }
   Sample Of(std::size_t part, Sample s) const noexcept
   {
     s.face += this->First[part];
@@ -93,7 +108,8 @@ public:
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    const Extremes least = this->Least(x);
+    Known first;
+    const Extremes least = this->Least(x, &first);
     const double tie = least.first + SolidTieMm;
     std::size_t part = least.part;
     if (least.second <= tie)
@@ -103,21 +119,21 @@ public:
           if (n < part && this->All[n]->At(x) <= tie)
             part = n;
         });
-    Sample s = this->Of(part, this->All[part]->SampleAt(x));
+    Sample s = this->Of(part, part == first.part ? first.sample : this->All[part]->SampleAt(x));
     s.value = this->Value(least, x, FilmLevels);
     return s;
   }
   Box Bounds() const noexcept override { return this->Tree.Hull(); }
 
 private:
-  Extremes Least(const glm::dvec3& x) const noexcept
+  Extremes Least(const glm::dvec3& x, Known* first = nullptr) const noexcept
   {
     Extremes least{ Infinite, Infinite };
     double bound = Infinite;
     this->Tree.Within(x, bound,
       [&](std::uint32_t n)
       {
-        const double value = this->All[n]->At(x);
+        const double value = this->ValueOf(n, x, first && first->part == None ? first : nullptr);
         if (value < least.first)
           least = { value, least.first, n };
         else
@@ -156,12 +172,13 @@ public:
   }
   Sample SampleAt(const glm::dvec3& x) const noexcept override
   {
-    const Extremes most = this->Most(x);
+    Known first;
+    const Extremes most = this->Most(x, &first);
     std::size_t part = most.part;
     if (most.second >= most.first - SolidTieMm)
       for (part = 0; this->All[part]->At(x) < most.first - SolidTieMm;)
         ++part;
-    Sample s = this->Of(part, this->All[part]->SampleAt(x));
+    Sample s = this->Of(part, part == first.part ? first.sample : this->All[part]->SampleAt(x));
     s.value = this->Value(most, x, FilmLevels);
     return s;
   }
@@ -177,12 +194,12 @@ public:
   }
 
 private:
-  Extremes Most(const glm::dvec3& x) const noexcept
+  Extremes Most(const glm::dvec3& x, Known* first = nullptr) const noexcept
   {
     Extremes most{ -Infinite, -Infinite };
     for (std::size_t n = 0; n < this->All.size(); ++n)
     {
-      const double value = this->All[n]->At(x);
+      const double value = this->ValueOf(n, x, n == 0 ? first : nullptr);
       if (value > most.first)
         most = { value, most.first, n };
       else

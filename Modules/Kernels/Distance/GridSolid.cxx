@@ -5,7 +5,13 @@
 #include "Grid/Trilinear.h"
 #include "SolidChecks.h"
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace hasp
 {
@@ -36,47 +42,65 @@ struct Slopes
   }
 };
 
-/// Of the cells in layer k, at most: each component of a gradient is a mean of four edges'.
-Slopes SlopesOf(const GridView<const float>& grid, int k)
+/// The four samples of a row of cells at one x, and how much they differ along y and z.
+struct Column
 {
-  const glm::ivec3 cells = grid.geometry.Cells();
-  const glm::dvec3 h = grid.geometry.spacing;
+  double value[4], y, z, least, most;
+
+  Column(const std::array<const float*, 4>& row, int i)
+    : value{ row[0][i], row[1][i], row[2][i], row[3][i] },
+      y(std::max(std::abs(value[1] - value[0]), std::abs(value[3] - value[2]))),
+      z(std::max(std::abs(value[2] - value[0]), std::abs(value[3] - value[1]))),
+      least(std::min(std::min(value[0], value[1]), std::min(value[2], value[3]))),
+      most(std::max(std::max(value[0], value[1]), std::max(value[2], value[3])))
+  {
+  }
+  double Sum() const { return value[0] + value[1] + value[2] + value[3]; }
+};
+
+/// Of a row of cells, at most: each component of a gradient is a mean of four edges'. `row`: its
+/// samples at (y, z) = (0, 0), (1, 0), (0, 1), (1, 1).
+Slopes SlopesOf(const std::array<const float*, 4>& row, int cells, const glm::dvec3& spacing)
+{
   Slopes slopes;
-  for (int j = 0; j < cells.y; ++j)
-    for (int i = 0; i < cells.x; ++i)
+  Column from(row, 0);
+  double mostSquared = 0.0, sum = from.Sum();
+  for (int i = 1; i <= cells; ++i)
+  {
+    const Column to(row, i);
+    double x = 0.0;
+    for (int n = 0; n < 4; ++n)
+      x = std::max(x, std::abs(to.value[n] - from.value[n]));
+    const glm::dvec3 slope =
+      glm::dvec3(x, std::max(from.y, to.y), std::max(from.z, to.z)) / spacing;
+    const double squared = glm::dot(slope, slope);
+    mostSquared = std::max(mostSquared, squared);
+    if (std::min(from.least, to.least) < 0.0 && std::max(from.most, to.most) >= 0.0)
     {
-      const auto c = CellCorners(grid, { i, j, k });
-      if (!std::isfinite(c[0] + c[1] + c[2] + c[3] + c[4] + c[5] + c[6] + c[7]))
-      {
-        slopes.most = std::numeric_limits<double>::infinity();
-        return slopes;
-      }
-      glm::dvec3 edge(0.0);
-      for (int n = 0; n < 8; ++n)
-        for (int a = 0; a < 3; ++a)
-          if (!(n >> a & 1))
-            edge[a] = std::max(edge[a], std::abs(c[n | 1 << a] - c[n]));
-      const double slope = glm::length(edge / h);
-      slopes.most = std::max(slopes.most, slope);
-      const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
-      if (*least < 0.0 && *greatest >= 0.0)
-      {
-        ++slopes.onSurface;
-        slopes.flat += slope < LeastUsualSlope;
-        slopes.steep += slope > MostUsualSlope;
-      }
+      ++slopes.onSurface;
+      slopes.flat += squared < LeastUsualSlope * LeastUsualSlope;
+      slopes.steep += squared > MostUsualSlope * MostUsualSlope;
     }
+    sum += to.Sum();
+    from = to;
+  }
+  slopes.most =
+    std::isfinite(sum) ? std::sqrt(mostSquared) : std::numeric_limits<double>::infinity();
   return slopes;
 }
 
 Slopes SlopesOf(const GridView<const float>& grid)
 {
-  std::vector<Slopes> layers(grid.geometry.Cells().z);
+  const glm::ivec3 cells = grid.geometry.Cells();
+  std::vector<Slopes> layers(cells.z);
   ParallelFor(0, std::int64_t(layers.size()), 4,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (std::int64_t k = first; k < last; ++k)
-        layers[k] = SlopesOf(grid, int(k));
+      for (int k = int(first); k < last; ++k)
+        for (int j = 0; j < cells.y; ++j)
+          layers[k].Add(SlopesOf(
+            { &grid(0, j, k), &grid(0, j + 1, k), &grid(0, j, k + 1), &grid(0, j + 1, k + 1) },
+            cells.x, grid.geometry.spacing));
     });
   Slopes all;
   for (const Slopes& layer : layers)

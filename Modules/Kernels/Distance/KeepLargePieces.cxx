@@ -1,6 +1,7 @@
 #include "Distance/Coverage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,16 @@ void Flood(const glm::ivec3& dims, std::vector<std::uint8_t>& mark, std::size_t 
   std::vector<std::size_t>& piece)
 {
   const std::size_t row = dims.x, slice = row * dims.y;
+  std::array<std::size_t, 27> around; // of a sample that is not at the border; wraps below 0
+  for (std::size_t n = 0; n < around.size(); ++n)
+    around[n] = (n / 9 - 1) * slice + (n / 3 % 3 - 1) * row + (n % 3 - 1);
+  const auto visit = [&](std::size_t q)
+  {
+    if (mark[q] != Unseen)
+      return;
+    mark[q] = Kept;
+    piece.push_back(q);
+  };
   piece.assign(1, start);
   mark[start] = Kept;
   for (std::size_t n = 0; n < piece.size(); ++n)
@@ -29,14 +40,16 @@ void Flood(const glm::ivec3& dims, std::vector<std::uint8_t>& mark, std::size_t 
     const std::size_t p = piece[n];
     const int i = static_cast<int>(p % row), j = static_cast<int>(p / row % dims.y),
               k = static_cast<int>(p / slice);
+    if (i > 0 && i + 1 < dims.x && j > 0 && j + 1 < dims.y && k > 0 && k + 1 < dims.z)
+    {
+      for (const std::size_t step : around)
+        visit(p + step);
+      continue;
+    }
     for (int z = std::max(k - 1, 0); z <= std::min(k + 1, dims.z - 1); ++z)
       for (int y = std::max(j - 1, 0); y <= std::min(j + 1, dims.y - 1); ++y)
         for (int x = std::max(i - 1, 0); x <= std::min(i + 1, dims.x - 1); ++x)
-          if (const std::size_t q = z * slice + y * row + x; mark[q] == Unseen)
-          {
-            mark[q] = Kept;
-            piece.push_back(q);
-          }
+          visit(z * slice + y * row + x);
   }
 }
 } // namespace

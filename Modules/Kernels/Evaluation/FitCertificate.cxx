@@ -7,11 +7,13 @@
 #include "Evaluation/SurfaceDistance.h"
 #include "Evaluation/TriangleTree.h"
 #include "Grid/ProgressPart.h"
+#include "Grid/SideBySide.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace hasp
@@ -95,22 +97,44 @@ std::vector<Chord> UncutChords(const std::vector<MeshSample>& samples,
   return uncut;
 }
 
-void MeasureGap(const std::vector<MeshSample>& samples, const std::vector<Chord>& chords,
-  const AnyGridView& bone, FitCertificate& c, const ProgressFunction& progress)
+/// The part's surface: what its walls and its gap are measured by.
+struct Surface
+{
+  TriangleTree tree;
+  std::vector<MeshSample> samples;
+  std::vector<Chord> chords;
+  std::vector<std::optional<NearestSurface>> nearest; ///< of a shell
+  WallThickness wall;
+
+  Surface(const TriangleMesh& mesh, const AnyGridView& bone, const PartClaims& claims,
+    const ProgressFunction& progress)
+    : tree(mesh),
+      samples(SampleMesh(mesh, GapSampleMm)),
+      chords(MeasureChords(tree, samples)),
+      wall(MeasureWalls(samples, chords))
+  {
+    ReportProgress(progress, 0.4);
+    if (!claims.shell)
+      return;
+    const GuideGapSettings settings = GapSettingsOf(claims);
+    std::vector<glm::dvec3> places;
+    places.reserve(this->samples.size());
+    for (const MeshSample& sample : this->samples)
+      places.push_back(sample.point);
+    this->nearest = DistanceToIsosurface(
+      bone, settings.isovalue, places, settings.nearMm, PartOf(progress, 0.4, 1.0));
+  }
+};
+
+void MeasureGap(const Surface& surface, const AnyGridView& bone, FitCertificate& c)
 {
   const ClaimedShell& shell = *c.claims.shell;
   const GuideGapSettings settings = GapSettingsOf(c.claims);
-  std::vector<glm::dvec3> places;
-  places.reserve(samples.size());
-  for (const MeshSample& sample : samples)
-    places.push_back(sample.point);
-  const auto nearest =
-    DistanceToIsosurface(bone, settings.isovalue, places, settings.nearMm, progress);
   BonePieces pieces(bone, c.claims.isovalue, c.claims.ignoreBelowMm3);
-  c.gap = MeasureGuideGap(
-    samples, nearest, settings, [&](const glm::dvec3& at) { return pieces.Counts(at); });
-  c.shell = MeasureShell(samples, ChordsOfShell(samples, chords, c.claims), nearest,
-    { shell.gapMm, shell.gapToleranceMm, settings.facing, c.claims.withdrawal });
+  c.gap = MeasureGuideGap(surface.samples, surface.nearest, settings,
+    [&](const glm::dvec3& at) { return pieces.Counts(at); });
+  c.shell = MeasureShell(surface.samples, ChordsOfShell(surface.samples, surface.chords, c.claims),
+    surface.nearest, { shell.gapMm, shell.gapToleranceMm, settings.facing, c.claims.withdrawal });
   JudgeGap(*c.gap, shell, c.mesh.volumeMm3, c.faults);
 }
 
@@ -158,30 +182,29 @@ FitCertificate CertifyFit(const TriangleMesh& mesh, const AnyGridView& bone,
   GeometryOf(bone).Validate();
   FitCertificate c;
   c.claims = claims;
-  MeasureMesh(mesh, selfIntersections, c);
+  std::optional<Surface> surface;
+  // The mesh alone takes one core, and as long as all that is asked of its surface.
+  SideBySide([&] { MeasureMesh(mesh, selfIntersections, c); },
+    [&] { surface.emplace(mesh, bone, claims, PartOf(progress, 0.0, 0.8)); });
   if (mesh.triangles.empty())
     return c;
-  ReportProgress(progress, 0.3);
-  const TriangleTree tree(mesh);
-  c.low = tree.Low();
-  c.high = tree.High();
-  const std::vector<MeshSample> samples = SampleMesh(mesh, GapSampleMm);
-  const std::vector<Chord> chords = MeasureChords(tree, samples);
-  c.wall = MeasureWalls(samples, chords);
+  c.low = surface->tree.Low();
+  c.high = surface->tree.High();
+  c.wall = surface->wall;
   if (claims.leastUncutMm > 0.0)
-    c.uncut = MeasureWalls(samples, UncutChords(samples, chords, claims));
-  ReportProgress(progress, 0.5);
+    c.uncut =
+      MeasureWalls(surface->samples, UncutChords(surface->samples, surface->chords, claims));
   if (claims.shell)
-    MeasureGap(samples, chords, bone, c, PartOf(progress, 0.5, 0.8));
+    MeasureGap(*surface, bone, c);
   JudgeWalls(c, c.faults);
-  MeasureCuts(tree, c);
+  MeasureCuts(surface->tree, c);
   if (claims.withdrawal)
   {
     InsertionSettings settings;
     settings.isovalue = claims.isovalue;
     settings.ignoreBelowMm3 = claims.ignoreBelowMm3;
     settings.direction = *claims.withdrawal;
-    c.insertion = MeasureInsertion(bone, samples, settings, PartOf(progress, 0.8, 1.0));
+    c.insertion = MeasureInsertion(bone, surface->samples, settings, PartOf(progress, 0.8, 1.0));
     JudgeInsertion(*c.insertion, c.faults);
   }
   if (DoesNotFit(c))

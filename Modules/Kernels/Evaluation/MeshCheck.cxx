@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -122,21 +121,29 @@ TriangleMesh WeldPoints(const TriangleMesh& mesh)
         !(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
       throw std::invalid_argument(
         "mesh: point " + std::to_string(n) + " is not finite, and has no place in an order");
-  const auto less = [&](std::uint32_t a, std::uint32_t b)
+  struct Place
   {
-    const glm::dvec3 &p = mesh.points[a], &q = mesh.points[b];
-    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    glm::dvec3 at;
+    std::uint32_t point;
+    bool operator<(const Place& o) const
+    {
+      return std::tie(at.x, at.y, at.z) < std::tie(o.at.x, o.at.y, o.at.z);
+    }
   };
-  std::vector<std::uint32_t> order(mesh.points.size()), newId(mesh.points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), less);
+  std::vector<Place> order;
+  order.reserve(mesh.points.size());
+  for (const glm::dvec3& p : mesh.points)
+    order.push_back({ p, static_cast<std::uint32_t>(order.size()) });
+  std::sort(order.begin(), order.end());
   TriangleMesh welded;
+  std::vector<std::uint32_t> newId(mesh.points.size());
   for (std::size_t n = 0; n < order.size(); ++n)
   {
-    if (n == 0 || less(order[n - 1], order[n]))
-      welded.points.push_back(mesh.points[order[n]]);
-    newId[order[n]] = static_cast<std::uint32_t>(welded.points.size() - 1);
+    if (n == 0 || order[n - 1] < order[n])
+      welded.points.push_back(order[n].at);
+    newId[order[n].point] = static_cast<std::uint32_t>(welded.points.size() - 1);
   }
+  welded.triangles.reserve(mesh.triangles.size());
   for (const glm::uvec3& t : mesh.triangles)
     welded.triangles.emplace_back(newId[t.x], newId[t.y], newId[t.z]);
   return welded;

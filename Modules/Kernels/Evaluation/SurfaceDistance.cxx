@@ -21,6 +21,14 @@ namespace
 {
 constexpr int LinesPerSide = 5;
 
+/// A cell's surface: its nearest sample, and what no place of it is nearer than.
+struct Candidate
+{
+  double distance, bound;
+  glm::dvec3 point;
+  glm::ivec3 cell;
+};
+
 /// The isosurface within a box of cells. Positions are mm along the grid's own axes.
 template <typename T>
 class Isosurface
@@ -30,12 +38,14 @@ public:
     const glm::ivec3& count)
     : Volume(volume),
       Isovalue(isovalue),
+      PerMm(1.0 / volume.geometry.spacing),
       First(first),
       Count(count)
   {
     const std::size_t cells = std::size_t(count.x) * count.y * count.z;
     std::vector<std::vector<glm::dvec3>> slices(count.z);
     this->Start.assign(cells + 1, 0);
+    this->Steepest.assign(cells, 0.0);
     ParallelFor(0, count.z, 1,
       [&](std::int64_t low, std::int64_t high)
       {
@@ -45,7 +55,10 @@ public:
             {
               const std::size_t before = slices[k].size();
               this->SampleCell(first + glm::ivec3(i, j, int(k)), slices[k]);
-              this->Start[(k * count.y + j) * count.x + i + 1] = slices[k].size() - before;
+              const std::size_t cell = (k * count.y + j) * count.x + i;
+              this->Start[cell + 1] = slices[k].size() - before;
+              if (slices[k].size() > before)
+                this->Steepest[cell] = this->SteepestIn(first + glm::ivec3(i, j, int(k)));
             }
       });
     for (std::size_t c = 0; c < cells; ++c)
@@ -54,7 +67,9 @@ public:
       this->Samples.insert(this->Samples.end(), slice.begin(), slice.end());
   }
 
-  std::optional<NearestSurface> Nearest(const glm::dvec3& world, double reach) const
+  /// `candidates`: room to work in.
+  std::optional<NearestSurface> Nearest(
+    const glm::dvec3& world, double reach, std::vector<Candidate>& candidates) const
   {
     const GridGeometry& g = this->Volume.geometry;
     const glm::dvec3 index = g.WorldToIndex(world), p = index * g.spacing;
@@ -62,13 +77,14 @@ public:
     const glm::dvec3 high = glm::dvec3(this->First + this->Count) * g.spacing + reach;
     if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high)))
       return std::nullopt; // so far away that cells have no int
-    std::vector<Candidate> candidates;
-    const double least = this->FindCandidates(p, reach, candidates);
+    candidates.clear();
+    this->FindCandidates(p, reach, candidates);
     std::sort(candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-    Candidate best{ std::numeric_limits<double>::infinity(), {}, {} };
+    Candidate best{};
+    best.distance = std::numeric_limits<double>::infinity();
     for (const Candidate& c : candidates)
-      if (c.distance <= least + this->Cover() && this->BoxDistance(c.cell, p) < best.distance)
+      if (std::max(c.distance - this->Cover(), c.bound) < best.distance)
         if (const Candidate foot = this->Descend(c, p); foot.distance < best.distance)
           best = foot;
     if (!(best.distance <= reach))
@@ -82,13 +98,6 @@ public:
   }
 
 private:
-  struct Candidate
-  {
-    double distance;
-    glm::dvec3 point;
-    glm::ivec3 cell;
-  };
-
   /// Any point of a cell's surface has a sample of that cell within one line spacing per axis.
   double Cover() const { return glm::length(this->Volume.geometry.spacing) / (LinesPerSide - 1); }
 
@@ -127,14 +136,26 @@ private:
       }
   }
 
+  /// At most, what a cell's values change a mm: each partial derivative is a mean of four edges'.
+  double SteepestIn(const glm::ivec3& cell) const
+  {
+    const auto c = this->Corners(cell);
+    glm::dvec3 edge(0.0);
+    for (int n = 0; n < 8; ++n)
+      for (int a = 0; a < 3; ++a)
+        if (!(n >> a & 1))
+          edge[a] = std::max(edge[a], std::abs(c[n | 1 << a] - c[n]));
+    return glm::length(edge / this->Volume.geometry.spacing);
+  }
+
   /// The best sample of every cell, from shells of cells around the point until none can be nearer.
-  double FindCandidates(const glm::dvec3& p, double reach, std::vector<Candidate>& candidates) const
+  void FindCandidates(const glm::dvec3& p, double reach, std::vector<Candidate>& candidates) const
   {
     const glm::dvec3 spacing = this->Volume.geometry.spacing;
     const double step = std::min({ spacing.x, spacing.y, spacing.z });
     const glm::ivec3 home(glm::floor(p / spacing));
     double least = std::numeric_limits<double>::infinity();
-    for (int ring = 0; (ring - 1) * step <= std::min(reach, least) + this->Cover(); ++ring)
+    for (int ring = 0; (ring - 1) * step <= std::min(reach, least); ++ring)
     {
       const glm::ivec3 low = glm::max(home - ring, this->First);
       const glm::ivec3 high = glm::min(home + ring, this->First + this->Count - 1);
@@ -149,7 +170,6 @@ private:
               this->BestOfCell({ i, j, k }, p, reach, candidates, least);
         }
     }
-    return least;
   }
 
   std::size_t Number(const glm::ivec3& cell) const
@@ -157,10 +177,16 @@ private:
     const glm::ivec3 at = cell - this->First;
     return (std::size_t(at.z) * this->Count.y + at.y) * this->Count.x + at.x;
   }
-  double BoxDistance(const glm::ivec3& cell, const glm::dvec3& p) const
+  /// No place of the cell's surface is nearer: it is away from the cell's nearest place by what the
+  /// value there says, at an angle to the way there of 90 degrees or more, as the cell is convex.
+  double LeastDistance(const glm::ivec3& cell, const glm::dvec3& p) const
   {
     const glm::dvec3 spacing = this->Volume.geometry.spacing, low = glm::dvec3(cell) * spacing;
-    return glm::length(glm::max(glm::max(low - p, p - low - spacing), glm::dvec3(0.0)));
+    const glm::dvec3 place = glm::clamp(p, low, low + spacing), way = p - place;
+    const double value = TrilinearValue(this->Corners(cell), (place - low) / spacing);
+    const double steepest = this->Steepest[this->Number(cell)];
+    const double inside = steepest > 1e-100 ? (value - this->Isovalue) / steepest : 0.0;
+    return std::sqrt(glm::dot(way, way) + inside * inside) * (1.0 - 1e-6); // less than rounding
   }
   /// No surface in a row of cells.
   bool Empty(int low, int high, int j, int k) const
@@ -175,17 +201,22 @@ private:
     const std::size_t n = this->Number(cell);
     if (this->Start[n] == this->Start[n + 1])
       return;
-    if (this->BoxDistance(cell, p) > std::min(reach, least + this->Cover()))
-      return; // even its box is too far
-    Candidate best{ std::numeric_limits<double>::infinity(), {}, cell };
+    const double bound = this->LeastDistance(cell, p);
+    if (bound > std::min(reach, least))
+      return;
+    Candidate best{ std::numeric_limits<double>::infinity(), bound, {}, cell };
     for (std::size_t s = this->Start[n]; s < this->Start[n + 1]; ++s)
-      if (const double d = glm::length(this->Samples[s] - p); d < best.distance)
+    {
+      const glm::dvec3 off = this->Samples[s] - p;
+      if (const double squared = glm::dot(off, off); squared < best.distance)
       {
-        best.distance = d;
+        best.distance = squared;
         best.point = this->Samples[s];
       }
+    }
     if (!std::isfinite(best.distance))
       return;
+    best.distance = std::sqrt(best.distance);
     candidates.push_back(best);
     least = std::min(least, best.distance);
   }
@@ -200,7 +231,7 @@ private:
     for (int n = 0; n < 100 && share > 0.02; ++n)
     {
       const glm::dvec3 g =
-        TrilinearGradient(corners, at.point / spacing - glm::dvec3(at.cell)) / spacing;
+        TrilinearGradient(corners, at.point * this->PerMm - glm::dvec3(at.cell)) * this->PerMm;
       const double squared = glm::dot(g, g);
       if (!(squared > 0.0))
         break;
@@ -227,17 +258,16 @@ private:
   bool PullToSurface(const std::array<double, 8>& corners, const glm::ivec3& cell,
     const glm::dvec3& low, const glm::dvec3& high, glm::dvec3& point) const
   {
-    const glm::dvec3 spacing = this->Volume.geometry.spacing;
     for (int n = 0; n < 12; ++n)
     {
-      const glm::dvec3 t = point / spacing - glm::dvec3(cell);
+      const glm::dvec3 t = point * this->PerMm - glm::dvec3(cell);
       const double v = TrilinearValue(corners, t) - this->Isovalue;
-      glm::dvec3 g = TrilinearGradient(corners, t) / spacing;
+      glm::dvec3 g = TrilinearGradient(corners, t) * this->PerMm;
       for (int a = 0; a < 3; ++a) // a wall that the step would cross takes its component out
         if ((point[a] <= low[a] && v * g[a] > 0.0) || (point[a] >= high[a] && v * g[a] < 0.0))
           g[a] = 0.0;
       const double squared = glm::dot(g, g);
-      if (std::abs(v) <= 1e-7 * std::sqrt(squared))
+      if (v * v <= 1e-14 * squared)
         return squared > 0.0;
       if (!(squared > 0.0))
         return false;
@@ -248,9 +278,11 @@ private:
 
   const GridView<const T>& Volume;
   double Isovalue;
+  glm::dvec3 PerMm;               ///< cells
   glm::ivec3 First, Count;        ///< the box of cells looked at
   std::vector<std::size_t> Start; ///< samples of cell n: Start[n] to Start[n + 1]
   std::vector<glm::dvec3> Samples;
+  std::vector<double> Steepest; ///< of cells with samples, a mm
 };
 } // namespace
 
@@ -287,9 +319,10 @@ std::vector<std::optional<NearestSurface>> DistanceToIsosurface(const AnyGridVie
       ParallelFor(from, std::min(count, from + step), 64,
         [&](std::int64_t first, std::int64_t last)
         {
+          std::vector<Candidate> candidates;
           for (std::int64_t n = first; n < last; ++n)
             if (finite(points[n]))
-              result[n] = surface.Nearest(points[n], reachMm);
+              result[n] = surface.Nearest(points[n], reachMm, candidates);
         });
     }
   };

@@ -110,16 +110,27 @@ std::optional<TriangleTree::Hit> TriangleTree::First(
   if (this->Nodes.empty())
     return std::nullopt;
   const glm::dvec3 inverse = 1.0 / direction;
-  std::array<std::uint32_t, 64> stack; // halved at the median: 2^32 triangles are 30 levels
+  struct Waiting
+  {
+    std::uint32_t node;
+    double entered;
+  };
+  std::array<Waiting, 64> stack; // halved at the median: 2^32 triangles are 30 levels
   int depth = 0;
-  stack[depth++] = 0;
   const Corners* met = nullptr;
   double best = std::min(to, std::numeric_limits<double>::max()); // less than what a miss gives
+  const auto push = [&](std::uint32_t node, double entered)
+  {
+    if (entered <= best)
+      stack[depth++] = { node, entered };
+  };
+  push(0, Enter(this->Nodes[0].low, this->Nodes[0].high, origin, inverse, from, best));
   while (depth > 0)
   {
-    const Node& node = this->Nodes[stack[--depth]];
-    if (Enter(node.low, node.high, origin, inverse, from, best) > best)
+    const Waiting next = stack[--depth];
+    if (next.entered > best)
       continue;
+    const Node& node = this->Nodes[next.node];
     for (std::uint32_t n = 0; n < node.count; ++n)
     {
       const Corners& c = this->Triangles[node.first + n];
@@ -135,10 +146,8 @@ std::optional<TriangleTree::Hit> TriangleTree::First(
     const double l = Enter(left.low, left.high, origin, inverse, from, best);
     const double r = Enter(right.low, right.high, origin, inverse, from, best);
     const std::uint32_t near = l <= r ? 0 : 1; // the nearer child is asked first
-    if (std::max(l, r) <= best)
-      stack[depth++] = node.first + 1 - near;
-    if (std::min(l, r) <= best)
-      stack[depth++] = node.first + near;
+    push(node.first + 1 - near, std::max(l, r));
+    push(node.first + near, std::min(l, r));
   }
   if (!met)
     return std::nullopt;

@@ -1,10 +1,13 @@
 #include "Grid/ParallelFor.h"
+#include "Grid/SideBySide.h"
 #include "Grid/ThreadLimit.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -48,6 +51,55 @@ TEST(ParallelFor, UsesAsManyThreadsAsItIsLimitedTo)
   EXPECT_THROW(hasp::WithThreadLimit(-1, [] {}), std::invalid_argument);
   EXPECT_THROW(hasp::WithThreadLimit(2, [] { throw std::runtime_error("reaches the caller"); }),
     std::runtime_error);
+}
+
+TEST(SideBySide, RunsBothAndOneOfThemOnTheCallersThread)
+{
+  for (const int threads : { 1, 2, 4 })
+    hasp::WithThreadLimit(threads,
+      []
+      {
+        std::atomic<int> beside{ 0 }, here{ 0 };
+        const auto caller = std::this_thread::get_id();
+        hasp::SideBySide([&] { hasp::ParallelFor(0, 100, 1, [&](auto, auto) { ++beside; }); },
+          [&]
+          {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+            hasp::ParallelFor(0, 100, 1, [&](auto, auto) { ++here; });
+          });
+        EXPECT_EQ(beside, 100);
+        EXPECT_EQ(here, 100);
+      });
+}
+
+TEST(SideBySide, FaultsReachTheCallerWhenBothHaveEnded)
+{
+  std::atomic<int> ended{ 0 };
+  const auto fine = [&] { ++ended; };
+  const auto failing = [&](const char* text)
+  {
+    return [&ended, text]
+    {
+      ++ended;
+      throw std::runtime_error(text);
+    };
+  };
+  const auto fault = [](const auto& beside, const auto& here) -> std::string
+  {
+    try
+    {
+      hasp::SideBySide(beside, here);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault(failing("beside"), fine), "beside");
+  EXPECT_EQ(fault(fine, failing("here")), "here");
+  EXPECT_EQ(fault(failing("beside"), failing("here")), "here");
+  EXPECT_EQ(ended, 6);
 }
 
 } // namespace
