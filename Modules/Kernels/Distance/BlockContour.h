@@ -84,11 +84,14 @@ private:
     glm::dvec3 at{ 0.0 };
     double value = 0.0;
 
-    void Offer(const BoundedSolid& solid, const glm::dvec3& place)
+    void Offer(const glm::dvec3& place, double here)
     {
-      const double here = solid.At(place);
       if (std::abs(here) > std::abs(this->value))
         this->at = place, this->value = here;
+    }
+    void Offer(const BoundedSolid& solid, const glm::dvec3& place)
+    {
+      this->Offer(place, solid.At(place));
     }
   };
   struct Fan
@@ -96,6 +99,8 @@ private:
     glm::dvec3 center; ///< in index coordinates
     double steps;      ///< of floats, that its parts are high
     bool kept;         ///< not where it would be
+    double turned;     ///< of its triangles, away from the solid's own faces; squares of cells
+    Furthest furthest;
   };
 
   bool Inside(std::uint32_t vertex) const { return this->Vertices[vertex].sample.value < 0.0; }
@@ -123,8 +128,12 @@ private:
   void Follow(Loop& loop, const Tetrahedron& corners, const TetrahedronSides& sides, int n);
   void Enclose(Loop& loop, const Tetrahedron& corners);
   bool IsPlain(const Loop& loop, std::size_t first);
-  Fan FanCenter(const Loop& loop);
-  std::uint32_t DivideFan(const Loop& loop, const Tetrahedron& corners, const Fan& fan);
+  Fan FanAt(const Loop& loop, const glm::dvec3& corner);
+  void Fit(const Loop& loop, Fan& fan) const;
+  Fan BestFan(const Loop& loop);
+  void OfferFaces(const Loop& loop, Fan& best);
+  void OfferSteps(const Loop& loop, Fan& best);
+  void Offer(const Loop& loop, const glm::dvec3& corner, Fan& best);
 
   const BoundedSolid& Solid;
   const GridGeometry& Grid;
