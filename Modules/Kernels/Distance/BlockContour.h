@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -131,6 +132,18 @@ private:
   Fan FanAt(const Loop& loop, const glm::dvec3& corner);
   void Fit(const Loop& loop, Fan& fan) const;
   Fan BestFan(const Loop& loop);
+  /// Two fans beside each other: of the line's parts from `first` up to `last`, and of the others.
+  struct TwoFans
+  {
+    std::array<glm::dvec3, 2> center; ///< in index coordinates
+    std::size_t first = 0, last = 0;
+    double turned = 0.0, steps = 0.0;
+  };
+  std::optional<TwoFans> BestTwoFans(const Loop& loop, double turned) const;
+  std::vector<glm::dvec3> CreaseCenters(const Loop& loop) const;
+  double Turned(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& gradient) const;
+  double StepsOf(const Loop& loop, const TwoFans& fans) const; ///< of floats, that parts are high
+  void AddFans(const Loop& loop, const TwoFans& fans);
   void OfferFaces(const Loop& loop, Fan& best);
   void OfferSteps(const Loop& loop, Fan& best);
   void Offer(const Loop& loop, const glm::dvec3& corner, Fan& best);

@@ -62,21 +62,28 @@ BlockContour::Fan BlockContour::FanAt(const Loop& loop, const glm::dvec3& corner
 void BlockContour::Fit(const Loop& loop, Fan& fan) const
 {
   const glm::dvec3 center = this->Rounded(fan.center);
-  const double cell = this->Solid.Cell();
-  const double side = glm::determinant(this->Grid.direction) < 0.0 ? -1.0 : 1.0;
   const std::size_t count = loop.points.size();
   for (std::size_t n = 0; n < count; ++n)
   {
     const glm::dvec3 &a = this->Points[loop.points[n]],
                      &b = this->Points[loop.points[(n + 1) % count]];
-    const glm::dvec3 normal = side * glm::cross(a - center, b - center), at = (a + b + center) / 3.0;
+    const glm::dvec3 at = (a + b + center) / 3.0;
     const ImplicitSolid::Sample sample = this->Solid.SampleAt(at);
     fan.furthest.Offer(at, sample.value);
     fan.furthest.Offer(this->Solid, 0.5 * (a + center));
-    fan.turned +=
-      std::max(LeastCosine * glm::length(normal) - glm::dot(normal, sample.gradient), 0.0) /
-      (cell * cell);
+    fan.turned += this->Turned({ center, a, b }, sample.gradient);
   }
+}
+
+/// How much of a triangle looks away from the faces that it stands for, squares of cells.
+double BlockContour::Turned(
+  const std::array<glm::dvec3, 3>& t, const glm::dvec3& gradient) const
+{
+  const double cell = this->Solid.Cell();
+  const double side = glm::determinant(this->Grid.direction) < 0.0 ? -1.0 : 1.0;
+  const glm::dvec3 normal = side * glm::cross(t[1] - t[0], t[2] - t[0]);
+  return std::max(LeastCosine * glm::length(normal) - glm::dot(normal, gradient), 0.0) /
+         (cell * cell);
 }
 
 /// The fan round the corner or crease of the line's faces. Where they meet beside the tetrahedron,

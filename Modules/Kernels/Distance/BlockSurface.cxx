@@ -163,6 +163,8 @@ void BlockContour::Surface(const Tetrahedron& corners)
   const Fan fan = this->BestFan(loop);
   if (const std::uint32_t split = this->DivideFar(corners, fan.furthest); split != None)
     return this->Divide(corners, corners, split);
+  if (const auto fans = this->BestTwoFans(loop, fan.turned))
+    return this->AddFans(loop, *fans);
   this->LeastSteps = std::min(this->LeastSteps, fan.steps);
   this->KeptInside += fan.kept;
   const std::uint32_t center = this->AddPoint(fan.center);
