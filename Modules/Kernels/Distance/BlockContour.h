@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -84,11 +85,14 @@ private:
     glm::dvec3 at{ 0.0 };
     double value = 0.0;
 
-    void Offer(const BoundedSolid& solid, const glm::dvec3& place)
+    void Offer(const glm::dvec3& place, double here)
     {
-      const double here = solid.At(place);
       if (std::abs(here) > std::abs(this->value))
         this->at = place, this->value = here;
+    }
+    void Offer(const BoundedSolid& solid, const glm::dvec3& place)
+    {
+      this->Offer(place, solid.At(place));
     }
   };
   struct Fan
@@ -96,6 +100,8 @@ private:
     glm::dvec3 center; ///< in index coordinates
     double steps;      ///< of floats, that its parts are high
     bool kept;         ///< not where it would be
+    double turned;     ///< of its triangles, away from the solid's own faces; squares of cells
+    Furthest furthest;
   };
 
   bool Inside(std::uint32_t vertex) const { return this->Vertices[vertex].sample.value < 0.0; }
@@ -123,8 +129,24 @@ private:
   void Follow(Loop& loop, const Tetrahedron& corners, const TetrahedronSides& sides, int n);
   void Enclose(Loop& loop, const Tetrahedron& corners);
   bool IsPlain(const Loop& loop, std::size_t first);
-  Fan FanCenter(const Loop& loop);
-  std::uint32_t DivideFan(const Loop& loop, const Tetrahedron& corners, const Fan& fan);
+  Fan FanAt(const Loop& loop, const glm::dvec3& corner);
+  void Fit(const Loop& loop, Fan& fan) const;
+  Fan BestFan(const Loop& loop);
+  /// Two fans beside each other: of the line's parts from `first` up to `last`, and of the others.
+  struct TwoFans
+  {
+    std::array<glm::dvec3, 2> center; ///< in index coordinates
+    std::size_t first = 0, last = 0;
+    double turned = 0.0, steps = 0.0;
+  };
+  std::optional<TwoFans> BestTwoFans(const Loop& loop, double turned) const;
+  std::vector<glm::dvec3> CreaseCenters(const Loop& loop) const;
+  double Turned(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& gradient) const;
+  double StepsOf(const Loop& loop, const TwoFans& fans) const; ///< of floats, that parts are high
+  void AddFans(const Loop& loop, const TwoFans& fans);
+  void OfferFaces(const Loop& loop, Fan& best);
+  void OfferSteps(const Loop& loop, Fan& best);
+  void Offer(const Loop& loop, const glm::dvec3& corner, Fan& best);
 
   const BoundedSolid& Solid;
   const GridGeometry& Grid;

@@ -1,4 +1,5 @@
 #include "Distance/BlockContour.h"
+#include "HeldShares.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,44 +15,10 @@ namespace hasp
 namespace
 {
 constexpr double FaceShare = 0.0025;  ///< of each corner, that a point in a triangle keeps
-constexpr double CellShare = 0.00125; ///< the same in a tetrahedron
 constexpr double FaceSteps = 32.0;    ///< of floats, that parts of a bent triangle are high
-constexpr double CellSteps = 1.0;     ///< the same for those of a tetrahedron, if possible
-constexpr double FewestSteps = 0.05;  ///< below, and a tetrahedron may be turned over
+constexpr double CellSteps = 1.0;     ///< the same for those of a tetrahedron
 constexpr double MostMargin = 0.3;    ///< above, and there is no room for a vertex between
 constexpr int FarLevels = 2; ///< simplices of vertices below are divided where they are far off
-
-/// Keeps shares of corners, which sum up to 1, at least `least` each, on the way to `safe`, whose
-/// shares are.
-template <class Shares>
-Shares KeepInside(const Shares& wanted, const Shares& safe, double least)
-{
-  double way = 1.0;
-  for (int n = 0; n < Shares::length(); ++n)
-    if (wanted[n] < least)
-      way = std::min(way, (safe[n] - least) / (safe[n] - wanted[n]));
-  return safe + way * (wanted - safe);
-}
-
-/// What was held in its simplex may stand out of the solid, or deep in it: then where the surface
-/// is, on the way there from `safe`.
-template <class Shares, std::size_t N>
-Shares BackToSurface(const BoundedSolid& solid, const std::array<glm::dvec3, N>& world,
-  const Shares& held, const Shares& safe, double far)
-{
-  const auto place = [&](const Shares& share)
-  {
-    glm::dvec3 at(0.0);
-    for (int n = 0; n < int(N); ++n)
-      at += share[n] * world[n];
-    return at;
-  };
-  const glm::dvec3 from = place(safe), to = place(held);
-  const double value = solid.At(to), start = solid.At(from);
-  if (std::abs(value) < far || (value < 0.0) == (start < 0.0))
-    return held;
-  return safe + FindCrossing(solid, from, start, to, value).share * (held - safe);
-}
 } // namespace
 
 /// A vertex in a triangle or tetrahedron whose surface is too far off: at that place, or at its
@@ -193,30 +160,16 @@ void BlockContour::Surface(const Tetrahedron& corners)
             points[(first + n + 1) % points.size()]);
         return;
       }
-  const Fan fan = this->FanCenter(loop);
-  if (const std::uint32_t split = this->DivideFan(loop, corners, fan); split != None)
+  const Fan fan = this->BestFan(loop);
+  if (const std::uint32_t split = this->DivideFar(corners, fan.furthest); split != None)
     return this->Divide(corners, corners, split);
+  if (const auto fans = this->BestTwoFans(loop, fan.turned))
+    return this->AddFans(loop, *fans);
   this->LeastSteps = std::min(this->LeastSteps, fan.steps);
   this->KeptInside += fan.kept;
   const std::uint32_t center = this->AddPoint(fan.center);
   for (std::size_t n = 0; n < points.size(); ++n)
     this->Triangles.emplace_back(center, points[n], points[(n + 1) % points.size()]);
-}
-
-/// A vertex that divides the tetrahedron if the fan would be too far off.
-std::uint32_t BlockContour::DivideFan(const Loop& loop, const Tetrahedron& corners, const Fan& fan)
-{
-  const std::size_t count = loop.points.size();
-  const glm::dvec3 center = this->Rounded(fan.center);
-  Furthest furthest;
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    const glm::dvec3 &a = this->Points[loop.points[n]],
-                     &b = this->Points[loop.points[(n + 1) % count]];
-    furthest.Offer(this->Solid, (a + b + center) / 3.0);
-    furthest.Offer(this->Solid, 0.5 * (a + center));
-  }
-  return this->DivideFar(corners, furthest);
 }
 
 /// From one crossing of a tetrahedron's surface up to the next.
@@ -288,42 +241,6 @@ bool BlockContour::IsPlain(const Loop& loop, std::size_t first)
     return false;
   this->LeastSteps = std::min(this->LeastSteps, steps);
   return true;
-}
-
-/// The center of a fan: the corner or crease, or the nearest place to it
-/// tried from where no tetrahedron of the fan's is turned over. From the middle none is.
-BlockContour::Fan BlockContour::FanCenter(const Loop& loop)
-{
-  const glm::dvec3 corner = FindCorner(this->Solid, loop.world, loop.places,
-    loop.creaseCount > 0 ? loop.creases / double(loop.creaseCount) : loop.start,
-    this->Limits.tolerance);
-  const auto place = [&](const glm::dvec4& share)
-  {
-    glm::dvec3 index(0.0);
-    for (int n = 0; n < 4; ++n)
-      index += share[n] * loop.index[n];
-    return index;
-  };
-  const glm::dvec4 exact = Barycentric(loop.world, corner);
-  const glm::dvec4 wanted = BackToSurface(this->Solid, loop.world,
-    KeepInside(exact, loop.safe, CellShare), loop.safe, FarShare * this->Solid.Cell());
-  const auto steps = [&](const glm::dvec3& index)
-  { return LeastHeight(this->Rounded(index), loop.shell) / this->Limits.step; };
-  glm::dvec3 best = place(wanted);
-  double most = steps(best);
-  const bool kept = wanted != exact || most < CellSteps;
-  for (double way = 0.015625; way <= 1.0; way *= 2.0)
-    for (const glm::dvec4& to : { loop.safe, glm::dvec4(0.25) })
-      if (most < CellSteps)
-      {
-        const glm::dvec3 next = place(wanted + way * (to - wanted));
-        if (const double high = steps(next); high > most)
-          best = next, most = high;
-      }
-  if (most < FewestSteps)
-    throw std::runtime_error("sharp contour: 32-bit floats are too coarse for this surface; move "
-                             "the grid towards 0, or make its spacing larger");
-  return { best, most, kept };
 }
 
 } // namespace hasp
