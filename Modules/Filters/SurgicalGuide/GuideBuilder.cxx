@@ -35,6 +35,8 @@ constexpr double FarthestLandmarkMm = 3.0;
 constexpr double BesideMm = 1.0; // apart are the lines of a blade that are looked for bone
 // Twice the wall that a printer makes (0.6 mm, PartClaims), for what samples may miss.
 constexpr double LeastBallMm = 0.6, BallCells = 1.25;
+constexpr double ShellCells = 4.5; // a ball of BallCells, and a cell on either side of it
+constexpr double MostSamples = 2e8;
 constexpr double OpenMm = 0.03; // of the balls': so that smooth bone alone tells where its gap ends
 constexpr double EdgeShare = 0.45; // of a ball: edges of 90 degrees stay sharp
 constexpr double EndlessMm = 1000.0;
@@ -186,27 +188,53 @@ SolidPointer Room(const GuideRecipe& recipe, const GridGeometry& grid, const Sol
   return room ? room : throw NothingLeft();
 }
 
+/// What is done about edges of a shell that is too thin for its own grid to tell.
+enum class Edges
+{
+  Thick, ///< thin ones are cut off, on a finer grid
+  Quick  ///< they stay: a look before it is made
+};
+
+/// The grid that sees balls which fit in the shell: the guide's own, but for a thin shell.
+GridGeometry GridOfBalls(const GuideRecipe& recipe, GridGeometry grid)
+{
+  const double spacing = recipe.thicknessMm / ShellCells;
+  if (spacing >= recipe.spacingMm)
+    return grid;
+  grid.dims = glm::ivec3(glm::ceil(glm::dvec3(grid.Cells()) * (recipe.spacingMm / spacing))) + 1;
+  grid.spacing = glm::dvec3(spacing);
+  if (double(grid.dims.x) * grid.dims.y * grid.dims.z > MostSamples)
+    throw std::invalid_argument(
+      "guide: to keep edges of thicknessMm (" + std::to_string(recipe.thicknessMm) +
+      ") from being thin, spacingMm must be at most " + std::to_string(spacing) + " here");
+  return grid;
+}
+
 /// The shell where nothing is on it or through it.
 SolidPointer BareShell(const GuideRecipe& recipe, const GuideFrame& frame, const SolidPointer& bone,
-  const SolidPointer& room, const ProgressFunction& progress)
+  const SolidPointer& room, Edges edges, const ProgressFunction& progress)
 {
   const SolidPointer outer = MakeOffset(bone, recipe.gapMm + recipe.thicknessMm);
   SolidPointer shell = recipe.edgeRadiusMm > 0.0
                          ? MakeSmoothIntersection(outer, frame.region, recipe.edgeRadiusMm)
                          : MakeIntersection({ outer, frame.region });
   shell = MakeIntersection({ shell, room });
-  const double ball = std::min(BallMm(recipe), 0.5 * recipe.thicknessMm - recipe.spacingMm);
-  if (ball >= BallCells * recipe.spacingMm)
-    shell = ThickParts(shell, frame.grid, ball, EdgeShare * ball, progress);
+  const bool isThin = recipe.thicknessMm < ShellCells * recipe.spacingMm;
+  if (isThin && edges == Edges::Quick)
+    return shell;
+  const GridGeometry grid = GridOfBalls(recipe, frame.grid);
+  const double ball = std::min(BallMm(recipe), 0.5 * recipe.thicknessMm - grid.spacing.x);
+  shell = ThickParts(shell, grid, ball, EdgeShare * ball, progress);
   return shell ? shell : throw NothingLeft();
 }
 
 /// Joins the shell, the parts and the letters; names what does not meet the shell.
 SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const GuideParts& parts,
-  const SolidPointer& bone, const SolidPointer& blocked, const ProgressFunction& progress)
+  const SolidPointer& bone, const SolidPointer& blocked, Edges edges,
+  const ProgressFunction& progress)
 {
   const SolidPointer room = Room(recipe, frame.grid, blocked, Part(progress, 0.0, 0.5));
-  const SolidPointer bare = BareShell(recipe, frame, bone, room, Part(progress, 0.5, 1.0));
+  const SolidPointer bare = BareShell(recipe, frame, bone, room, edges, Part(progress, 0.5, 1.0));
   const glm::dvec3 half = 0.5 * glm::dvec3(frame.grid.Cells());
   const GuidePart all{ "", bare, frame.grid.IndexToWorld(half), frame.grid.direction,
     half * frame.grid.spacing };
@@ -230,10 +258,8 @@ SolidPointer Compose(const GuideRecipe& recipe, const GuideFrame& frame, const G
   return Without(MakeIntersection({ MakeUnion(std::move(added)), room }), std::move(taken));
 }
 
-} // namespace
-
-GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& given,
-  std::span<const Osteotomy> blades, const ProgressFunction& progress)
+GuideSolid MakeSolid(const AnyGridView& ct, const GuideRecipe& given,
+  std::span<const Osteotomy> blades, Edges edges, const ProgressFunction& progress)
 {
   ValidateGuideRecipe(given);
   GuideRecipe recipe = WithUnitDirections(given);
@@ -260,9 +286,16 @@ GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& given,
   const GuideDistances blocked =
     BlockUndercuts(*distances, ct, keep, recipe.isovalue, frame.grid, Part(progress, 0.7, 0.8));
   SolidPointer solid = Compose(recipe, frame, parts, MakeGridSolid(distances, frame.grid),
-    MakeGridSolid(blocked, frame.grid), Part(progress, 0.8, 1.0));
+    MakeGridSolid(blocked, frame.grid), edges, Part(progress, 0.8, 1.0));
   ReportProgress(progress, 1.0);
   return { std::move(solid), frame.grid, std::move(recipe), axis.undercut };
+}
+} // namespace
+
+GuideSolid MakeGuideSolid(const AnyGridView& ct, const GuideRecipe& recipe,
+  std::span<const Osteotomy> blades, const ProgressFunction& progress)
+{
+  return MakeSolid(ct, recipe, blades, Edges::Thick, progress);
 }
 
 GuideSamples SampleGuide(
@@ -289,7 +322,7 @@ GuideSolid MakePreviewSolid(const AnyGridView& ct, const GuideRecipe& recipe,
   if (const auto coarse = CoarserRecipe(recipe, spacingMm))
     try
     {
-      return MakeGuideSolid(ct, *coarse, blades);
+      return MakeSolid(ct, *coarse, blades, Edges::Quick, {});
     }
     catch (const std::exception&)
     {

@@ -30,7 +30,8 @@ struct GuideSolid
 ///
 /// The room is what is farther from bone than the gap, undercuts blocked out (GuideBone.h), and not
 /// in pores and clefts; the shell is what is nearer to bone than the outer wall, in the region and
-/// the room, with a round edge between the first two, where it is thick enough (GuideWalls.h).
+/// the room, with a round edge between the first two, where it is thick enough (GuideWalls.h): one
+/// thinner than 4.5 spacings is looked at on a finer grid for that, of 4.5 to its thickness.
 ///
 /// blades   of planned cuts: the guide gets a slot for each (Planning/GuideSlots.h). The slot's
 ///          point is where the blade's middle line, or the line nearest to that, enters bone from
@@ -55,8 +56,9 @@ GuideSamples SampleGuide(
 
 /// The solid to take such a look at: made on the coarsest working grid up to spacingMm that the
 /// recipe and its blades allow, so that it takes a fraction of MakeGuideSolid's time. What is
-/// thinner than that grid may be missing; balls that enter pores are larger with it. Errors are
-/// MakeGuideSolid's, of the recipe's own grid, which takes as long. Any thread; all cores.
+/// thinner than that grid may be missing, and thin edges of a shell below 4.5 of its spacings stay;
+/// balls that enter pores are larger with it. Errors are MakeGuideSolid's, of the recipe's own
+/// grid, which takes as long. Any thread; all cores.
 GuideSolid MakePreviewSolid(const AnyGridView& ct, const GuideRecipe& recipe,
   std::span<const Osteotomy> blades, double spacingMm);
 

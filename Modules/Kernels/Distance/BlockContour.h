@@ -43,6 +43,8 @@ public:
 private:
   static constexpr std::uint32_t None = ~0U;
   static constexpr double FarShare = 0.04; ///< of a cell: what is further off is divided
+  /// Squares of cells, of triangles that look away from their faces: above, a fan is folded.
+  static constexpr double MostTurned = 0.001;
   using Tetrahedron = std::array<std::uint32_t, 4>;
 
   struct Vertex
@@ -131,7 +133,8 @@ private:
   bool IsPlain(const Loop& loop, std::size_t first);
   Fan FanAt(const Loop& loop, const glm::dvec3& corner);
   void Fit(const Loop& loop, Fan& fan) const;
-  Fan BestFan(const Loop& loop);
+  Fan FirstFan(const Loop& loop);
+  void Improve(const Loop& loop, Fan& fan);
   /// Two fans beside each other: of the line's parts from `first` up to `last`, and of the others.
   struct TwoFans
   {
@@ -139,7 +142,7 @@ private:
     std::size_t first = 0, last = 0;
     double turned = 0.0, steps = 0.0;
   };
-  std::optional<TwoFans> BestTwoFans(const Loop& loop, double turned) const;
+  std::optional<TwoFans> BestTwoFans(const Loop& loop, double most) const;
   std::vector<glm::dvec3> CreaseCenters(const Loop& loop) const;
   double Turned(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& gradient) const;
   double StepsOf(const Loop& loop, const TwoFans& fans) const; ///< of floats, that parts are high

@@ -17,7 +17,6 @@ constexpr double CellShare = 0.00125; ///< of each corner, that a point in a tet
 constexpr double CellSteps = 1.0;     ///< of floats, that its parts are high, if possible
 constexpr double FewestSteps = 0.05;  ///< below, and a tetrahedron may be turned over
 constexpr double LeastCosine = 0.3;   ///< of a triangle to its face: below, it is turned
-constexpr double MostTurned = 0.001;  ///< squares of cells: above, another center is looked for
 constexpr double FarWeight = 2.0;     ///< of the square of how far a fan is off
 constexpr double SeenShare = 0.03;    ///< of a cell, that a center is in front of the line's parts
 constexpr int MostSteps = 12;
@@ -76,8 +75,7 @@ void BlockContour::Fit(const Loop& loop, Fan& fan) const
 }
 
 /// How much of a triangle looks away from the faces that it stands for, squares of cells.
-double BlockContour::Turned(
-  const std::array<glm::dvec3, 3>& t, const glm::dvec3& gradient) const
+double BlockContour::Turned(const std::array<glm::dvec3, 3>& t, const glm::dvec3& gradient) const
 {
   const double cell = this->Solid.Cell();
   const double side = glm::determinant(this->Grid.direction) < 0.0 ? -1.0 : 1.0;
@@ -86,20 +84,22 @@ double BlockContour::Turned(
          (cell * cell);
 }
 
-/// The fan round the corner or crease of the line's faces. Where they meet beside the tetrahedron,
-/// or more than one crease passes through it, that fan's triangles may be turned, and a sheet is
-/// folded on itself: then the best of all that faces of the line offer.
-BlockContour::Fan BlockContour::BestFan(const Loop& loop)
+/// The fan round the corner or crease of the line's faces.
+BlockContour::Fan BlockContour::FirstFan(const Loop& loop)
 {
-  Fan best = this->FanAt(loop,
-    FindCorner(this->Solid, loop.world, loop.places,
-      loop.creaseCount > 0 ? loop.creases / double(loop.creaseCount) : loop.start,
-      this->Limits.tolerance));
-  if (best.turned > MostTurned)
-    this->OfferFaces(loop, best);
-  if (best.turned > MostTurned)
-    this->OfferSteps(loop, best);
-  return best;
+  return this->FanAt(
+    loop, FindCorner(this->Solid, loop.world, loop.places,
+            loop.creaseCount > 0 ? loop.creases / double(loop.creaseCount) : loop.start,
+            this->Limits.tolerance));
+}
+
+/// Where that is turned, as where faces meet beside the tetrahedron, the best of all that faces of
+/// the line offer.
+void BlockContour::Improve(const Loop& loop, Fan& fan)
+{
+  this->OfferFaces(loop, fan);
+  if (fan.turned > MostTurned)
+    this->OfferSteps(loop, fan);
 }
 
 /// Takes a fan round a place instead, if it is better.

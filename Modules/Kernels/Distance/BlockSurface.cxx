@@ -14,10 +14,10 @@ namespace hasp
 
 namespace
 {
-constexpr double FaceShare = 0.0025;  ///< of each corner, that a point in a triangle keeps
-constexpr double FaceSteps = 32.0;    ///< of floats, that parts of a bent triangle are high
-constexpr double CellSteps = 1.0;     ///< the same for those of a tetrahedron
-constexpr double MostMargin = 0.3;    ///< above, and there is no room for a vertex between
+constexpr double FaceShare = 0.0025; ///< of each corner, that a point in a triangle keeps
+constexpr double FaceSteps = 32.0;   ///< of floats, that parts of a bent triangle are high
+constexpr double CellSteps = 1.0;    ///< the same for those of a tetrahedron
+constexpr double MostMargin = 0.3;   ///< above, and there is no room for a vertex between
 constexpr int FarLevels = 2; ///< simplices of vertices below are divided where they are far off
 } // namespace
 
@@ -160,11 +160,18 @@ void BlockContour::Surface(const Tetrahedron& corners)
             points[(first + n + 1) % points.size()]);
         return;
       }
-  const Fan fan = this->BestFan(loop);
+  Fan fan = this->FirstFan(loop);
+  if (fan.turned > MostTurned)
+  {
+    if (const auto fans = this->BestTwoFans(loop, MostTurned))
+      return this->AddFans(loop, *fans);
+    this->Improve(loop, fan);
+  }
   if (const std::uint32_t split = this->DivideFar(corners, fan.furthest); split != None)
     return this->Divide(corners, corners, split);
-  if (const auto fans = this->BestTwoFans(loop, fan.turned))
-    return this->AddFans(loop, *fans);
+  if (fan.turned > MostTurned)
+    if (const auto fans = this->BestTwoFans(loop, 0.5 * fan.turned))
+      return this->AddFans(loop, *fans);
   this->LeastSteps = std::min(this->LeastSteps, fan.steps);
   this->KeptInside += fan.kept;
   const std::uint32_t center = this->AddPoint(fan.center);

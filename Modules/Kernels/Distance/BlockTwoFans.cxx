@@ -14,8 +14,6 @@ namespace hasp
 namespace
 {
 constexpr double CellShare = 0.00125; ///< of each corner, that centers keep
-constexpr double MostTurned = 0.001;  ///< squares of cells, of one fan: above, two are looked for
-constexpr double BetterShare = 0.5;   ///< of that, that is left of two: else one will do
 constexpr double CellSteps = 1.0;     ///< of floats, that parts of the tetrahedron are high
 
 using Triangle = std::array<glm::dvec3, 3>;
@@ -52,14 +50,14 @@ public:
   }
 
   /// The least height for the best path, mm; negative if there is none.
-  double LeastHeight(
-    const std::array<glm::dvec3, 2>& center, std::size_t first, std::size_t last)
+  double LeastHeight(const std::array<glm::dvec3, 2>& center, std::size_t first, std::size_t last)
   {
     this->Center = center, this->Last = last, this->Most = -std::numeric_limits<double>::max();
     // A part of the line that is the second center's.
     this->Start = this->TriangleAt(last, (last + 1) % this->Count);
     this->Path.assign(1, first);
-    this->Walk();
+    if (this->Start != None)
+      this->Walk();
     return this->Most;
   }
 
@@ -141,8 +139,8 @@ private:
         { { this->Places[t[0]], this->Places[t[1]], this->Places[t[2]] }, this->Inside });
       for (int e = 0; e < 3; ++e)
         if (second[n] && this->IsOfPath(t[e], t[(e + 1) % 3]))
-          seen[1].push_back(
-            { { this->Places[t[(e + 1) % 3]], this->Places[t[e]], this->Center[0] }, this->Inside });
+          seen[1].push_back({ { this->Places[t[(e + 1) % 3]], this->Places[t[e]], this->Center[0] },
+            this->Inside });
     }
     return std::min(
       hasp::LeastHeight(this->Center[0], seen[0]), hasp::LeastHeight(this->Center[1], seen[1]));
@@ -183,10 +181,9 @@ std::vector<glm::dvec3> BlockContour::CreaseCenters(const Loop& loop) const
     for (std::size_t p = n; p + 1 < all.size(); ++p)
       if (crease(p) == here)
         places.insert(places.end(), { all[p], all[p + 1] }), start += 2.0 * all[p].at;
-    const glm::dvec3 center = FindCorner(this->Solid, loop.world, places,
-      start / double(places.size()), this->Limits.tolerance);
-    const glm::dvec4 share =
-      KeepInside(Barycentric(loop.world, center), loop.safe, CellShare);
+    const glm::dvec3 center = FindCorner(
+      this->Solid, loop.world, places, start / double(places.size()), this->Limits.tolerance);
+    const glm::dvec4 share = KeepInside(Barycentric(loop.world, center), loop.safe, CellShare);
     glm::dvec3 index(0.0);
     for (int c = 0; c < 4; ++c)
       index += share[c] * loop.index[c];
@@ -197,17 +194,14 @@ std::vector<glm::dvec3> BlockContour::CreaseCenters(const Loop& loop) const
 
 /// Two fans round two creases, where one would be turned: the best division of the line between
 /// them that leaves no part of the tetrahedron turned over.
-std::optional<BlockContour::TwoFans> BlockContour::BestTwoFans(
-  const Loop& loop, double turned) const
+std::optional<BlockContour::TwoFans> BlockContour::BestTwoFans(const Loop& loop, double most) const
 {
-  if (turned <= MostTurned)
-    return std::nullopt;
   const std::vector<glm::dvec3> centers = this->CreaseCenters(loop);
   std::vector<glm::dvec3> line;
   for (const std::uint32_t point : loop.points)
     line.push_back(this->Points[point]);
   std::optional<TwoFans> best;
-  double least = BetterShare * turned;
+  double least = most;
   for (std::size_t i = 0; i < centers.size(); ++i)
     for (std::size_t j = 0; j < centers.size(); ++j)
       for (std::size_t first = 0; first < line.size() && i != j; ++first)
@@ -237,9 +231,9 @@ double BlockContour::StepsOf(const Loop& loop, const TwoFans& fans) const
   for (const bool inside : { false, true })
   {
     SharedSide side(loop.shell, line, inside);
-    least = std::min(least,
-      side.LeastHeight(
-        { this->Rounded(fans.center[0]), this->Rounded(fans.center[1]) }, fans.first, fans.last));
+    least = std::min(
+      least, side.LeastHeight({ this->Rounded(fans.center[0]), this->Rounded(fans.center[1]) },
+               fans.first, fans.last));
   }
   return least / this->Limits.step;
 }

@@ -43,6 +43,8 @@ struct SharpContourFacts
 /// the solid's value on an edge. In a triangle between two crossings goes the point where their
 /// faces meet in its plane, or two if a third face cuts that off; in a tetrahedron the corner of
 /// its faces, or a point of their crease, and a fan from it to the closed line on its boundary.
+/// Where that fan's triangles look into the solid, as where two creases pass through, there are two
+/// fans, each round a point of a crease, or the best of the fans that its faces offer (ours).
 /// Points are held in their triangle or tetrahedron, so that no fan leaves its own, and moved back
 /// to where the surface is on the way, so that they do not stand out of it. Where the tip
 /// of a wedge comes through an edge whose ends do not see it, or that of a corner through a
@@ -60,14 +62,16 @@ struct SharpContourFacts
 /// Points keep 1 % of an edge from its ends, more where floats are coarse: 1.6 times the root of
 /// their step / the edge, 25 % at most. So a face along grid points moves inwards by that.
 /// Limits: what is thinner than a cell may be missing, but for the tips of wedges; of a tetrahedron
-/// that holds two corners one is bevelled. Edges of planes are true to 0.08 of a cell (the radius
-/// of a fillet as far off). Where round walls of 1 to 3 cells' radius meet an edge, parts can be
-/// too thin to be divided again: of engraved text one triangle in 50,000 is 0.08 to 0.16 of a cell
-/// off, in no mesh of 79 more than one in 5,000; of strokes that meet at any angle one in 80,000,
-/// 0.08 to 0.22, in no mesh of 120 more than one in 2,400. Of 8,000 corners of boxes 86 of 100 are
-/// exact and 97 within 0.1 of a cell; the others, whose faces come through a triangle as a strip
-/// narrower than a cell, lose up to 0.34. Outwards no point of 3,000 turned parts, thin ones among
-/// them, is more than 0.16 of a cell off. A curved face is true to `tolerance`.
+/// that holds two corners one is bevelled. Along bevels narrower than a cell 0.005 squares of cells
+/// of triangles, on each cell of length, may still be folded. Edges of planes are true to 0.08 of a
+/// cell (the radius of a fillet as far off). Where round walls of 1 to 3 cells' radius meet an
+/// edge, parts can be too thin to be divided again: of engraved text one triangle in 50,000 is 0.08
+/// to 0.16 of a cell off, in no mesh of 79 more than one in 5,000; of strokes that meet at any
+/// angle one in 80,000, 0.08 to 0.22, in no mesh of 120 more than one in 2,400. Of 8,000 corners of
+/// boxes 86 of 100 are exact and 97 within 0.1 of a cell; the others, whose faces come through a
+/// triangle as a strip narrower than a cell, lose up to 0.34. Outwards no point of 3,000 turned
+/// parts, thin ones among them, is more than 0.16 of a cell off. A curved face is true to
+/// `tolerance`.
 ///
 /// Returns world millimetres, points welded, triangles counter-clockwise seen from outside. Empty
 /// if nothing is inside.

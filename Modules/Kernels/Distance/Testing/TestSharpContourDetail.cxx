@@ -5,9 +5,12 @@
 #include "Evaluation/MeshCheck.h"
 #include "Testing/SlottedBlock.h"
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -122,6 +125,58 @@ TEST(SharpContourDetail, NothingStandsOutOfASolid)
   RecordProperty("thin", std::to_string(thin));
   EXPECT_LE(thick, 0.16);
   EXPECT_LE(thin, 0.05);
+}
+
+/// Area of triangles that look into the solid, squares of the grid's cells.
+double TurnedArea(const hasp::ImplicitSolid& solid, const hasp::TriangleMesh& mesh, double spacing)
+{
+  double area = 0.0;
+  for (const glm::uvec3& t : mesh.triangles)
+  {
+    const glm::dvec3 &a = mesh.points[t.x], &b = mesh.points[t.y], &c = mesh.points[t.z];
+    const glm::dvec3 normal = 0.5 * glm::cross(b - a, c - a);
+    if (glm::dot(normal, solid.SampleAt((a + b + c) / 3.0).gradient) < 0.0)
+      area += glm::length(normal) / (spacing * spacing);
+  }
+  return area;
+}
+
+TEST(SharpContourDetail, BevelsNarrowerThanACellAreNotFolded)
+{
+  // Wedges whose tips are cut off a share of a cell wide: two creases in one tetrahedron. 20 cells
+  // of bevel in each; with one center 0.009 to 0.13 squares of
+  // cells were turned on each cell of it.
+  constexpr double Spacing = 0.4;
+  constexpr int Turns = 10;
+  for (const double degrees : { 40.0, 60.0 })
+    for (const double width : { 0.2, 0.5, 0.8 })
+      for (const bool round : { false, true })
+      {
+        SCOPED_TRACE(testing::Message() << degrees << " degrees, " << width << " " << round);
+        std::mt19937 random(5);
+        double turned = 0.0;
+        for (int n = 0; n < Turns; ++n)
+        {
+          const auto axes = hasp::AnyAxes(random);
+          const double half = glm::radians(0.5 * degrees);
+          const glm::dvec3 tip = 0.37 * axes[0] + 0.11 * axes[1];
+          const glm::dvec3 up = std::sin(half) * axes[0] + std::cos(half) * axes[1],
+                           down = std::sin(half) * axes[0] - std::cos(half) * axes[1];
+          const double cut = 0.5 * width * Spacing / std::tan(half);
+          const auto side = round ? hasp::MakeCylinder(tip - 7.0 * up - 20.0 * axes[2],
+                                      tip - 7.0 * up + 20.0 * axes[2], 7.0)
+                                  : hasp::MakePlane(tip, up);
+          const auto solid = hasp::MakeIntersection({ side, hasp::MakePlane(tip, down),
+            hasp::MakePlane(tip - cut * axes[0], axes[0]), hasp::MakeBox({}, axes, { 3, 3, 4 }) });
+          const hasp::GridGeometry grid{ glm::ivec3(27), glm::dvec3(-5.2), glm::dvec3(Spacing),
+            glm::dmat3(1) };
+          const auto mesh = hasp::SharpContour(*solid, grid);
+          EXPECT_TRUE(hasp::CheckMesh(mesh).Sound());
+          turned += TurnedArea(*solid, mesh, Spacing);
+        }
+        RecordProperty("turned", std::to_string(turned));
+        EXPECT_LE(turned, 0.005 * 20.0 * Turns);
+      }
 }
 
 } // namespace
