@@ -14,7 +14,8 @@ namespace hasp
 namespace
 {
 
-constexpr std::size_t MostOfBatch = 20; ///< parts a process: starting one costs as much as a part
+/// Parts a process, and processes: starting one takes time, and one alone does not fill the cores.
+constexpr std::size_t MostOfBatch = 20, FewestBatches = 4;
 
 struct Tried
 {
@@ -51,8 +52,8 @@ Tried RunAll(
   ReportContext& context, const PartRunner& runner, const std::string& kind, std::size_t count)
 {
   const auto seed = static_cast<std::uint32_t>(context.settings.seed * 100'000);
-  const std::size_t cores = std::size_t(ParallelThreads());
-  const std::size_t batch = std::clamp<std::size_t>((count + cores - 1) / cores, 1, MostOfBatch);
+  const std::size_t batch =
+    std::clamp<std::size_t>((count + FewestBatches - 1) / FewestBatches, 1, MostOfBatch);
   const std::size_t batches = (count + batch - 1) / batch;
   constexpr std::size_t AtATime = 8;
   Tried all;
