@@ -98,8 +98,8 @@ protected:
     const json recipe{ { "format", "hasp-plate-recipe-1" }, { "isovalue", 226 },
       { "ignoreBelowMm3", 100 }, { "landmarks", { Side(45), Side(35) } }, { "gapMm", 0.3 },
       { "thicknessMm", 2.5 }, { "widthMm", 6 }, { "bevelMm", 0 }, { "bridgeMm", 0 },
-      { "edgeDistanceMm", 1 }, { "holeDistanceMm", 1 }, { "spacingMm", 0.9 },
-      { "screws", { { { "point", Side(42) }, { "diameterMm", 2 }, { "headDiameterMm", 2 },
+      { "edgeDistanceMm", 1 }, { "holeDistanceMm", 1 }, { "spacingMm", 0.6 },
+      { "screws", { { { "point", Side(42) }, { "diameterMm", 2.4 }, { "headDiameterMm", 2.4 },
                     { "headDepthMm", 0 }, { "headAngleDeg", 90 }, { "lengthMm", 4 } } } },
       { "fragments", json::array() } };
     return Add("plate", { { "id", 7 }, { "name", "" }, { "volume", 0 }, { "fragments", { 4, 5 } },
