@@ -40,13 +40,3 @@ protected:
     return this->Make(recipe, more);
   }
 };
-words.insert(words.end(), more.begin(), more.end());
-return RunHasp(words);
-}
-void FinePhantom()
-{
-  ASSERT_EQ(
-    RunHasp({ "phantom", "--spacing", "2,2,2", "--output", this->Path("head.mha") }).exitCode, 0);
-}
-}
-;

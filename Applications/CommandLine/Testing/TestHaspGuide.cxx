@@ -27,9 +27,9 @@ TEST_F(HaspGuide, OptionsThatWouldDoNothingAreRefused)
     words.insert(words.end(), more.begin(), more.end());
     return RunHasp(words);
   };
-  ExpectFailure(preview({ "--check" }), 1, "--preview excludes --check");
-  ExpectFailure(preview({ "--force" }), 1, "--preview excludes --force");
-  ExpectFailure(preview({ "--html", this->Path("a.html") }), 1, "--preview excludes --html");
+  ExpectFailure(preview({ "--check" }), 1, "--check excludes --preview");
+  ExpectFailure(preview({ "--force" }), 1, "--force excludes --preview");
+  ExpectFailure(preview({ "--html", this->Path("a.html") }), 1, "--html excludes --preview");
   ExpectFailure(this->Guide(Recipe(), { "--least-share", "0.9" }), 1, "--check");
   ExpectFailure(this->Guide(Recipe(), { "--case-label", "Erika" }), 1, "the recipe has none");
   ExpectFailure(this->Guide(Recipe(), { "--side", "left" }), 1, "the recipe has none");
