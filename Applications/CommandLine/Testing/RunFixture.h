@@ -104,6 +104,24 @@ protected:
                           { "recipe", recipe } });
   }
 
+  /// Number 10, two segments out of the shaft, 30 mm each, in a line far from it.
+  static json Transplant(double betweenMm)
+  {
+    const json transplant{ { "format", "hasp-transplant-1" },
+      { "joints", { { { "point", { 60, 0, 0 } }, { "normal", { 1, 0, 0 } } },
+                    { { "point", { 90, 0, 0 } }, { "normal", { 1, 0, 0 } } },
+                    { { "point", { 120, 0, 0 } }, { "normal", { 1, 0, 0 } } } } },
+      { "outward", { { 0, 0, 1 }, { 0, 0, 1 } } },
+      { "donor", { { "axis", { { 0, 0, -170 }, { 0, -5, 0 }, { 0, 0, 170 } } },
+                   { "lateral", { 1, 0, 0 } }, { "radiusMm", 9 }, { "keepMm", 75 } } },
+      { "fromLastTip", false }, { "startOffsetMm", 0 }, { "kerfMm", 1 }, { "betweenMm", betweenMm },
+      { "vessel", json::array() } };
+    const json nowhere{ { "cut", 0 }, { "fragment", 0 } };
+    return Add("transplant",
+      { { "id", 10 }, { "name", "" }, { "donor", 2 }, { "first", nowhere }, { "last", nowhere },
+        { "transplant", transplant }, { "mostGapMm", 0.5 }, { "mostOverlapMm", 0.5 } });
+  }
+
   HaspRun Plan(const std::vector<std::string>& more)
   {
     std::vector<std::string> words{ "plan", this->Path("case.hasp") };
@@ -112,7 +130,7 @@ protected:
   }
   json Apply(const json& edits)
   {
-    this->WriteText("edits.json", json{ { "format", "hasp-edits-2" }, { "edits", edits } }.dump());
+    this->WriteText("edits.json", json{ { "format", "hasp-edits-3" }, { "edits", edits } }.dump());
     const HaspRun run = this->Plan({ "--apply", this->Path("edits.json"), "--json" });
     EXPECT_EQ(run.exitCode, 0) << run.err;
     return json::parse(run.exitCode == 0 ? run.out : "{}");
