@@ -1,5 +1,6 @@
 #include "Failure.h"
 #include "Files.h"
+#include "PartFormats.h"
 #include "PlanInput.h"
 #include "Session.h"
 #include "Verbs.h"
@@ -160,7 +161,7 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
 {
   if (options.output.empty())
     throw Failure(ExitCode::WrongUse, "--export needs --output: where the part is to go");
-  RequireWritable(options.output, { ".stl" });
+  RequireWritable(options.output, PartEndings());
   const Plan& plan = document.history.Current();
   if (!IsPartObject(plan, options.part))
     throw Failure(ExitCode::WrongUse,
@@ -169,8 +170,7 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
   if (!part)
     throw Failure(
       ExitCode::BadInput, WhyNoPart(plan, document.parts, options.part) + "; hasp run makes it");
-  const std::string folder = PlanFolder(options.plan);
-  const auto blob = [&](const std::string& hash)
+  const auto blob = [folder = PlanFolder(options.plan)](const std::string& hash)
   { return TryPlan(ExitCode::BadInput, [&] { return ReadBlob(folder, hash); }); };
   if (!part->report.empty() && !options.force)
   {
@@ -179,7 +179,7 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
       throw FailedCheck(CalledObject(plan, options.part) + " does not hold; --force exports it",
         report.at("faults").get<std::vector<std::string>>());
   }
-  WriteFile(options.output, blob(part->bytes));
+  WriteStlAs(blob(part->bytes), options.output, session);
   session.result["output"] = FileLabel(options.output);
 }
 
@@ -233,7 +233,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_flag("--check", options->check, "Read every byte and say what is damaged");
   verb->add_option("--export", options->part, "The id of an object whose part is to be written")
     ->check(CLI::Range(PlanId(1), MaxPlanId));
-  verb->add_option("--output", options->output, "With --export: the .stl file");
+  verb->add_option("--output", options->output, "With --export: the .stl, .3mf, .ply or .obj file");
   verb->add_flag("--force", options->force, "With --export: even a part that does not hold");
   verb->add_option("--blob", options->blob,
     "A label map, .nrrd, to keep in the plan; prints its hash, for a segmentation's \"labels\"");

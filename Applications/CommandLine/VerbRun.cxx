@@ -1,5 +1,6 @@
 #include "Failure.h"
 #include "Files.h"
+#include "PartFormats.h"
 #include "PlanInput.h"
 #include "RunImages.h"
 #include "RunParts.h"
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions
 {
-  std::string plan, output;
+  std::string plan, output, format = "stl";
   std::vector<std::string> volumes;
   bool rebuild = false, force = false;
   int threads = 0;
@@ -55,7 +56,8 @@ public:
         PlanFolder(this->Options.plan), folder, this->Shared);
       this->MakeMissing(folder);
       this->RefuseRed();
-      const std::string run = WriteParts(this->Now, this->Parts, folder, this->Shared);
+      const std::string run = RunInFormat(WriteParts(this->Now, this->Parts, folder, this->Shared),
+        this->Options.format, folder, this->Shared);
       WriteBytes(run, (folder / "run.json").string());
       this->Keep(); // last: the folder is put in place if this is done
     };
@@ -146,8 +148,10 @@ private:
     {
       const auto report = nlohmann::ordered_json::parse(part.report);
       list.push_back({ { "object", part.object }, { "made", part.made },
-        { "file", NameOfPart(this->Now, part.object) }, { "volume_mm3", report.at("volume_mm3") },
-        { "verdict", report.at("verdict") } });
+        { "file", fs::path(NameOfPart(this->Now, part.object))
+                    .replace_extension(this->Options.format)
+                    .string() },
+        { "volume_mm3", report.at("volume_mm3") }, { "verdict", report.at("verdict") } });
       if (!this->Shared.json)
         std::cout << CalledObject(this->Now, part.object)
                   << (part.made ? "  made, " : "  in date, ") << report.at("volume_mm3").dump()
@@ -182,6 +186,7 @@ void AddRunVerb(CLI::App& app, Session& session)
     "--volume", options->volumes, "The scans, found by what they hold: files or folders");
   verb->add_option("--output", options->output, "A folder that is not there yet, or empty")
     ->required();
+  AddFormatOption(*verb, options->format);
   verb->add_flag("--rebuild", options->rebuild, "Make parts that are in date, too");
   verb->add_flag("--force", options->force, "Keep parts that do not hold; their files say so");
   verb
@@ -191,7 +196,9 @@ void AddRunVerb(CLI::App& app, Session& session)
   AddCommonOptions(*verb, session);
   verb->footer(
     "Example: hasp run case.hasp --volume head.mha --output parts\n"
-    "Writes KIND-ID.stl, fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
+    "Writes KIND-ID.stl (or as --format says; the plan keeps the .stl, which is what is "
+    "certified),\n"
+    "fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
     "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, and run.json.\n"
     "The plan keeps what was made, and what is in date is not made again.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 a part does not hold.");

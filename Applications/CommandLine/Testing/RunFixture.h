@@ -8,11 +8,23 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
 using nlohmann::json;
 namespace fs = std::filesystem;
+
+/// Corners of all of an STL's triangles.
+inline std::vector<std::array<float, 3>> CornersOf(const std::string& stl)
+{
+  std::vector<std::array<float, 3>> corners;
+  for (std::size_t at = 84; at + 50 <= stl.size(); at += 50)
+    for (std::size_t corner = 1; corner < 4; ++corner)
+      std::memcpy(corners.emplace_back().data(), stl.data() + at + 12 * corner, 12);
+  return corners;
+}
 
 /// A plan on the phantom's fibula: volume 1, bone 2, cut 3 through its shaft, its pieces 4 (above)
 /// and 5 (below, moved 2 mm), guide 6 for the cut, plate 7 on both pieces as planned, group 8 of

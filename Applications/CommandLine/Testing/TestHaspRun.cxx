@@ -1,8 +1,6 @@
 #include "RunFixture.h"
 
-#include <array>
 #include <cmath>
-#include <cstring>
 
 namespace
 {
@@ -139,16 +137,6 @@ TEST_F(HaspRunTest, DamageIsMendedAndAPlanAloneIsOnlyRead)
   EXPECT_EQ(this->Files("alone"), this->Files("first"));
   EXPECT_EQ(fs::file_size(this->Path("plan.json")), files);
   EXPECT_FALSE(fs::exists(this->Path("blobs")));
-}
-
-/// Corners of all triangles.
-std::vector<std::array<float, 3>> CornersOf(const std::string& stl)
-{
-  std::vector<std::array<float, 3>> corners;
-  for (std::size_t at = 84; at + 50 <= stl.size(); at += 50)
-    for (std::size_t corner = 1; corner < 4; ++corner)
-      std::memcpy(corners.emplace_back().data(), stl.data() + at + 12 * corner, 12);
-  return corners;
 }
 
 TEST_F(HaspRunTest, ATransplantsSegmentsLieInTheDefectAndOnTheDonor)
