@@ -20,7 +20,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 constexpr std::array Verdicts{ "green", "red", "not certified" };
-constexpr std::array Keys{ "triangles", "volume_mm3", "cuts", "segments", "joints", "verdict",
+constexpr std::array Keys{ "triangles", "volume_mm3", "cuts", "segments", "joints", "most_gap_mm", "most_overlap_mm", "verdict",
   "faults", "certificate", "program", "intended_use" };
 
 /// What a fault's kind says, of a part that nobody measured just now.

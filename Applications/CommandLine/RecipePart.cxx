@@ -2,6 +2,7 @@
 
 #include "CertificatePage.h"
 #include "PartCertificate.h"
+#include "PartFormats.h"
 #include "VolumeInput.h"
 #include "VtkMessages.h"
 #include "vtkHaspOutputFile.h"
@@ -76,7 +77,7 @@ CLI::Option* AddPartOptions(CLI::App& verb, PartOptions& options)
 
 void RequirePartOptions(const PartOptions& options)
 {
-  RequireWritable(options.output, { ".stl", ".3mf", ".ply", ".obj" });
+  RequireWritable(options.output, PartEndings());
   if (options.force && !options.check)
     throw Failure(ExitCode::WrongUse, "--force is for parts that --check finds not to hold");
   if (options.html.empty())

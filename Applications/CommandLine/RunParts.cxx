@@ -28,7 +28,6 @@ namespace hasp
 {
 namespace
 {
-
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
@@ -175,7 +174,11 @@ PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
       report["segments"].push_back(
         DescribeSegment(segment.cut, segment.volumeMm3, segment.triangles));
     report["joints"] = JointsJson(*transplant, part.joints);
+    report["most_gap_mm"] = transplant->mostGapMm;
+    report["most_overlap_mm"] = transplant->mostOverlapMm;
   }
+  for (const std::string& warning : part.warnings)
+    SayWarning(session, called + ": " + warning);
   report["verdict"] = "not certified";
   report["faults"] = Json::array();
   std::optional<CertifiedPart> certified;

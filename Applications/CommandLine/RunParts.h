@@ -26,7 +26,7 @@ struct PartFile
 };
 
 /// Makes a part and writes it below `folder`; reads it back and certifies what has claims. A part
-/// that does not hold says so in its file.
+/// that does not hold says so in its file; what else a surgeon must know is said as a warning.
 PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
   const std::filesystem::path& folder, const PartPages& pages, Session& session);
 

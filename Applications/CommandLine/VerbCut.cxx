@@ -2,6 +2,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "FragmentCutter.h"
+#include "PartFormats.h"
 #include "RecipePart.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -180,9 +181,7 @@ void AddCutVerb(CLI::App& app, Session& session)
   verb->add_option("--label", options->label, "The bone's value in --labels")
     ->check(CLI::Range(1, 65535))
     ->capture_default_str();
-  verb->add_option("--format", options->format, "Of the fragments' files")
-    ->check(CLI::IsMember({ "stl", "3mf", "ply", "obj" }))
-    ->capture_default_str();
+  AddFormatOption(*verb, options->format);
   verb->add_flag("--label-image", options->labelImage,
     "Write fragments.seg.nrrd, too: the fragment of each voxel");
   AddCommonOptions(*verb, session);

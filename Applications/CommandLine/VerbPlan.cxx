@@ -1,5 +1,6 @@
 #include "Failure.h"
 #include "Files.h"
+#include "PartFormats.h"
 #include "PartReport.h"
 #include "PlanInput.h"
 #include "PlanText.h"
@@ -109,7 +110,7 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
 {
   if (options.output.empty())
     throw Failure(ExitCode::WrongUse, "--export needs --output: where the part is to go");
-  RequireWritable(options.output, { ".stl" });
+  RequireWritable(options.output, PartEndings());
   if (!options.recipe.empty())
     RequireWritable(options.recipe, { ".json" });
   const Plan& plan = document.history.Current();
@@ -139,7 +140,7 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
                                           "to; leave --recipe out");
     WriteFile(options.recipe, recipe);
   }
-  WriteFile(options.output, blob(part->bytes));
+  WriteStlAs(blob(part->bytes), options.output, session);
   session.result["output"] = FileLabel(options.output);
 }
 
@@ -215,7 +216,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
     "Forget parts that are out of date or damaged, and delete what nothing names");
   verb->add_option("--export", options->part, "The id of an object whose part is to be written")
     ->check(CLI::Range(PlanId(1), MaxPlanId));
-  verb->add_option("--output", options->output, "With --export: the .stl file");
+  verb->add_option("--output", options->output, "With --export: the .stl, .3mf, .ply or .obj file");
   verb->add_option("--recipe", options->recipe,
     "With --export: a .json file for the part's recipe, to hold it to with hasp certify");
   verb->add_flag("--force", options->force, "With --export: even a part that does not hold");

@@ -1,6 +1,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "KeptParts.h"
+#include "PartFormats.h"
 #include "PartReport.h"
 #include "PlanInput.h"
 #include "RunCertificate.h"
@@ -31,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions
 {
-  std::string plan, output, html;
+  std::string plan, output, html, format = "stl";
   std::vector<std::string> volumes;
   bool rebuild = false, force = false;
   int threads = 0;
@@ -66,7 +67,8 @@ public:
       this->FindFaults();
       this->KeepGood();
       this->RefuseFailed();
-      const std::string run = WriteParts(this->Now, this->Parts, folder, this->Shared);
+      const std::string run = RunInFormat(WriteParts(this->Now, this->Parts, folder, this->Shared),
+        this->Options.format, folder, this->Shared);
       WriteBytes(run, (folder / "run.json").string());
     };
     Try(ExitCode::WrongUse, "",
@@ -174,8 +176,10 @@ private:
       const PartReport report = ReadPartReport(part.report);
       const std::string called = CalledObject(this->Now, part.object);
       list.push_back({ { "object", part.object }, { "made", part.made },
-        { "file", NameOfPart(this->Now, part.object) }, { "volume_mm3", report.volumeMm3 },
-        { "verdict", report.verdict } });
+        { "file", fs::path(NameOfPart(this->Now, part.object))
+                    .replace_extension(this->Options.format)
+                    .string() },
+        { "volume_mm3", report.volumeMm3 }, { "verdict", report.verdict } });
       if (!this->Shared.json)
         std::cout << called << (part.made ? "  made, " : "  in date, ")
                   << Line("%.1f mm3, ", report.volumeMm3) << report.verdict << "\n";
@@ -198,6 +202,8 @@ private:
 void Run(const RunOptions& options, Session& session)
 {
   RequireWritableFolder(options.output);
+  if (options.format == "3mf")
+    RequireThreeMf();
   if (!options.html.empty())
   {
     RequireWritableFolder(options.html);
@@ -218,6 +224,7 @@ void AddRunVerb(CLI::App& app, Session& session)
     "--volume", options->volumes, "The scans, found by what they hold: files or folders");
   verb->add_option("--output", options->output, "A folder that is not there yet, or empty")
     ->required();
+  AddFormatOption(*verb, options->format);
   verb->add_flag("--rebuild", options->rebuild, "Make parts that are in date, too");
   verb->add_flag("--force", options->force, "Keep parts that do not hold; their files say so");
   verb->add_option("--html", options->html,
@@ -230,13 +237,13 @@ void AddRunVerb(CLI::App& app, Session& session)
   AddCommonOptions(*verb, session);
   verb->footer(
     "Example: hasp run case.hasp --volume head.mha --output parts\n"
-    "Writes KIND-ID.stl, fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
-    "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, the\n"
-    "recipes of certified parts as KIND-ID.json, for hasp certify, and run.json. The plan keeps "
-    "what\n"
-    "was made, and what is in date is not made again; only with --html what is certified is.\n"
-    "If a part cannot be made or does not hold, no folder is written, but the plan keeps the "
-    "others.\n"
+    "Writes KIND-ID.stl (or as --format says; the plan keeps the .stl, which is certified),\n"
+    "fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
+    "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, the recipes of\n"
+    "certified parts as KIND-ID.json, for hasp certify, and run.json.\n"
+    "The plan keeps what was made, and what is in date is not made again; only with --html what\n"
+    "is certified is. If a part cannot be made or does not hold, no folder is written, but the\n"
+    "plan keeps the others.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 a part does not hold.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

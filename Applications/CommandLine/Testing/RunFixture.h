@@ -8,11 +8,23 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
 using nlohmann::json;
 namespace fs = std::filesystem;
+
+/// Corners of all of an STL's triangles.
+inline std::vector<std::array<float, 3>> CornersOf(const std::string& stl)
+{
+  std::vector<std::array<float, 3>> corners;
+  for (std::size_t at = 84; at + 50 <= stl.size(); at += 50)
+    for (std::size_t corner = 1; corner < 4; ++corner)
+      std::memcpy(corners.emplace_back().data(), stl.data() + at + 12 * corner, 12);
+  return corners;
+}
 
 /// A plan on the phantom's fibula: volume 1, bone 2, cut 3 through its shaft, its pieces 4 (above)
 /// and 5 (below, moved 2 mm), guide 6 for the cut, plate 7 on both pieces as planned, group 8 of
@@ -106,6 +118,24 @@ protected:
                           { "recipe", recipe } });
   }
 
+  /// Number 10, two segments out of the shaft, 30 mm each, in a line far from it.
+  static json Transplant(double betweenMm)
+  {
+    const json transplant{ { "format", "hasp-transplant-1" },
+      { "joints", { { { "point", { 60, 0, 0 } }, { "normal", { 1, 0, 0 } } },
+                    { { "point", { 90, 0, 0 } }, { "normal", { 1, 0, 0 } } },
+                    { { "point", { 120, 0, 0 } }, { "normal", { 1, 0, 0 } } } } },
+      { "outward", { { 0, 0, 1 }, { 0, 0, 1 } } },
+      { "donor", { { "axis", { { 0, 0, -170 }, { 0, -5, 0 }, { 0, 0, 170 } } },
+                   { "lateral", { 1, 0, 0 } }, { "radiusMm", 9 }, { "keepMm", 75 } } },
+      { "fromLastTip", false }, { "startOffsetMm", 0 }, { "kerfMm", 1 }, { "betweenMm", betweenMm },
+      { "vessel", json::array() } };
+    const json nowhere{ { "cut", 0 }, { "fragment", 0 } };
+    return Add("transplant",
+      { { "id", 10 }, { "name", "" }, { "donor", 2 }, { "first", nowhere }, { "last", nowhere },
+        { "transplant", transplant }, { "mostGapMm", 0.5 }, { "mostOverlapMm", 0.5 } });
+  }
+
   HaspRun Plan(const std::vector<std::string>& more)
   {
     std::vector<std::string> words{ "plan", this->Path("case.hasp") };
@@ -114,7 +144,7 @@ protected:
   }
   json Apply(const json& edits)
   {
-    this->WriteText("edits.json", json{ { "format", "hasp-edits-2" }, { "edits", edits } }.dump());
+    this->WriteText("edits.json", json{ { "format", "hasp-edits-3" }, { "edits", edits } }.dump());
     const HaspRun run = this->Plan({ "--apply", this->Path("edits.json"), "--json" });
     EXPECT_EQ(run.exitCode, 0) << run.err;
     return json::parse(run.exitCode == 0 ? run.out : "{}");

@@ -148,4 +148,27 @@ TEST_F(HaspPlan, ThePhantomsEditsAreForThatPhantom)
   EXPECT_EQ(made.at("parts").size(), 5U);
 }
 
+/// Likewise of head and leg, each a scan of its own.
+TEST_F(HaspPlan, TheTransplantsEditsAreForThosePhantoms)
+{
+  const json edits = json::parse(ReadBytes(HASP_TRANSPLANT_EDITS));
+  const auto isOf = [&](std::size_t volume, const std::vector<std::string>& more)
+  {
+    std::vector<std::string> words{ "phantom", "--spacing", "1,1,1", "--output",
+      this->Path("scan.mha") };
+    words.insert(words.end(), more.begin(), more.end());
+    ASSERT_EQ(RunHasp(words).exitCode, 0);
+    const json passport = json::parse(RunHasp({ "info", this->Path("scan.mha"), "--json" }).out);
+    EXPECT_EQ(
+      edits.at("edits")[volume].at("object").at("hash"), passport.at("passport").at("hash"));
+  };
+  isOf(0, {});
+  isOf(1, { "--anatomy", "fibula" });
+  ASSERT_EQ(this->Plan({ "--new" }).exitCode, 0);
+  const json made = Shown(this->Plan({ "--apply", HASP_TRANSPLANT_EDITS, "--json" }));
+  EXPECT_EQ(made.at("objects").size(), 11U);
+  ASSERT_EQ(made.at("parts").size(), 6U);
+  EXPECT_EQ(made.at("parts")[5].at("kind"), "mitre-guide");
+}
+
 } // namespace

@@ -1,8 +1,6 @@
 #include "RunFixture.h"
 
-#include <array>
 #include <cmath>
-#include <cstring>
 
 namespace
 {
@@ -152,31 +150,9 @@ TEST_F(HaspRunTest, DamageIsMendedAndAPlanAloneIsOnlyRead)
   EXPECT_FALSE(fs::exists(this->Path("blobs")));
 }
 
-/// Corners of all triangles.
-std::vector<std::array<float, 3>> CornersOf(const std::string& stl)
-{
-  std::vector<std::array<float, 3>> corners;
-  for (std::size_t at = 84; at + 50 <= stl.size(); at += 50)
-    for (std::size_t corner = 1; corner < 4; ++corner)
-      std::memcpy(corners.emplace_back().data(), stl.data() + at + 12 * corner, 12);
-  return corners;
-}
-
 TEST_F(HaspRunTest, ATransplantsSegmentsLieInTheDefectAndOnTheDonor)
 {
-  const json transplant{ { "format", "hasp-transplant-1" },
-    { "joints", { { { "point", { 60, 0, 0 } }, { "normal", { 1, 0, 0 } } },
-                  { { "point", { 90, 0, 0 } }, { "normal", { 1, 0, 0 } } },
-                  { { "point", { 120, 0, 0 } }, { "normal", { 1, 0, 0 } } } } },
-    { "outward", { { 0, 0, 1 }, { 0, 0, 1 } } },
-    { "donor", { { "axis", { { 0, 0, -170 }, { 0, -5, 0 }, { 0, 0, 170 } } },
-                 { "lateral", { 1, 0, 0 } }, { "radiusMm", 9 }, { "keepMm", 75 } } },
-    { "fromLastTip", false }, { "startOffsetMm", 0 }, { "kerfMm", 1 }, { "betweenMm", 1.5 },
-    { "vessel", json::array() } };
-  const json nowhere{ { "cut", 0 }, { "fragment", 0 } };
-  this->Apply(json::array(
-    { Add("transplant", { { "id", 10 }, { "name", "" }, { "donor", 2 }, { "first", nowhere },
-                          { "last", nowhere }, { "transplant", transplant } }) }));
+  this->Apply(json::array({ Transplant(1.5) }));
   std::vector<std::string> words = this->Scan();
   words.push_back("--json");
   ASSERT_EQ(Made(this->Make("first", words)).size(), 7U);

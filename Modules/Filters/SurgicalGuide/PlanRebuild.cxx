@@ -5,6 +5,7 @@
 #include "GuideClaims.h"
 #include "ImplantBuilder.h"
 #include "ImplantClaims.h"
+#include "MitreGuide.h"
 #include "PlanBones.h"
 #include "PlateBuilder.h"
 #include "PlateClaims.h"
@@ -38,6 +39,22 @@ std::vector<ScrewAxis> AxesOf(const std::vector<PlacedScrew>& screws)
   for (const PlacedScrew& screw : screws)
     axes.push_back({ screw.outer, screw.axis });
   return axes;
+}
+
+/// Of all joints but those where the plan names no jaw.
+std::vector<std::string> WarningsOf(
+  const PlanTransplant& object, const std::vector<MadeJoint>& joints)
+{
+  std::vector<std::string> warnings = JointWarnings(joints, object.mostGapMm, object.mostOverlapMm);
+  const auto drop = [&](const JawFace& face, std::size_t joint)
+  {
+    if (face.fragment == 0)
+      std::erase_if(warnings, [&](const std::string& text)
+        { return text.starts_with("joints[" + std::to_string(joint) + "]"); });
+  };
+  drop(object.first, 0);
+  drop(object.last, joints.size() - 1);
+  return warnings;
 }
 
 /// A copy of a scan with one bone alone: what is bone and not this one is as the emptiest sample.
@@ -112,16 +129,9 @@ struct PlanRebuild::Internals
 
   RebuiltPart MakeOf(const PlanGuide& guide, const ProgressFunction& progress)
   {
-    AnyGridView bone = GridView<const std::uint8_t>{};
-    if (FindPlanObject<PlanVolume>(this->plan, guide.bone))
-      bone = this->bones.Grey(guide.bone);
-    else
-    {
-      const PlanId one[] = { guide.bone };
-      this->oneBone =
-        std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), guide.recipe.isovalue);
-      bone = this->oneBone->View();
-    }
+    const AnyGridView bone = FindPlanObject<PlanVolume>(this->plan, guide.bone)
+                               ? this->bones.Grey(guide.bone)
+                               : this->Alone(guide.bone, guide.recipe.isovalue, progress);
     BuiltGuide built =
       BuildGuide(bone, this->Labelled(guide), BladesOf(this->plan, guide), progress);
     RebuiltPart part;
@@ -180,7 +190,31 @@ struct PlanRebuild::Internals
     }
     part.joints = JointsBetween(
       transplant, placed, this->Jaw(object.first, progress), this->Jaw(object.last, progress));
+    part.warnings = WarningsOf(object, part.joints);
     return part;
+  }
+
+  RebuiltPart MakeOf(const PlanMitreGuide& object, const ProgressFunction& progress)
+  {
+    const auto& transplant = *FindPlanObject<PlanTransplant>(this->plan, object.transplant);
+    const double isovalue = this->bones.Isovalue(transplant.donor);
+    const AnyGridView donor = this->Alone(transplant.donor, isovalue, progress);
+    MitreGuide guide =
+      MakeMitreGuideRecipe(TransplantOf(this->plan, transplant), donor, isovalue, object.choices);
+    BuiltGuide built = BuildGuide(donor, guide.recipe, {}, progress);
+    RebuiltPart part;
+    part.mesh = std::move(built.mesh);
+    part.check = { ClaimsOf(built.made.recipe), donor, built.made.recipe };
+    part.warnings = std::move(guide.warnings);
+    return part;
+  }
+
+  /// The fragment's scan without other bone; good until it is asked for the next one.
+  AnyGridView Alone(PlanId fragment, double isovalue, const ProgressFunction& progress)
+  {
+    const PlanId one[] = { fragment };
+    this->oneBone = std::make_unique<OneBoneScan>(this->bones.Labels(one, progress), isovalue);
+    return this->oneBone->View();
   }
 
   /// Where the plan puts it; empty if the face names no fragment.

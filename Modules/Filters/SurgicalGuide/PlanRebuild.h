@@ -14,6 +14,7 @@
 #include <map>      // for images
 #include <memory>   // for internals
 #include <optional> // for checks
+#include <string>   // for warnings
 #include <variant>  // for recipes
 #include <vector>   // for segments
 
@@ -53,7 +54,8 @@ struct PartCheck
 struct RebuiltPart
 {
   PlanId object = 0;
-  TriangleMesh mesh; ///< world mm; of a fragment, guide or implant in the scan, else as planned
+  TriangleMesh mesh; ///< world mm; of a fragment, guide, implant or mitre guide in its scan, else
+                     ///< as planned
   std::vector<PartInput> inputs; ///< PartInputs of the plan
   double volumeMm3 = 0.0;
   std::vector<PlanCutMeasure> cuts;  ///< of a fragment that is a piece: all through what it is of
@@ -61,7 +63,8 @@ struct RebuiltPart
   /// Of a transplant, one more. At the first and last the jaw is the fragment that the plan names
   /// there; where it names none, no bone is.
   std::vector<MadeJoint> joints;
-  std::optional<PartCheck> check; ///< of guides, plates and implants
+  std::optional<PartCheck> check;    ///< of guides, plates, implants and mitre guides
+  std::vector<std::string> warnings; ///< what a surgeon must know, in words and our own keys
 };
 
 /// Makes parts of a plan. What several need, such as the pieces of a bone, is made once.
@@ -76,6 +79,7 @@ struct RebuiltPart
 ///  - a plate: BuildPlate on the scan, or on fragments where the reduction has them
 ///  - an implant: BuildImplant on the scan
 ///  - a transplant: TransplantSegments out of its donor, at TransplantOf
+///  - a mitre guide: BuildGuide by MakeMitreGuideRecipe on the donor of TransplantOf
 ///
 /// One thread at a time (RENDER, or a WORKER that owns it); uses all cores, the same meshes with
 /// any number of them. Memory: the meshes of all fragments asked for, and one to three bytes a

@@ -73,18 +73,8 @@ void Warn(const TransplantRecipe& recipe, MadeTransplant& made)
   if (std::none_of(made.recipient.fragments.begin(), made.recipient.fragments.end(),
         [](const BoneFragment& f) { return f.resected; }))
     say("resection.resected names no fragment: the bone in the defect is still there");
-  for (std::size_t n = 0; n < made.joints.size(); ++n)
-  {
-    const MadeJoint& joint = made.joints[n];
-    if (joint.fit.contactMm2 + joint.fit.gapMm2 + joint.fit.overlapMm2 == 0.0)
-      say("joints[", n, "]: its bones do not meet: their faces lie side by side");
-    if (joint.gapMm > recipe.mostGapMm)
-      say("joints[", n, "]: a gap of ", joint.gapMm, " mm, at most ", recipe.mostGapMm,
-        " mm are asked for");
-    if (joint.overlapMm > recipe.mostOverlapMm)
-      say("joints[", n, "]: an overlap of ", joint.overlapMm, " mm, at most ", recipe.mostOverlapMm,
-        " mm are asked for");
-  }
+  for (std::string& warning : JointWarnings(made.joints, recipe.mostGapMm, recipe.mostOverlapMm))
+    made.warnings.push_back(std::move(warning));
 }
 
 void CarrySoftTissue(const TransplantRecipe& recipe, MadeTransplant& made)
@@ -143,6 +133,31 @@ std::vector<MadeJoint> JointsBetween(const Transplant& plan,
   }
   SayAngles(segments, joints);
   return joints;
+}
+
+std::vector<std::string> JointWarnings(
+  const std::vector<MadeJoint>& joints, double mostGapMm, double mostOverlapMm)
+{
+  std::vector<std::string> warnings;
+  const auto say = [&](const auto&... words)
+  {
+    std::ostringstream text;
+    (text << ... << words);
+    warnings.push_back(text.str());
+  };
+  for (std::size_t n = 0; n < joints.size(); ++n)
+  {
+    const MadeJoint& joint = joints[n];
+    if (joint.fit.contactMm2 + joint.fit.gapMm2 + joint.fit.overlapMm2 == 0.0)
+      say("joints[", n, "]: its bones do not meet: their faces lie side by side");
+    if (joint.gapMm > mostGapMm)
+      say(
+        "joints[", n, "]: a gap of ", joint.gapMm, " mm, at most ", mostGapMm, " mm are asked for");
+    if (joint.overlapMm > mostOverlapMm)
+      say("joints[", n, "]: an overlap of ", joint.overlapMm, " mm, at most ", mostOverlapMm,
+        " mm are asked for");
+  }
+  return warnings;
 }
 
 MadeTransplant MakeTransplant(const BoneImage& recipient, const BoneImage& donor,

@@ -33,6 +33,11 @@ VTKHASPFILTERSSURGICALGUIDE_EXPORT std::vector<MadeJoint> JointsBetween(const Tr
   const std::vector<PlacedSegment>& segments, const TriangleMesh& before,
   const TriangleMesh& after);
 
+/// What a surgeon must know of joints: "joints[1]: a gap of 0.7 mm, at most 0.5 mm are asked for",
+/// or that its bones do not meet. O(joints).
+std::vector<std::string> JointWarnings(
+  const std::vector<MadeJoint>& joints, double mostGapMm, double mostOverlapMm);
+
 struct MadeTransplant
 {
   Transplant plan;                     ///< the joints, with the donor's axis as it was found

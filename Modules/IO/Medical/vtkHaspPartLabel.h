@@ -21,8 +21,9 @@ struct PartLabel
   bool operator==(const PartLabel&) const = default;
 };
 
-/// A word of the fixed list guide, plate, implant, transplant, bone, fragment, group, crumb,
-/// segment, reduction, part; with or without a blank and a number of 1 to 6 digits: "fragment 3".
+/// A word of the fixed list guide, plate, implant, transplant, mitre-guide, bone, fragment, group,
+/// crumb, segment, reduction, part; with or without a blank and a number of 1 to 6 digits:
+/// "fragment 3".
 VTKHASPIOMEDICAL_EXPORT bool IsPartName(std::string_view name);
 
 /// Throws std::invalid_argument if name or hash is none that may be written; says which, and not

@@ -120,15 +120,28 @@ private:
   void ShapeOf(const PlanTransplant& object)
   {
     this->Add(object, {});
+    this->LayOut(object);
+    for (const JawFace& face : { object.first, object.last })
+      this->Shape(face.fragment); // that the joint's fit is measured to
+  }
+  void ShapeOf(const PlanMitreGuide& object)
+  {
+    this->Add(object, {});
+    if (const auto* transplant = FindPlanObject<PlanTransplant>(this->Of, object.transplant))
+      this->LayOut(*transplant);
+  }
+  void ShapeOf(const PlanMeasure&) {}
+  /// Where a donor is cut: without the bones that its segments come to.
+  void LayOut(const PlanTransplant& object)
+  {
+    this->Add(object, { "mostGapMm", "mostOverlapMm" }); // unless it is there as a whole
     this->Shape(object.donor);
     for (const JawFace& face : { object.first, object.last })
     {
       this->Shape(face.cut);
-      this->Shape(face.fragment); // that the joint's fit is measured to
       this->Place(face.fragment);
     }
   }
-  void ShapeOf(const PlanMeasure&) {}
   void Place(PlanId id)
   {
     const PlanFragment* found = FindPlanObject<PlanFragment>(this->Of, id);
@@ -169,6 +182,8 @@ template <>
 constexpr bool MakesParts<PlanImplant> = true;
 template <>
 constexpr bool MakesParts<PlanTransplant> = true;
+template <>
+constexpr bool MakesParts<PlanMitreGuide> = true;
 } // namespace
 
 bool IsPartObject(const Plan& plan, PlanId object)
@@ -196,7 +211,8 @@ std::vector<PartInput> PartInputs(const Plan& plan, PlanId object)
   if (!IsPartObject(plan, object))
     throw std::invalid_argument(
       CalledObject(plan, object) +
-      ": nothing is made of it, only of a fragment, group, guide, plate, implant or transplant");
+      ": nothing is made of it, only of a fragment, group, guide, plate, implant, transplant or "
+      "mitre guide");
   std::vector<PartInput> inputs;
   for (auto& [key, hash] : Gather(plan, object))
     inputs.push_back({ key.first, key.second, hash });

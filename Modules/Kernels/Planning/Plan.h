@@ -4,7 +4,7 @@
 #include "Planning/Osteotomy.h"
 #include "Planning/PlanPose.h"
 #include "Planning/PlateRecipe.h"
-#include "Planning/Transplant.h"
+#include "Planning/TransplantRecipe.h"
 
 #include <glm/vec3.hpp>
 
@@ -178,8 +178,22 @@ struct PlanTransplant
   PlanId donor = 0; ///< the fragment that segments are taken from
   JawFace first, last;
   Transplant transplant; ///< TransplantOf puts its joints into the faces
+  /// As TransplantRecipe's: what is more is warned of, [0, 10].
+  double mostGapMm = 0.5, mostOverlapMm = 0.5;
 
   bool operator==(const PlanTransplant&) const noexcept = default;
+};
+
+/// The guide that leads the saw on a transplant's donor, where that lies in its scan. Its slots are
+/// the transplant's cuts, so that it follows them.
+struct PlanMitreGuide
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId transplant = 0;
+  MitreGuideChoices choices;
+
+  bool operator==(const PlanMitreGuide&) const noexcept = default;
 };
 
 /// A point that goes where its fragment goes.
@@ -221,6 +235,7 @@ struct Plan
   std::vector<PlanPlate> plates;
   std::vector<PlanImplant> implants;
   std::vector<PlanTransplant> transplants;
+  std::vector<PlanMitreGuide> mitreGuides;
   std::vector<PlanMeasure> measures;
 
   bool operator==(const Plan&) const noexcept = default;

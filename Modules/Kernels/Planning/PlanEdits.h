@@ -81,6 +81,7 @@ using PlanEdit = std::variant<RemoveObject, RenameObject, PoseFragments, SetFrag
   AddObject<PlanPlate>, ChangeObject<PlanPlate>,                 //
   AddObject<PlanImplant>, ChangeObject<PlanImplant>,             //
   AddObject<PlanTransplant>, ChangeObject<PlanTransplant>,       //
+  AddObject<PlanMitreGuide>, ChangeObject<PlanMitreGuide>,       //
   AddObject<PlanMeasure>, ChangeObject<PlanMeasure>>;
 
 /// The plan after the edit. A valid plan stays valid: else std::invalid_argument, which names the

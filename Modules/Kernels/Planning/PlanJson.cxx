@@ -2,6 +2,7 @@
 
 #include "Planning/GuideRecipeJson.h"
 #include "Planning/ImplantRecipeJson.h"
+#include "Planning/MitreGuideJson.h"
 #include "Planning/PlanLists.h"
 #include "Planning/PlateRecipeJson.h"
 #include "Planning/TransplantJson.h"
@@ -259,17 +260,32 @@ Json ObjectToJson(const PlanTransplant& object)
 {
   return { { "id", object.id }, { "name", object.name }, { "donor", object.donor },
     { "first", FaceToJson(object.first) }, { "last", FaceToJson(object.last) },
-    { "transplant", TransplantToJson(object.transplant) } };
+    { "transplant", TransplantToJson(object.transplant) }, { "mostGapMm", object.mostGapMm },
+    { "mostOverlapMm", object.mostOverlapMm } };
 }
 
 void ReadObject(const Json& json, const std::string& name, PlanTransplant& object)
 {
-  const StrictJson read =
-    Read(json, name, { "id", "name", "donor", "first", "last", "transplant" });
+  const StrictJson read = Read(json, name,
+    { "id", "name", "donor", "first", "last", "transplant", "mostGapMm", "mostOverlapMm" });
   object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "donor"),
     ReadFace(read.Get("first"), Below(name, "first")),
     ReadFace(read.Get("last"), Below(name, "last")),
-    ReadRecipe(read, "transplant", TransplantFromJson) };
+    ReadRecipe(read, "transplant", TransplantFromJson), read.Number("mostGapMm"),
+    read.Number("mostOverlapMm") };
+}
+
+Json ObjectToJson(const PlanMitreGuide& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "transplant", object.transplant },
+    { "choices", MitreGuideToJson(object.choices) } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanMitreGuide& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "transplant", "choices" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "transplant"),
+    MitreGuideFromJson(read.Get("choices"), "plan", Below(name, "choices")) };
 }
 
 Json ObjectToJson(const PlanMeasure& object)

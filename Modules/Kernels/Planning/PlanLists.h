@@ -34,6 +34,7 @@ inline constexpr std::tuple PlanLists{
   PlanList<PlanPlate>{ "plate", "plates", &Plan::plates },
   PlanList<PlanImplant>{ "implant", "implants", &Plan::implants },
   PlanList<PlanTransplant>{ "transplant", "transplants", &Plan::transplants },
+  PlanList<PlanMitreGuide>{ "mitre-guide", "mitreGuides", &Plan::mitreGuides },
   PlanList<PlanMeasure>{ "measure", "measures", &Plan::measures },
 };
 

@@ -73,6 +73,21 @@ void MendPartOf1(Json& part)
 {
   SetIfMissing(part, "report", "");
 }
+
+/// Version 3 has mitre guides …
+void AddListOf3(Json& plan)
+{
+  SetIfMissing(plan, "mitreGuides", Json::array());
+}
+
+/// … and says which joints are warned of.
+void MendObjectOf2(const std::string& noun, Json& object)
+{
+  if (noun != "transplant")
+    return;
+  SetIfMissing(object, "mostGapMm", 0.5);
+  SetIfMissing(object, "mostOverlapMm", 0.5);
+}
 } // namespace
 
 void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigration> steps)
@@ -105,7 +120,8 @@ std::size_t ReadFormatVersion(const StrictJson& file, const std::string& begin)
 
 std::span<const PlanMigration> PlanMigrations()
 {
-  static constexpr PlanMigration steps[] = { { AddListsOf2, MendObjectOf1, MendPartOf1 } };
+  static constexpr PlanMigration steps[] = { { AddListsOf2, MendObjectOf1, MendPartOf1 },
+    { AddListOf3, MendObjectOf2, nullptr } };
   return steps;
 }
 

@@ -173,6 +173,12 @@ std::vector<PlanReference> References(const PlanTransplant& object)
   return references;
 }
 
+std::vector<PlanReference> References(const PlanMitreGuide& object)
+{
+  return { { object.transplant, IsAny<PlanTransplant>, "the id of a transplant of the plan",
+    "transplant" } };
+}
+
 std::vector<PlanReference> References(const PlanMeasure& object)
 {
   std::vector<PlanReference> references;
@@ -254,6 +260,14 @@ void CheckObject(const PlanTransplant& object, const std::string& subject)
   const ValueChecks check(subject);
   check.Text("name", object.name);
   CheckRecipe(check, "transplant", [&] { ValidateTransplant(object.transplant); });
+  check.Closed("mostGapMm", object.mostGapMm, 0.0, 10.0);
+  check.Closed("mostOverlapMm", object.mostOverlapMm, 0.0, 10.0);
+}
+
+void CheckObject(const PlanMitreGuide& object, const std::string& subject)
+{
+  ValueChecks(subject).Text("name", object.name);
+  ValidateMitreGuideChoices(object.choices, subject, "choices.");
 }
 
 void CheckObject(const PlanMeasure& object, const std::string& subject)

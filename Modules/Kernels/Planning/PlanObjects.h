@@ -34,6 +34,7 @@ std::vector<PlanReference> References(const PlanGuide& object);
 std::vector<PlanReference> References(const PlanPlate& object);
 std::vector<PlanReference> References(const PlanImplant& object);
 std::vector<PlanReference> References(const PlanTransplant& object);
+std::vector<PlanReference> References(const PlanMitreGuide& object);
 std::vector<PlanReference> References(const PlanMeasure& object);
 
 /// Throws std::invalid_argument unless the object's own values are legal, all but id and
@@ -47,6 +48,7 @@ void CheckObject(const PlanGuide& object, const std::string& subject);
 void CheckObject(const PlanPlate& object, const std::string& subject);
 void CheckObject(const PlanImplant& object, const std::string& subject);
 void CheckObject(const PlanTransplant& object, const std::string& subject);
+void CheckObject(const PlanMitreGuide& object, const std::string& subject);
 void CheckObject(const PlanMeasure& object, const std::string& subject);
 
 void CheckPlanPose(const PlanPose& pose, const ValueChecks& check);

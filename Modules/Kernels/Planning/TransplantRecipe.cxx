@@ -80,21 +80,6 @@ void CheckDonor(const TransplantRecipe& r)
   check.Point("donor.paddle.perforator", r.paddle->perforator);
 }
 
-/// What a guide asks besides is GuideRecipe's to say, when one is made.
-void CheckGuide(const MitreGuideChoices& g)
-{
-  check.Closed("guide.gapMm", g.gapMm, 0.0, 10.0);
-  check.AboveUpTo("guide.thicknessMm", g.thicknessMm, 0.0, 50.0);
-  check.AboveUpTo("guide.widthMm", g.widthMm, 0.0, 200.0);
-  check.Closed("guide.clearanceMm", g.clearanceMm, 0.0, 2.0);
-  check.AboveUpTo("guide.wallMm", g.wallMm, 0.0, 20.0);
-  check.AboveUpTo("guide.slotLengthMm", g.slotLengthMm, 0.0, 500.0);
-  check.AboveUpTo("guide.guidingHeightMm", g.guidingHeightMm, 0.0, 100.0);
-  check.Closed("guide.beyondMm", g.beyondMm, 5.0, 100.0);
-  check.Closed("guide.pinDiameterMm", g.pinDiameterMm, 0.0, 20.0);
-  check.Closed("guide.spacingMm", g.spacingMm, 0.05, 2.0);
-}
-
 /// The face of the stump that a cut leaves, where the leg from `inner` to `outer` passes it; its
 /// normal looks along that leg.
 TransplantJoint StumpFace(
@@ -119,11 +104,28 @@ glm::dvec3 Rolled(const glm::dvec3& outward, const glm::dvec3& way, double degre
 }
 } // namespace
 
+/// What a guide asks besides is GuideRecipe's to say, when one is made.
+void ValidateMitreGuideChoices(
+  const MitreGuideChoices& g, const std::string& subject, const std::string& where)
+{
+  const ValueChecks asked(subject);
+  asked.Closed(where + "gapMm", g.gapMm, 0.0, 10.0);
+  asked.AboveUpTo(where + "thicknessMm", g.thicknessMm, 0.0, 50.0);
+  asked.AboveUpTo(where + "widthMm", g.widthMm, 0.0, 200.0);
+  asked.Closed(where + "clearanceMm", g.clearanceMm, 0.0, 2.0);
+  asked.AboveUpTo(where + "wallMm", g.wallMm, 0.0, 20.0);
+  asked.AboveUpTo(where + "slotLengthMm", g.slotLengthMm, 0.0, 500.0);
+  asked.AboveUpTo(where + "guidingHeightMm", g.guidingHeightMm, 0.0, 100.0);
+  asked.Closed(where + "beyondMm", g.beyondMm, 5.0, 100.0);
+  asked.Closed(where + "pinDiameterMm", g.pinDiameterMm, 0.0, 20.0);
+  asked.Closed(where + "spacingMm", g.spacingMm, 0.05, 2.0);
+}
+
 void ValidateTransplantRecipe(const TransplantRecipe& recipe)
 {
   CheckDefect(recipe);
   CheckDonor(recipe);
-  CheckGuide(recipe.guide);
+  ValidateMitreGuideChoices(recipe.guide, "transplant recipe", "guide.");
 }
 
 Transplant JointsOf(const TransplantRecipe& recipe)

@@ -3,6 +3,7 @@
 #include "Planning/Transplant.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hasp
@@ -67,6 +68,11 @@ struct TransplantRecipe
 
   bool operator==(const TransplantRecipe&) const noexcept = default;
 };
+
+/// Throws std::invalid_argument unless every number is finite and in its range: "SUBJECT:
+/// WHEREgapMm is 11, must be in [0, 10]".
+void ValidateMitreGuideChoices(
+  const MitreGuideChoices& choices, const std::string& subject, const std::string& where);
 
 /// Throws std::invalid_argument unless every number is finite and in its range, ValidateCutRecipe
 /// takes the resection, and there are two cuts at least. The message names the key as it stands in

@@ -1,6 +1,7 @@
 #include "Planning/TransplantRecipeFile.h"
 
 #include "Planning/CutRecipeJson.h"
+#include "Planning/MitreGuideJson.h"
 #include "Planning/RecipeFormat.h"
 
 namespace hasp
@@ -53,22 +54,7 @@ Json DonorToJson(const TransplantRecipe& r)
       { "perforator", ToJson(r.paddle->perforator) } };
   return json;
 }
-
-/// Each key with its place, once for both ways.
-template <typename Choices, typename Visit>
-void ForEachGuideKey(Choices& guide, const Visit& visit)
-{
-  visit("gapMm", guide.gapMm);
-  visit("thicknessMm", guide.thicknessMm);
-  visit("widthMm", guide.widthMm);
-  visit("clearanceMm", guide.clearanceMm);
-  visit("wallMm", guide.wallMm);
-  visit("slotLengthMm", guide.slotLengthMm);
-  visit("guidingHeightMm", guide.guidingHeightMm);
-  visit("beyondMm", guide.beyondMm);
-  visit("pinDiameterMm", guide.pinDiameterMm);
-  visit("spacingMm", guide.spacingMm);
-}
+} // namespace
 
 TransplantRecipe RecipeFromJson(const Json& json)
 {
@@ -85,10 +71,7 @@ TransplantRecipe RecipeFromJson(const Json& json)
   r.mostGapMm = top.Number("mostGapMm");
   r.mostOverlapMm = top.Number("mostOverlapMm");
   DonorFromJson(top.Get("donor"), r);
-  const StrictJson guide(top.Get("guide"), Subject, "guide",
-    { "gapMm", "thicknessMm", "widthMm", "clearanceMm", "wallMm", "slotLengthMm", "guidingHeightMm",
-      "beyondMm", "pinDiameterMm", "spacingMm" });
-  ForEachGuideKey(r.guide, [&](const char* key, double& value) { value = guide.Number(key); });
+  r.guide = MitreGuideFromJson(top.Get("guide"), Subject, "guide");
   ValidateTransplantRecipe(r);
   return r;
 }
@@ -102,13 +85,11 @@ TransplantRecipe ParseTransplantRecipe(const std::string& text)
 std::string FormatTransplantRecipe(const TransplantRecipe& r)
 {
   ValidateTransplantRecipe(r);
-  Json guide;
-  ForEachGuideKey(r.guide, [&](const char* key, double value) { guide[key] = value; });
   return FormatJson({ { "format", Format }, { "resection", CutRecipeToJson(r.resection) },
                       { "path", PointsToJson(r.path) }, { "outward", PointsToJson(r.outward) },
                       { "rollDeg", r.rollDeg }, { "leastSegmentMm", r.leastSegmentMm },
                       { "mostGapMm", r.mostGapMm }, { "mostOverlapMm", r.mostOverlapMm },
-                      { "donor", DonorToJson(r) }, { "guide", guide } },
+                      { "donor", DonorToJson(r) }, { "guide", MitreGuideToJson(r.guide) } },
     Subject);
 }
 

@@ -13,8 +13,8 @@ constexpr std::string_view Maker = "Hasp " HASP_VERSION " SPACE=LPS; UNIT=mm";
 constexpr std::string_view Red = "; DOES NOT HOLD";
 static_assert(Maker.size() + Red.size() <= 80);
 
-constexpr std::array<std::string_view, 11> Known = { "guide", "plate", "implant", "transplant",
-  "bone", "fragment", "group", "crumb", "segment", "reduction", "part" };
+constexpr std::array<std::string_view, 12> Known = { "guide", "plate", "implant", "transplant",
+  "mitre-guide", "bone", "fragment", "group", "crumb", "segment", "reduction", "part" };
 
 } // namespace
 

@@ -11,7 +11,8 @@ using namespace hasp;
 
 /// volume 1, segmentation 2, fragment 3, its pieces 4 and 5, cut 6 through 3, guide 7 on 3 for cut
 /// 6, group 8 of both pieces, and what none of them hangs on: volume 9, cut 10. Plate 11 on both
-/// pieces, plate 12 and implant 13 on volume 1, transplant 14 out of 3, at cut 10's face of 5.
+/// pieces, plate 12 and implant 13 on volume 1, transplant 14 out of 3, at cut 10's face of 5, and
+/// its mitre guide 15.
 Plan Case()
 {
   Plan plan;
@@ -57,6 +58,7 @@ Plan Case()
   transplant.transplant.outward = { { 1, 0, 0 } };
   transplant.transplant.donor.axis = { { 0, 0, 0 }, { 0, 0, 350 } };
   add(transplant);
+  add(PlanMitreGuide{ 0, "", 14, {} });
   return plan;
 }
 
@@ -178,13 +180,36 @@ TEST(DerivedPart, TransplantsHangOnTheirFacesAndTheDonor)
   EXPECT_EQ(Why(14, donor), ""); // taken where it lies in its scan
 }
 
+TEST(DerivedPart, MitreGuidesHangOnWhereTheDonorIsCut)
+{
+  const std::string why = "mitre-guide 15 is out of date: ";
+  const PoseFragments move{ { { 5, { { 0, 0, 1 }, { 1, 0, 0, 0 } } } } };
+  EXPECT_EQ(Why(15, move), why + "fragment 5 has been moved, resected or kept");
+  EXPECT_EQ(Why(15, Cut(10, 2.0, {})), why + "cut 10 has changed");
+  EXPECT_EQ(Why(15, ChangeObject<PlanSegmentation>{ { 2, "", 1, std::string(64, 'd') } }),
+    why + "segmentation 2 has changed");
+  PlanTransplant transplant = Case().transplants[0];
+  transplant.transplant.startOffsetMm = 5;
+  EXPECT_EQ(Why(15, ChangeObject<PlanTransplant>{ transplant }), why + "transplant 14 has changed");
+  transplant = Case().transplants[0];
+  transplant.mostGapMm = 1.0; // of its joints, that the donor's saw does not know
+  EXPECT_EQ(Why(15, ChangeObject<PlanTransplant>{ transplant }), "");
+  EXPECT_EQ(Why(14, ChangeObject<PlanTransplant>{ transplant }),
+    "transplant 14 is out of date: transplant 14 has changed");
+  PlanMitreGuide guide = Case().mitreGuides[0];
+  guide.choices.widthMm = 10;
+  EXPECT_EQ(Why(15, ChangeObject<PlanMitreGuide>{ guide }), why + "mitre-guide 15 has changed");
+  EXPECT_EQ(Why(15, Cut(6, 0.5, { 3 })), ""); // the jaw's shape, not its place
+  EXPECT_EQ(Why(14, ChangeObject<PlanMitreGuide>{ guide }), "");
+}
+
 TEST(DerivedPart, AllObjectsButCutFragmentsAreToBeMade)
 {
   const Plan plan = Case();
-  EXPECT_EQ(PartObjects(plan), (std::vector<PlanId>{ 4, 5, 8, 7, 11, 12, 13, 14 }));
-  for (const PlanId object : { 1U, 2U, 6U, 10U, 15U })
+  EXPECT_EQ(PartObjects(plan), (std::vector<PlanId>{ 4, 5, 8, 7, 11, 12, 13, 14, 15 }));
+  for (const PlanId object : { 1U, 2U, 6U, 10U, 16U })
     EXPECT_FALSE(IsPartObject(plan, object)) << object;
-  for (const PlanId object : { 3U, 8U, 7U, 11U, 13U, 14U })
+  for (const PlanId object : { 3U, 8U, 7U, 11U, 13U, 14U, 15U })
     EXPECT_TRUE(IsPartObject(plan, object)) << object;
 }
 
@@ -250,7 +275,7 @@ TEST(DerivedPart, InputsAreAllThatAShapeComesFrom)
     ids.push_back(input.id);
   EXPECT_EQ(ids, (std::vector<PlanId>{ 1, 2, 3, 4, 4, 5, 5, 6, 8 })); // pieces: shape and place
   EXPECT_THROW(PartInputs(Case(), 6), std::invalid_argument);         // a cut is no part
-  EXPECT_THROW(PartInputs(Case(), 15), std::invalid_argument);
+  EXPECT_THROW(PartInputs(Case(), 16), std::invalid_argument);
 }
 
 } // namespace

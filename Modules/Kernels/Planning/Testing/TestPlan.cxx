@@ -161,7 +161,7 @@ Plan Reconstruction()
   plate.recipe.landmarks = { { 0, 0, 0 }, { 10, 0, 0 } };
   PlanImplant implant{ 12, "", 1, {} };
   implant.recipe.outline = { { 0, 0, 0 }, { 10, 0, 0 }, { 0, 10, 0 } };
-  PlanTransplant transplant{ 13, "", 5, { 6, 3 }, {}, {} };
+  PlanTransplant transplant{ 13, "", 5, { 6, 3 }, {}, {}, 0.5, 0.5 };
   const glm::dvec3 line[] = { { 1, 0, 4 }, { 0, 0, 40 } };
   transplant.transplant.joints = MitreJoints(line);
   transplant.transplant.outward = { { 1, 0, 0 } };
@@ -207,12 +207,39 @@ TEST(Plan, PlatesImplantsAndTransplantsAreHeldToTheirRules)
   EXPECT_EQ(Refusal([&] { Apply(plan, ChangeObject<PlanTransplant>{ transplant }); })
               .find("transplant 13: transplant: transplant: kerfMm is 0"),
     0U);
+  transplant = plan.transplants[0];
+  transplant.mostOverlapMm = 11;
+  EXPECT_EQ(Refusal([&] { Apply(plan, ChangeObject<PlanTransplant>{ transplant }); }),
+    "transplant 13: mostOverlapMm is 11, must be in [0, 10]");
   EXPECT_EQ(Refused(AddObject<PlanCut>{ { 11, "", {}, {}, 501 } }),
     "cut 11: reachMm is 501, must be in [0, 500]");
   EXPECT_EQ(UsersOf(plan, 3), (std::vector<PlanId>{ 4, 7, 6, 11, 13 }));
   EXPECT_EQ(UsersOf(plan, 5), (std::vector<PlanId>{ 8, 13 }));
   EXPECT_EQ(UsersOf(plan, 6), (std::vector<PlanId>{ 8, 13 }));
   EXPECT_EQ(Label(plan, RemoveObject{ 13 }), "Remove transplant 13");
+}
+
+TEST(Plan, MitreGuidesAreOfTransplants)
+{
+  Plan plan = Apply(Reconstruction(), AddObject<PlanMitreGuide>{ { 14, "saw", 13, {} } });
+  ValidatePlan(plan);
+  const auto change = [&](const std::function<void(PlanMitreGuide&)>& spoil)
+  {
+    PlanMitreGuide object = plan.mitreGuides[0];
+    spoil(object);
+    return Refusal([&] { Apply(plan, ChangeObject<PlanMitreGuide>{ object }); });
+  };
+  EXPECT_EQ(change([](auto& g) { g.transplant = 11; }),
+    "mitre-guide 14: transplant is 11, must be the id of a transplant of the plan");
+  EXPECT_EQ(change([](auto& g) { g.choices.beyondMm = 4; }),
+    "mitre-guide 14: choices.beyondMm is 4, must be in [5, 100]");
+  EXPECT_EQ(
+    change([](auto& g) { g.name = std::string("\n"); }).find("mitre-guide 14: name holds"), 0U);
+  EXPECT_EQ(Label(plan, RemoveObject{ 14 }), "Remove mitre-guide 14");
+  EXPECT_EQ(UsersOf(plan, 13), std::vector<PlanId>{ 14 });
+  plan.mitreGuides[0].choices.gapMm = -1;
+  EXPECT_EQ(Refusal([&] { ValidatePlan(plan); }),
+    "plan: mitreGuides[0]: choices.gapMm is -1, must be in [0, 10]");
 }
 
 TEST(Plan, APlatesFragmentsAreWhereTheReductionPutsThem)

@@ -39,7 +39,7 @@ TEST(PlanEditsFile, ErrorsNameTheKeyAndNothingElse)
   EXPECT_EQ(refusal("[Erika"), "edits: no JSON: a mistake at byte 2");
   EXPECT_EQ(refusal("[]"), "edits: the whole must be an object");
   EXPECT_EQ(refusal(R"({"format":"Erika","edits":[]})"),
-    "edits: format is none that this version of Hasp reads: hasp-edits-1 to 2");
+    "edits: format is none that this version of Hasp reads: hasp-edits-1 to 3");
   EXPECT_EQ(refusal(R"({"format":"hasp-edits-2","edits":{}})"), "edits: edits must be a list");
   EXPECT_EQ(refusal(R"({"format":"hasp-edits-2","edits":[{"remove":1},{"add":"Erika"}]})"),
     "plan: edits[1].add is of no kind that a plan holds");

@@ -86,6 +86,31 @@ TEST(PlanMigration, AKeptFileOfVersion1IsRead)
     hasp::ValidatePlan(document.history.Current());
 }
 
+/// A file that the second version wrote: a transplant that was changed and changed back, and two
+/// made parts.
+TEST(PlanMigration, AKeptFileOfVersion2IsRead)
+{
+  const std::string text = ReadBytes(HASP_KEPT_PLAN_2);
+  ASSERT_NE(text.find("hasp-plan-2"), std::string::npos);
+  hasp::PlanDocument document = hasp::ParsePlan(text);
+  const hasp::Plan& plan = document.history.Current();
+  EXPECT_TRUE(plan.mitreGuides.empty());
+  ASSERT_EQ(plan.transplants.size(), 1U);
+  EXPECT_EQ(plan.transplants[0].donor, 2U);
+  EXPECT_EQ(plan.transplants[0].transplant.kerfMm, 1.0);
+  EXPECT_EQ(plan.transplants[0].mostGapMm, 0.5);
+  EXPECT_EQ(plan.transplants[0].mostOverlapMm, 0.5);
+  ASSERT_EQ(document.parts.size(), 2U);
+  EXPECT_EQ(hasp::WhyOutOfDate(plan, document.parts[0]), ""); // a fragment says what it did
+  const std::string written = hasp::FormatPlan(document);
+  EXPECT_NE(written.find("hasp-plan-3"), std::string::npos);
+  EXPECT_EQ(hasp::ParsePlan(written), document);
+  document.history.Redo();
+  EXPECT_EQ(document.history.Current().transplants[0].transplant.kerfMm, 0.8);
+  for (; document.history.ToUndo(); document.history.Undo())
+    hasp::ValidatePlan(document.history.Current());
+}
+
 TEST(PlanMigration, LeavesWhatIsNoPlanToTheStrictReader)
 {
   for (const char* text :

@@ -175,6 +175,8 @@ PlanTransplant RandomEdits::MakeTransplant(const Plan& plan)
     if (this->Below(2) == 0)
       face->fragment = this->AnyOf(plan.fragments);
   }
+  made.mostGapMm = this->Number(0, 10);
+  made.mostOverlapMm = this->Number(0, 10);
   Transplant& t = made.transplant;
   std::vector<glm::dvec3> line{ this->Point() }; // along x, some 30 mm a segment, bent a little
   for (int n = 1 + this->Below(3); n > 0; --n)
@@ -197,6 +199,16 @@ PlanTransplant RandomEdits::MakeTransplant(const Plan& plan)
   if (this->Below(2) == 0)
     t.paddle = SkinPaddle{ { this->Point(), this->Point(), this->Point() }, this->Point() };
   return made;
+}
+
+PlanMitreGuide RandomEdits::MakeMitreGuide(const Plan& plan)
+{
+  MitreGuideChoices choices;
+  choices.gapMm = this->Number(0, 10);
+  choices.thicknessMm = this->Number(0.1, 50);
+  choices.beyondMm = this->Number(5, 100);
+  choices.pinDiameterMm = this->Below(2) == 0 ? 0.0 : this->Number(1, 20);
+  return { 0, this->Text(), this->AnyOf(plan.transplants), choices };
 }
 
 PlanMeasure RandomEdits::MakeMeasure(const Plan& plan)
@@ -237,7 +249,7 @@ PlanEdit RandomEdits::OfFragments(const Plan& plan)
 
 PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
 {
-  const int kind = this->Below(13);
+  const int kind = this->Below(14);
   if (plan.volumes.empty() || kind == 0)
     return this->AddOrChange(plan.volumes, newId, [&](PlanId) { return this->MakeVolume(); });
   if (kind == 1)
@@ -266,6 +278,9 @@ PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
   if (kind == 11 && !plan.fragments.empty())
     return this->AddOrChange(
       plan.transplants, newId, [&](PlanId) { return this->MakeTransplant(plan); });
+  if (kind == 12 && !plan.transplants.empty())
+    return this->AddOrChange(
+      plan.mitreGuides, newId, [&](PlanId) { return this->MakeMitreGuide(plan); });
   std::vector<PlanId> all, unused;
   ForEachPlanObject(plan, [&](const auto& object) { all.push_back(object.id); });
   std::copy_if(all.begin(), all.end(), std::back_inserter(unused),

@@ -36,6 +36,7 @@ private:
   hasp::PlanPlate MakePlate(const hasp::Plan& plan);
   hasp::PlanImplant MakeImplant(const hasp::Plan& plan);
   hasp::PlanTransplant MakeTransplant(const hasp::Plan& plan);
+  hasp::PlanMitreGuide MakeMitreGuide(const hasp::Plan& plan);
   hasp::PlanMeasure MakeMeasure(const hasp::Plan& plan);
   template <typename T, typename Make>
   hasp::PlanEdit AddOrChange(const std::vector<T>& objects, hasp::PlanId newId, Make make);

@@ -198,9 +198,16 @@ TEST(PlanRebuild, ATransplantIsRecutWhenTheCutMoves)
   apart.first.cut = 0;
   apart.transplant.joints[0].point.x = 0.5; // the jaw's face is at -0.5
   PlanRebuild loose(Apply(plan, ChangeObject<PlanTransplant>{ apart }), bar.Images());
-  const MadeJoint gap = loose.Make(12).joints[0];
-  EXPECT_NEAR(gap.gapMm, 1.0, 0.1);
-  EXPECT_EQ(gap.overlapMm, 0.0);
+  const RebuiltPart far = loose.Make(12);
+  EXPECT_NEAR(far.joints[0].gapMm, 1.0, 0.1);
+  EXPECT_EQ(far.joints[0].overlapMm, 0.0);
+  EXPECT_TRUE(before.warnings.empty()); // though there is no bone at the other end
+  ASSERT_EQ(far.warnings.size(), 1U);
+  EXPECT_EQ(far.warnings[0].find("joints[0]: a gap of "), 0U) << far.warnings[0];
+  EXPECT_NE(far.warnings[0].find("at most 0.5 mm are asked for"), std::string::npos);
+  apart.mostGapMm = 2.0;
+  PlanRebuild allowed(Apply(plan, ChangeObject<PlanTransplant>{ apart }), bar.Images());
+  EXPECT_TRUE(allowed.Make(12).warnings.empty());
   PlanCut cut = plan.cuts[0];
   cut.blade.point.x = 4.0;
   plan = Apply(plan, ChangeObject<PlanCut>{ cut });

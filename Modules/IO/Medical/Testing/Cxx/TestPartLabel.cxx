@@ -80,9 +80,9 @@ TEST_F(PartLabels, ObjNamesItsObject)
 TEST_F(PartLabels, NamesAndHashesThatMayNameAPatientAreRefused)
 {
   for (const char* name : { "Mustermann", "fragment Mustermann", "Guide", "guide ", " guide",
-         "guide 1234567", "guide  1", "fragment 1\n", "fragment -1" })
+         "guide 1234567", "guide  1", "mitre guide 1", "fragment 1\n", "fragment -1" })
     EXPECT_FALSE(hasp::IsPartName(name)) << name;
-  for (const char* name : { "guide", "fragment 1", "crumb 999999", "segment 0" })
+  for (const char* name : { "guide", "fragment 1", "crumb 999999", "segment 0", "mitre-guide 12" })
     EXPECT_TRUE(hasp::IsPartName(name)) << name;
   for (const std::string& ending : Endings())
   {
