@@ -51,7 +51,8 @@ TEST_F(HaspImplant, BadRecipesAreTwoAndLeaveNothing)
   recipe["mirror"] = { { "point", { 300, 0, 0 } }, { "normal", { 1, 0, 0 } } };
   ExpectFailure(this->Make(recipe), 2, "no mirrored bone");
   // It claims no gap.
-  ExpectFailure(this->Make(Recipe(), { "--check", "--least-share", "0.9" }), 1, "no option of implant");
+  ExpectFailure(
+    this->Make(Recipe(), { "--check", "--least-share", "0.9" }), 1, "no option of implant");
   EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "implant.json" }));
 }
 
