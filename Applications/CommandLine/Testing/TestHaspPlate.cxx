@@ -56,17 +56,6 @@ TEST_F(HaspPlate, BadRecipesAreTwoAndLeaveNothing)
   EXPECT_EQ(this->Names(), (std::vector<std::string>{ "head.mha", "plate.json" }));
 }
 
-TEST_F(HaspPlate, WarningsOfLabelsAreSaid)
-{
-  this->Head();
-  std::string text = ReadBytes(this->Path("head.mha"));
-  const auto from = text.find("Offset = ");
-  this->WriteText("labels.mha", text.erase(from, text.find('\n', from) + 1 - from));
-  const HaspRun run = this->Plate(Recipe(), { "--labels", this->Path("labels.mha") });
-  EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_NE(run.err.find("The file says no position"), std::string::npos) << run.err;
-}
-
 TEST_F(HaspPlate, WritesAPlateAndSaysWhereItsScrewsAre)
 {
   this->FinePhantom();

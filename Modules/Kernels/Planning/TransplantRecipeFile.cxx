@@ -54,7 +54,6 @@ Json DonorToJson(const TransplantRecipe& r)
       { "perforator", ToJson(r.paddle->perforator) } };
   return json;
 }
-} // namespace
 
 TransplantRecipe RecipeFromJson(const Json& json)
 {
