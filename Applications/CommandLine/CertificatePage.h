@@ -12,7 +12,7 @@ struct CertificatePage
 {
   std::string partHash;   ///< SHA-256 of the part's file, hexadecimal; empty: not hashed
   std::string recipeHash; ///< of the recipe's; empty: none was given, or not hashed
-  std::string fate;       ///< of a part that does not hold: "It was not kept."; may be empty
+  std::string fate;       ///< "It was not kept.", and what else is to be known; may be empty
   std::vector<CertificatePicture> pictures{};
   std::string noPictures{}; ///< why there are none
 };

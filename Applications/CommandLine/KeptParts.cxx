@@ -20,7 +20,10 @@ PartFile TakePart(const KeptParts& kept, PlanId object, Session& session)
   try
   {
     const std::string report = ReadBlob(kept.folder, part->report);
-    if (ReadPartReport(report).verdict != "not certified" && kept.certified)
+    const PartReport read = ReadPartReport(report);
+    RecipeOfReport(report); // what it says must be read to the end before it is taken
+    const bool isCertified = read.verdict != "not certified";
+    if ((isCertified && kept.certified) || read.warnings > 0)
       return file;
     file.stl = ReadBlob(kept.folder, part->bytes);
     file.report = report;

@@ -18,7 +18,7 @@ struct KeptParts
 };
 
 /// The part of an object as it is kept, if it is in date; else one that is to be made, without
-/// bytes.
+/// bytes. One that was made with warnings is made anew, so that they are said again.
 PartFile TakePart(const KeptParts& kept, PlanId object, Session& session);
 
 /// Puts what was made into the plan as it is by now, and keeps what was changed in it meanwhile.

@@ -125,14 +125,20 @@ void Write(const LoadedSurface& surface, const std::string& name)
   WriteSurfaces(objects, name, passport.label);
 }
 
-/// Calls visit(object) for each object of JSON that says a file and its hash.
-void ForEachFile(Json& json, const std::function<void(Json&)>& visit)
+/// Calls visit(object) for each object of run.json that says a file of the run and its hash: those
+/// that WriteParts puts there, and nothing of what kept reports say.
+void ForEachFile(Json& run, const std::function<void(Json&)>& visit)
 {
-  if (json.is_object() && json.contains("file") && json.contains("sha256"))
-    visit(json);
-  if (json.is_structured())
-    for (Json& value : json)
-      ForEachFile(value, visit);
+  for (Json& part : run.at("parts"))
+  {
+    visit(part);
+    if (part.contains("planned"))
+      visit(part["planned"]);
+    if (part.at("kind") == "transplant")
+      for (Json& segment : part.at("segments"))
+        for (const char* where : { "in_defect", "on_donor" })
+          visit(segment.at(where));
+  }
 }
 
 } // namespace

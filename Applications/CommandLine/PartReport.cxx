@@ -20,8 +20,10 @@ namespace
 using Json = nlohmann::ordered_json;
 
 constexpr std::array Verdicts{ "green", "red", "not certified" };
-constexpr std::array Keys{ "triangles", "volume_mm3", "cuts", "segments", "joints", "most_gap_mm", "most_overlap_mm", "verdict",
-  "faults", "certificate", "program", "intended_use" };
+/// In parts of run.json.
+constexpr std::array Keys{ "triangles", "volume_mm3", "cuts", "segments", "joints", "most_gap_mm",
+  "most_overlap_mm", "warnings", "held_to_fragment", "verdict", "faults", "certificate", "program",
+  "intended_use" };
 
 /// What a fault's kind says, of a part that nobody measured just now.
 constexpr std::array<std::pair<FitFaultKind, const char*>, 16> Words{ {
@@ -64,6 +66,54 @@ std::string FaultText(const Json& fault)
   return text;
 }
 
+/// Whether a text of a report is one that Hasp writes.
+bool IsOurs(const std::string& text)
+{
+  static const std::regex forms("(slots|holes|screws)\\[[0-9]{1,4}\\]|"
+                                "hasp [0-9.]{1,12}, commit ([0-9a-f]{1,40}\\+?|unknown)");
+  static constexpr std::array Said{ "green", "red", "not certified", "holds", "does not hold",
+    "hasp-certificate-1", "research use only, not a medical device" };
+  return std::find(Said.begin(), Said.end(), text) != Said.end() ||
+         std::any_of(Words.begin(), Words.end(),
+           [&](const auto& word) { return FitFaultName(word.first) == text; }) ||
+         std::regex_match(text, forms);
+}
+
+/// Takes out texts and keys that Hasp does not write, and says faults in words of ours.
+void KeepOurs(Json& json)
+{
+  static const std::regex key("[a-z0-9_]{1,32}");
+  if (json.is_object() && json.contains("kind") && json.contains("text") && json.contains("at"))
+  {
+    const std::string text = FaultText(json);
+    json.erase("text");
+    KeepOurs(json);
+    json["text"] = text;
+  }
+  else if (json.is_string() && !IsOurs(json.get<std::string>()))
+    json = nullptr;
+  else if (json.is_array())
+    for (Json& value : json)
+      KeepOurs(value);
+  else if (json.is_object())
+    for (auto entry = json.begin(); entry != json.end();)
+      if (std::regex_match(entry.key(), key))
+        KeepOurs(*entry++);
+      else
+        entry = json.erase(entry);
+}
+
+/// What `hasp run` needs of each.
+void CheckSegments(const Json& segments)
+{
+  for (const Json& segment : segments)
+  {
+    segment.at("triangles").get<std::size_t>();
+    segment.at("position_mm").get<std::array<double, 3>>();
+    segment.at("orientation").get<std::array<double, 4>>();
+  }
+}
+
 PartReport Read(const Json& json)
 {
   PartReport report;
@@ -84,6 +134,10 @@ PartReport Read(const Json& json)
     for (const Json& cut : json.at("cuts"))
       if (!cut.at("parted").get<bool>())
         report.cutsThatPartNothing.push_back(cut.at("cut").get<PlanId>());
+  if (json.contains("segments"))
+    CheckSegments(json.at("segments"));
+  report.heldTo = json.value("held_to_fragment", PlanId(0));
+  report.warnings = json.value("warnings", std::size_t(0));
   return report;
 }
 
@@ -117,12 +171,26 @@ std::vector<std::string> WarningsOf(const PartReport& report, const std::string&
   return warnings;
 }
 
+std::string VerdictOf(const PartReport& report)
+{
+  return report.verdict + (report.heldTo == 0
+                              ? ""
+                              : ", held to fragment " + std::to_string(report.heldTo) + " alone");
+}
+
 void AddReport(const std::string& report, nlohmann::ordered_json& part)
 {
-  const Json json = OfOurs([&] { return Json::parse(report); });
-  for (const char* key : Keys)
-    if (json.contains(key) && !part.contains(key))
-      part[key] = json[key];
+  OfOurs(
+    [&]
+    {
+      Json json = Json::parse(report);
+      const std::vector<std::string> faults = Read(json).faults;
+      KeepOurs(json);
+      json["faults"] = faults;
+      for (const char* key : Keys)
+        if (json.contains(key) && !part.contains(key))
+          part[key] = json[key];
+    });
 }
 
 std::string RecipeText(const PartCheck& check)

@@ -18,6 +18,8 @@ struct PartReport
   double volumeMm3 = 0.0;
   std::vector<std::string> faults; ///< of a red one, at least one: what, which object, where
   std::vector<PlanId> cutsThatPartNothing;
+  PlanId heldTo = 0;        ///< a fragment alone; 0: all bone of its scan, or not certified
+  std::size_t warnings = 0; ///< that were said when it was made, and are not kept
 };
 
 /// Throws std::runtime_error, with no text of it, if it is none that Hasp writes.
@@ -26,7 +28,11 @@ PartReport ReadPartReport(const std::string& report);
 /// "cut 3 does not part the bone that fragment 4 is a piece of: …", of each such cut.
 std::vector<std::string> WarningsOf(const PartReport& report, const std::string& part);
 
-/// Puts all that a report says into a part of run.json, but for keys that are there already.
+/// "green, held to fragment 2 alone"
+std::string VerdictOf(const PartReport& report);
+
+/// Puts what a report says into a part of run.json, but for keys that are there already, and for
+/// texts that are not Hasp's own. Faults are in the words of PartReport.
 void AddReport(const std::string& report, nlohmann::ordered_json& part);
 
 /// The recipe that a part was made by, as a recipe's file; empty if there is none.

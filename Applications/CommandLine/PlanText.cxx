@@ -50,6 +50,9 @@ Json DescribeParts(const PlanDocument& document, const std::string& folder)
         part["verdict"] = report.verdict;
         part["faults"] = report.faults;
         part["warnings"] = WarningsOf(report, CalledObject(plan, object));
+        if (report.warnings > 0)
+          part["warnings"].push_back(std::to_string(report.warnings) +
+                                     " warning(s) when it was made: hasp run says them again");
       }
       catch (const std::exception& error)
       {

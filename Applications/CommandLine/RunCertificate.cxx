@@ -26,6 +26,14 @@ vtkSmartPointer<vtkImageData> ImageOf(const AnyGridView& bone)
     },
     bone);
 }
+
+/// What a page must say of bone that the part was not held to.
+std::string WhatBone(const PartCheck& check)
+{
+  return check.alone == 0 ? ""
+                          : "It was held to fragment " + std::to_string(check.alone) +
+                              " alone: other bone of the scan was not looked at.";
+}
 } // namespace
 
 CertifiedPart CertifyFile(
@@ -37,6 +45,8 @@ CertifiedPart CertifyFile(
     report["verdict"] = part.certificate.Holds() ? "green" : "red";
   for (const FitFault& fault : part.certificate.faults)
     report["faults"].push_back(fault.text);
+  if (check.alone != 0)
+    report["held_to_fragment"] = check.alone;
   report["certificate"] = CertificateJson(part.certificate);
   if (const std::string recipe = RecipeText(check); !recipe.empty())
     report["recipe"] = nlohmann::ordered_json::parse(recipe);
@@ -53,7 +63,7 @@ void WritePartPage(const PartCheck& check, const CertifiedPart& certified, const
     WriteBytes(recipe, recipeFile); // for its hash, which the page says
   WriteCertificatePage(certified.mesh, ImageOf(check.bone), certified.certificate,
     { (std::filesystem::path(pages.folder) / (stem + ".html")).string(), stl, recipeFile,
-      certified.certificate.Holds() ? "" : pages.fate },
+      (certified.certificate.Holds() ? "" : pages.fate + " ") + WhatBone(check) },
     session);
   if (!recipe.empty())
     std::filesystem::remove(recipeFile);

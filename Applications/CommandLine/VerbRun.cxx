@@ -5,6 +5,7 @@
 #include "PartReport.h"
 #include "PlanInput.h"
 #include "RunCertificate.h"
+#include "RunFaults.h"
 #include "RunImages.h"
 #include "RunParts.h"
 #include "Session.h"
@@ -66,7 +67,7 @@ public:
       this->MakeMissing(folder);
       this->FindFaults();
       this->KeepGood();
-      this->RefuseFailed();
+      this->Faults.Refuse(this->Parts.size(), IsPlanFolder(this->Options.plan));
       const std::string run = RunInFormat(WriteParts(this->Now, this->Parts, folder, this->Shared),
         this->Options.format, folder, this->Shared);
       WriteBytes(run, (folder / "run.json").string());
@@ -111,9 +112,17 @@ private:
         {
           part = MakePart(rebuild, this->Now, part.object, folder, this->Pages, this->Shared);
         }
+        catch (const Cancelled&)
+        {
+          throw;
+        }
         catch (const Failure& failure)
         {
-          this->Fail(part, failure.code, failure.what());
+          this->Faults.Add(this->Now, part.object, failure.code, failure.what());
+        }
+        catch (const std::exception& error) // such as memory, or the disk
+        {
+          this->Faults.Add(this->Now, part.object, ExitCode::BadInput, SafeText(error));
         }
   }
 
@@ -121,51 +130,35 @@ private:
   {
     for (const PartFile& part : this->Parts)
     {
-      if (this->Failed.contains(part.object))
+      if (this->Faults.Has(part.object))
         continue;
       for (const std::string& fault : FaultsOf(this->Now, part))
         if (this->Options.force)
           SayWarning(this->Shared, fault + "; it is kept, and its file says so (--force)");
         else
-          this->Fail(part, ExitCode::FailedCheck, fault);
+          this->Faults.Add(this->Now, part.object, ExitCode::FailedCheck, fault);
       for (const std::string& warning :
         WarningsOf(ReadPartReport(part.report), CalledObject(this->Now, part.object)))
         SayWarning(this->Shared, warning);
     }
   }
 
-  void Fail(const PartFile& part, ExitCode code, const std::string& why)
-  {
-    this->Failed.insert(part.object);
-    const std::string called = CalledObject(this->Now, part.object) + ": ";
-    this->Faults.push_back(why.starts_with(called) ? why : called + why);
-    this->Code = std::min(this->Code, code); // what is not there is worse than what does not hold
-  }
-
   /// Whatever the others are.
-  void KeepGood() const
+  void KeepGood()
   {
     std::vector<PartFile> good;
     for (const PartFile& part : this->Parts)
-      if (part.made && !this->Failed.contains(part.object))
+      if (part.made && !this->Faults.Has(part.object))
         good.push_back(part);
     if (IsPlanFolder(this->Options.plan))
-      KeepInPlan(this->Options.plan, good);
-  }
-
-  void RefuseFailed() const
-  {
-    if (this->Faults.empty())
-      return;
-    std::string text = "no folder was written: of " + std::to_string(this->Parts.size()) +
-                       " parts " + std::to_string(this->Failed.size()) +
-                       (this->Code == ExitCode::FailedCheck ? " do not hold (--force keeps them)"
-                                                            : " cannot be made or do not hold");
-    if (this->Failed.size() < this->Parts.size() && IsPlanFolder(this->Options.plan))
-      text += "; the plan keeps the others, which are not made again";
-    for (const std::string& fault : this->Faults)
-      text += "\n  " + fault;
-    throw Failure(this->Code, text);
+      try
+      {
+        KeepInPlan(this->Options.plan, good);
+      }
+      catch (const Failure& failure) // what is wrong with the parts is told, too
+      {
+        this->Faults.Add(failure);
+      }
   }
 
   void SayParts()
@@ -182,7 +175,7 @@ private:
         { "volume_mm3", report.volumeMm3 }, { "verdict", report.verdict } });
       if (!this->Shared.json)
         std::cout << called << (part.made ? "  made, " : "  in date, ")
-                  << Line("%.1f mm3, ", report.volumeMm3) << report.verdict << "\n";
+                  << Line("%.1f mm3, ", report.volumeMm3) << VerdictOf(report) << "\n";
     }
     this->Shared.result["output"] = FileLabel(this->Options.output);
   }
@@ -194,19 +187,19 @@ private:
   std::vector<PartFile> Parts;
   RunImages Images;
   PartPages Pages;
-  std::set<PlanId> Failed;
-  std::vector<std::string> Faults; ///< of all of them
-  ExitCode Code = ExitCode::FailedCheck;
+  RunFaults Faults;
 };
 
 void Run(const RunOptions& options, Session& session)
 {
   RequireWritableFolder(options.output);
+  if (IsPlanFolder(options.plan))
+    RequireWritable((fs::path(options.plan) / "plan.json").string(), { ".json" });
   if (options.format == "3mf")
     RequireThreeMf();
   if (!options.html.empty())
   {
-    RequireWritableFolder(options.html);
+    RequireWritableFolder(options.html, "--html's folder");
     RequireDifferent(options.html, options.output, "--html and --output");
   }
   WithThreadLimit(options.threads, [&] { PlanRun(options, session).Run(); });
@@ -238,12 +231,10 @@ void AddRunVerb(CLI::App& app, Session& session)
   verb->footer(
     "Example: hasp run case.hasp --volume head.mha --output parts\n"
     "Writes KIND-ID.stl (or as --format says; the plan keeps the .stl, which is certified),\n"
-    "fragments that are moved as KIND-ID-planned.stl, too, transplants as\n"
-    "transplant-ID-segment-N.stl and, on the donor, -donor-segment-N.stl, too, the recipes of\n"
-    "certified parts as KIND-ID.json, for hasp certify, and run.json.\n"
-    "The plan keeps what was made, and what is in date is not made again; only with --html what\n"
-    "is certified is. If a part cannot be made or does not hold, no folder is written, but the\n"
-    "plan keeps the others.\n"
+    "KIND-ID-planned.stl of fragments that are moved, transplant-ID-segment-N.stl and, on the\n"
+    "donor, -donor-segment-N.stl, KIND-ID.json, the recipes of certified parts, and run.json.\n"
+    "What is in date is not made again; with --html what is certified is. If a part cannot be\n"
+    "made or does not hold, no folder is written, but the plan keeps the others.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 a part does not hold.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

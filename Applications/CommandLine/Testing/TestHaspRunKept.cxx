@@ -69,8 +69,19 @@ TEST_F(HaspRunKept, ReportsAreNotSaidAsTheyStand)
   json report{ { "verdict", "green" }, { "volume_mm3", 1 }, { "faults", json::array() },
     { "object", "Erika" }, { "file", "Erika" }, { "sha256", "Erika" }, { "other", "Erika" } };
   this->ForgeReport(9, report);
+  const std::string other = this->Path("other.stl");
+  this->WriteText("other.stl", "of somebody else");
+  report["certificate"] = { { "verdict", "Erika" }, { "Erika", 1 }, { "file", other },
+    { "sha256", "" }, { "planned", { { "file", other }, { "sha256", "" } } } };
+  report["segments"] = { { { "triangles", 1 }, { "position_mm", { 0, 0, 0 } },
+    { "orientation", { 1, 0, 0, 0 } }, { "on_donor", report["certificate"] } } };
+  report["faults"] = { "Erika" };
+  this->ForgeReport(9, report);
   ASSERT_EQ(this->Make("forged", {}).exitCode, 0); // looks for Erika in what is said
   const std::string run = this->Files("forged").at("run.json");
+  ASSERT_EQ(this->Make("ply", { "--format", "ply" }).exitCode, 0);
+  EXPECT_EQ(ReadBytes(other), "of somebody else");
+  EXPECT_EQ(this->Files("ply").at("run.json").find("Erika"), std::string::npos);
   EXPECT_EQ(run.find("Erika"), std::string::npos);
   EXPECT_EQ(json::parse(run).at("parts")[4].at("file"), "guide-9.stl");
 

@@ -54,6 +54,7 @@ TEST_F(HaspRunTransplant, ItsMitreGuideIsMadeCertifiedAndRecut)
   const json part = json::parse(one.at("run.json")).at("parts")[2];
   EXPECT_EQ(part.at("kind"), "mitre-guide");
   EXPECT_EQ(part.at("verdict"), "green");
+  EXPECT_EQ(part.at("held_to_fragment"), 2);                // the leg has other bone
   EXPECT_EQ(part.at("certificate").at("slots").size(), 4U); // two a segment
   EXPECT_EQ(part.at("certificate").at("holes").size(), 4U); // at both ends, and in each segment
   for (const char* threads : { "2", "4" })

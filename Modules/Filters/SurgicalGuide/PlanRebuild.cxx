@@ -129,14 +129,14 @@ struct PlanRebuild::Internals
 
   RebuiltPart MakeOf(const PlanGuide& guide, const ProgressFunction& progress)
   {
-    const AnyGridView bone = FindPlanObject<PlanVolume>(this->plan, guide.bone)
-                               ? this->bones.Grey(guide.bone)
-                               : this->Alone(guide.bone, guide.recipe.isovalue, progress);
+    const PlanId alone = FindPlanObject<PlanVolume>(this->plan, guide.bone) ? 0 : guide.bone;
+    const AnyGridView bone = alone == 0 ? this->bones.Grey(guide.bone)
+                                        : this->Alone(alone, guide.recipe.isovalue, progress);
     BuiltGuide built =
       BuildGuide(bone, this->Labelled(guide), BladesOf(this->plan, guide), progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
-    part.check = { ClaimsOf(built.made.recipe), bone, built.made.recipe };
+    part.check = { ClaimsOf(built.made.recipe), bone, built.made.recipe, alone };
     return part;
   }
 
@@ -204,7 +204,7 @@ struct PlanRebuild::Internals
     BuiltGuide built = BuildGuide(donor, guide.recipe, {}, progress);
     RebuiltPart part;
     part.mesh = std::move(built.mesh);
-    part.check = { ClaimsOf(built.made.recipe), donor, built.made.recipe };
+    part.check = { ClaimsOf(built.made.recipe), donor, built.made.recipe, transplant.donor };
     part.warnings = std::move(guide.warnings);
     return part;
   }

@@ -49,6 +49,7 @@ struct PartCheck
   /// it and the scan anybody can hold the part's file to the same claims. None of a plate on
   /// fragments: bone that was moved is in no scan.
   std::variant<std::monostate, GuideRecipe, PlateRecipe, ImplantRecipe> recipe{};
+  PlanId alone = 0; ///< the fragment that `bone` is without the scan's other bone; 0: it has all
 };
 
 struct RebuiltPart

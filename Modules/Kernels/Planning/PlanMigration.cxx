@@ -88,6 +88,14 @@ void MendObjectOf2(const std::string& noun, Json& object)
   SetIfMissing(object, "mostGapMm", 0.5);
   SetIfMissing(object, "mostOverlapMm", 0.5);
 }
+
+/// What is measured on a part, and the recipe that goes with it, is kept more fully: it is made
+/// anew.
+void MendPartOf2(Json& part)
+{
+  if (part.is_object())
+    part["report"] = "";
+}
 } // namespace
 
 void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigration> steps)
@@ -121,7 +129,7 @@ std::size_t ReadFormatVersion(const StrictJson& file, const std::string& begin)
 std::span<const PlanMigration> PlanMigrations()
 {
   static constexpr PlanMigration steps[] = { { AddListsOf2, MendObjectOf1, MendPartOf1 },
-    { AddListOf3, MendObjectOf2, nullptr } };
+    { AddListOf3, MendObjectOf2, MendPartOf2 } };
   return steps;
 }
 
