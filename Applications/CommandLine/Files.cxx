@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -44,15 +45,21 @@ fs::path FolderOf(const std::string& path)
 }
 
 /// Why no file can be made in a folder, as only trying tells: of some folders the system says that
-/// they can be written to, and refuses it then. Empty: one can. Nothing is left.
+/// they can be written to, and refuses it then. Empty: one can. Nothing is left: the file has a
+/// name only where the file system cannot do without, for a moment.
 std::string WhyNotIn(const fs::path& folder)
 {
-  std::string name = (folder / ".hasp-XXXXXX").string();
-  const int file = mkstemp(name.data());
+  int file = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (file < 0 && (errno == EOPNOTSUPP || errno == EISDIR))
+  {
+    std::string name = (folder / ".hasp-XXXXXX").string();
+    file = mkstemp(name.data());
+    if (file >= 0)
+      unlink(name.c_str());
+  }
   if (file < 0)
     return std::generic_category().message(errno);
   close(file);
-  unlink(name.c_str());
   return {};
 }
 
@@ -137,13 +144,13 @@ void RequireDifferent(const std::string& path, const std::string& other, const s
       ExitCode::WrongUse, options + " are one file; give two names: nothing was written");
 }
 
-void RequireWritableFolder(const std::string& path)
+void RequireWritableFolder(const std::string& path, const std::string& called)
 {
   const fs::path given(path), place = given.has_filename() ? given : given.parent_path();
-  const auto refuse = [](const std::string& reason)
+  const auto refuse = [&](const std::string& reason)
   {
     throw Failure(
-      ExitCode::WrongUse, "cannot write the folder: " + reason + "; nothing was written");
+      ExitCode::WrongUse, "cannot write " + called + ": " + reason + "; nothing was written");
   };
   std::error_code error;
   const fs::path parent = FolderOf(place.string());

@@ -23,7 +23,7 @@ void RequireDifferent(
 
 /// RequireWritable for a folder that is to be made. Throws Failure: WrongUse unless nothing or an
 /// empty folder is there, and the folder it lies in exists and can be written to.
-void RequireWritableFolder(const std::string& path);
+void RequireWritableFolder(const std::string& path, const std::string& called = "the folder");
 
 /// Writes all bytes or nothing, as hasp::WriteBytes does. Throws Failure: WrongUse with the
 /// system's reason.

@@ -155,6 +155,11 @@ void Run(const CutOptions& options, Session& session)
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   const CutBone cut = Cut(options, recipe, volume.image, session);
+  for (std::size_t n = 0; n < cut.cuts.size(); ++n)
+    if (!cut.cuts[n].parted)
+      SayWarning(session, "cuts[" + std::to_string(n) +
+                            "] does not part the bone: what is on both of its sides is one piece, "
+                            "resected or not; make its blade wider or deeper, or move it");
   const nlohmann::ordered_json measures = Describe(cut, recipe, options.format);
   if (!options.labelImage)
     session.resources.push_back({ "label image", 0, 0.0, "no --label-image was asked for" });

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -44,29 +45,31 @@ void Begin(const PlanOptions& options)
   StorePlan(options.plan, document);
 }
 
-/// All edits of the file as one step, or none.
-void ApplyEdits(PlanDocument& document, const std::string& path, Session& session)
+/// All edits of the file as one step, or none. Returns what to say once it is stored.
+std::string ApplyEdits(PlanDocument& document, const std::string& path)
 {
   const std::string text = ReadText(path);
-  Try(ExitCode::BadInput, "",
+  return Try(ExitCode::BadInput, "",
     [&]
     {
       std::vector<PlanEdit> edits = ParseEdits(text);
       if (edits.empty())
         throw Failure(ExitCode::BadInput, FileLabel(path) + ": it holds no edits");
-      const std::string label = TextOf(document.history.Current(), edits);
+      std::string label = TextOf(document.history.Current(), edits);
       document.history.Do(std::move(edits), label);
-      Say(session, label);
+      return label;
     });
 }
 
-void UndoOrRedo(PlanDocument& document, bool undo, Session& session)
+/// Returns what to say once it is stored.
+std::string UndoOrRedo(PlanDocument& document, bool undo)
 {
   if (!(undo ? document.history.ToUndo() : document.history.ToRedo()))
     throw Failure(
       ExitCode::WrongUse, std::string("the plan has no step to ") + (undo ? "undo" : "redo"));
-  Say(session, (undo ? "Undone: " : "Redone: ") + NextStep(document.history, undo));
+  std::string said = (undo ? "Undone: " : "Redone: ") + NextStep(document.history, undo);
   undo ? document.history.Undo() : document.history.Redo();
+  return said;
 }
 
 void Check(const std::string& folder, Session& session)
@@ -118,6 +121,10 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
   if (!IsPartObject(plan, options.part))
     throw Failure(
       ExitCode::WrongUse, called + ": nothing is made of it; hasp plan --show lists what is");
+  const std::vector<PlanId> made = PartObjects(plan);
+  if (std::find(made.begin(), made.end(), options.part) == made.end())
+    throw Failure(ExitCode::WrongUse,
+      called + ": it is cut, and its pieces are made; hasp plan --show lists them");
   const DerivedPart* part = PartInDate(plan, document.parts, options.part);
   if (!part)
     throw Failure(
@@ -173,11 +180,10 @@ void Change(const PlanOptions& options, Session& session)
   }
   if (options.prune)
     return Prune(document, options.plan, session);
-  if (!options.edits.empty())
-    ApplyEdits(document, options.edits, session);
-  else
-    UndoOrRedo(document, options.undo, session);
+  const std::string said = options.edits.empty() ? UndoOrRedo(document, options.undo)
+                                                 : ApplyEdits(document, options.edits);
   StorePlan(options.plan, document);
+  Say(session, said);
   ShowPlan(document, options.plan, session);
 }
 

@@ -30,7 +30,7 @@ TEST_F(CutFragments, WrongInputIsAFailureAndLeavesNoFile)
   EXPECT_EQ(this->Run("CutFragments"), 1);
   this->WriteLegAndRecipe();
   EXPECT_EQ(this->Run("CutFragments leg.mha no.json parts.ply"), 1);
-  EXPECT_NE(this->said.find("the file cannot be read"), std::string::npos) << this->said;
+  EXPECT_NE(this->said.find("the file is not there"), std::string::npos) << this->said;
   EXPECT_EQ(this->Run("CutFragments no.mha cuts.json parts.ply"), 1);
   EXPECT_FALSE(std::filesystem::exists(this->Path("parts.ply")));
 }

@@ -27,7 +27,7 @@ TEST_F(FillDefect, WrongInputIsAFailureAndLeavesNoFile)
   EXPECT_EQ(this->Run("FillDefect"), 1);
   this->WriteScan();
   EXPECT_EQ(this->Run("FillDefect both.mha both.mha no.json segments.ply"), 1);
-  EXPECT_NE(this->said.find("the file cannot be read"), std::string::npos) << this->said;
+  EXPECT_NE(this->said.find("the file is not there"), std::string::npos) << this->said;
   EXPECT_EQ(this->Run("FillDefect both.mha no.mha " + this->recipe + " segments.ply"), 1);
   EXPECT_FALSE(std::filesystem::exists(this->Path("segments.ply")));
 }

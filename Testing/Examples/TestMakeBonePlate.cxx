@@ -30,7 +30,7 @@ TEST_F(MakeBonePlate, WrongInputIsAFailureAndLeavesNoFile)
   EXPECT_EQ(this->Run("MakeBonePlate"), 1);
   this->WriteJaw();
   EXPECT_EQ(this->Run("MakeBonePlate jaw.mha no.json plate.stl"), 1);
-  EXPECT_NE(this->said.find("the file cannot be read"), std::string::npos) << this->said;
+  EXPECT_NE(this->said.find("the file is not there"), std::string::npos) << this->said;
   EXPECT_FALSE(std::filesystem::exists(this->Path("plate.stl")));
 }
 

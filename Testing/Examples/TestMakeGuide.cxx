@@ -46,7 +46,7 @@ TEST_F(MakeGuide, WrongInputIsAFailureAndLeavesNoFile)
   EXPECT_EQ(this->Run("MakeGuide"), 1);
   this->WriteHeadAndRecipe();
   EXPECT_EQ(this->Run("MakeGuide head.mha no.json guide.stl"), 1);
-  EXPECT_NE(this->said.find("the file cannot be read"), std::string::npos) << this->said;
+  EXPECT_NE(this->said.find("the file is not there"), std::string::npos) << this->said;
   EXPECT_EQ(this->Run("MakeGuide no.mha recipe.json guide.stl"), 1);
   EXPECT_FALSE(std::filesystem::exists(this->Path("guide.stl")));
 }

@@ -26,7 +26,7 @@ TEST_F(MakeImplant, WrongInputIsAFailureAndLeavesNoFile)
   EXPECT_EQ(this->Run("MakeImplant"), 1);
   this->WriteHead();
   EXPECT_EQ(this->Run("MakeImplant head.mha no.json implant.stl"), 1);
-  EXPECT_NE(this->said.find("the file cannot be read"), std::string::npos) << this->said;
+  EXPECT_NE(this->said.find("the file is not there"), std::string::npos) << this->said;
   EXPECT_FALSE(std::filesystem::exists(this->Path("implant.stl")));
 }
 

@@ -123,7 +123,7 @@ private:
     const std::size_t n = this->AnyLandmark();
     glm::dvec3& p = this->Plate.recipe.landmarks[n];
     p += this->Random.From(4.5, 30.0) * this->Outward(p);
-    this->Expect("landmark off the bone", PlateOutcome::Refused, Key("landmarks", n) + " is ");
+    this->Expect("landmark off the bone", PlateOutcome::Refused, Key("landmarks", n));
   }
 
   void Straight()

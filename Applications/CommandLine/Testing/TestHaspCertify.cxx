@@ -68,7 +68,7 @@ TEST_F(HaspCertify, WhatIsNoPartIsRefused)
   this->WriteText("cut.stl", ReadBytes(this->Path("guide.stl")).substr(0, 5000));
   ExpectFailure(this->Certify("cut.stl"), 2, "the .stl file");
   this->WriteText("recipe.json", "{");
-  ExpectFailure(this->Certify("guide.stl"), 2, "guide recipe: no JSON");
+  ExpectFailure(this->Certify("guide.stl"), 2, "the .json file: recipe: no JSON");
 }
 
 TEST_F(HaspCertify, WithoutARecipeNothingIsSaidToHold)

@@ -144,6 +144,7 @@ TEST_F(HaspCut, SaysThatACutDoesNotPartTheBoneAndMakesNoLabelsUnasked)
   const HaspRun run = this->Cut(recipe, { "--explain" });
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_NE(run.out.find("DOES NOT PART"), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find("warning: cuts[0] does not part the bone"), std::string::npos) << run.err;
   EXPECT_NE(run.out.find("label image"), std::string::npos) << run.out;
   EXPECT_FALSE(std::filesystem::exists(this->Path("parts/fragments.seg.nrrd")));
 }

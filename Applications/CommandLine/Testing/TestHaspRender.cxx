@@ -47,7 +47,7 @@ TEST_F(HaspRender, WhatCannotBeWrittenIsOneAndLeavesNothing)
   ExpectFailure(this->Render({}, "x.bmp"), 1, "must end in .png");
   const HaspRun system = RunHasp({ "render", this->Path("head.mha"), "--isovalue", "226",
     "--resolution", "9,9", "--output", "/proc/x.png" }); // no one writes there, not even root
-  ExpectFailure(system, 1, "the .png file: cannot be created");
+  ExpectFailure(system, 1, "cannot write the .png file: its folder takes no file");
   EXPECT_EQ(this->Names(), (Words{ "head.mha", "taken.png" }));
 }
 

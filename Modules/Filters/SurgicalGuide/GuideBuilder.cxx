@@ -15,6 +15,7 @@
 #include "OnePiece.h"
 #include "PlaceChecks.h"
 #include "Planning/GuideSlots.h"
+#include "WorkingGrid.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -25,6 +26,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 namespace hasp
 {
@@ -36,7 +38,6 @@ constexpr double BesideMm = 1.0; // apart are the lines of a blade that are look
 // Twice the wall that a printer makes (0.6 mm, PartClaims), for what samples may miss.
 constexpr double LeastBallMm = 0.6, BallCells = 1.25;
 constexpr double ShellCells = 4.5; // a ball of BallCells, and a cell on either side of it
-constexpr double MostSamples = 2e8;
 constexpr double OpenMm = 0.03; // of the balls': so that smooth bone alone tells where its gap ends
 constexpr double EdgeShare = 0.45; // of a ball: edges of 90 degrees stay sharp
 constexpr double EndlessMm = 1000.0;
@@ -123,12 +124,51 @@ void CheckLandmarksOnBone(const GridView<const float>& bone, const GuideRecipe& 
     });
 }
 
+/// Whether a bone sample is in the box of this half width, mm, around a place in the volume.
+template <typename T>
+bool BoneIsNear(const GridView<const T>& ct, const std::vector<std::uint8_t>& keep, double isovalue,
+  const glm::dvec3& place, double reachMm)
+{
+  const glm::dvec3 reach = reachMm / ct.geometry.spacing, at = ct.geometry.WorldToIndex(place);
+  const glm::ivec3 low(glm::max(glm::ceil(at - reach), glm::dvec3(0.0)));
+  const glm::ivec3 high(
+    glm::min(glm::floor(at + reach), glm::dvec3(ct.geometry.dims - glm::ivec3(1))));
+  for (int k = low.z; k <= high.z; ++k)
+    for (int j = low.y; j <= high.y; ++j)
+      for (int i = low.x; i <= high.x; ++i)
+        if (keep[ct.Offset(i, j, k)] && double(ct(i, j, k)) >= isovalue)
+          return true;
+  return false;
+}
+
+/// Before directions are searched, which says less of why there is no bone: bone's surface is
+/// within a spacing of one of its samples.
+void CheckBoneIsNear(
+  const AnyGridView& ct, const std::vector<std::uint8_t>& keep, const GuideRecipe& recipe)
+{
+  const glm::dvec3 spacing = GeometryOf(ct).spacing;
+  const double reach = FarthestLandmarkMm + std::max({ spacing.x, spacing.y, spacing.z });
+  ForEachLandmark(recipe,
+    [&](const std::string& name, const glm::dvec3& p)
+    {
+      if (std::visit([&](const auto& view)
+            { return BoneIsNear(view, keep, recipe.isovalue, p, reach); },
+            ct))
+        return;
+      std::ostringstream text;
+      text << "guide: " << name << " is over " << FarthestLandmarkMm << " mm from bone (isovalue "
+           << recipe.isovalue << "), must be within";
+      throw std::runtime_error(text.str());
+    });
+}
+
 /// The withdrawal direction found takes the place of the recipe's, which must suit it then.
 InsertionAxis SearchAxis(
   const AnyGridView& ct, const std::vector<std::uint8_t>& keep, GuideRecipe& recipe)
 {
   if (recipe.axisSearchDeg == 0.0)
     return { recipe.withdrawal, -1.0 };
+  CheckBoneIsNear(ct, keep, recipe);
   const SolidPointer band = MakeGuideBand(recipe);
   const InsertionAxis found =
     FindInsertionAxis(ct, keep, *band, recipe.withdrawal, recipe.axisSearchDeg);
@@ -201,12 +241,10 @@ GridGeometry GridOfBalls(const GuideRecipe& recipe, GridGeometry grid)
   const double spacing = recipe.thicknessMm / ShellCells;
   if (spacing >= recipe.spacingMm)
     return grid;
-  grid.dims = glm::ivec3(glm::ceil(glm::dvec3(grid.Cells()) * (recipe.spacingMm / spacing))) + 1;
+  const glm::dvec3 cells = glm::ceil(glm::dvec3(grid.Cells()) * (recipe.spacingMm / spacing));
+  CheckPoints("guide", cells + 1.0, recipe.thicknessMm, "raise thicknessMm");
+  grid.dims = glm::ivec3(cells) + 1;
   grid.spacing = glm::dvec3(spacing);
-  if (double(grid.dims.x) * grid.dims.y * grid.dims.z > MostSamples)
-    throw std::invalid_argument(
-      "guide: to keep edges of thicknessMm (" + std::to_string(recipe.thicknessMm) +
-      ") from being thin, spacingMm must be at most " + std::to_string(spacing) + " here");
   return grid;
 }
 

@@ -23,9 +23,9 @@ void Halve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double
   if (longest <= spacing)
   {
     if (samples.size() > MostSamples + sample.triangle)
-      throw std::invalid_argument("mesh: over " + std::to_string(MostSamples) +
-                                  " places would be measured, as its triangles are so long and "
-                                  "thin; mesh it anew");
+      throw std::runtime_error("mesh: over " + std::to_string(MostSamples) +
+                               " places would be measured, as its triangles are so long and "
+                               "thin; mesh it anew");
     sample.point = (a + b + c) / 3.0;
     samples.push_back(sample);
     return;

@@ -25,9 +25,9 @@ inline constexpr double SliverMm = 1e-3;
 /// SliverMm are left out.
 ///
 /// spacingMm   > 0; made larger for large parts, so that some 100,000 places are enough
-/// Throws std::invalid_argument on a spacing out of range, a triangle whose points are not there,
-/// and triangles so long and thin that there would be over 4,000,000 places besides one of each.
-/// Any thread; O(places), one core.
+/// Throws std::invalid_argument on a spacing out of range and a triangle whose points are not
+/// there; std::runtime_error on triangles so long and thin that there would be over 4,000,000
+/// places besides one of each. Any thread; O(places), one core.
 std::vector<MeshSample> SampleMesh(const TriangleMesh& mesh, double spacingMm);
 
 /// Twice the area over the longest side, mm; 0 without an area.

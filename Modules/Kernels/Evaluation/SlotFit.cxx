@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace hasp
@@ -41,13 +42,28 @@ struct Wall
       before = this->places.size();
       std::erase_if(
         this->places, [&](const glm::dvec3& p) { return out * (p.z - this->At(p)) > OtherMm; });
-      this->FitAll();
+      this->FitTo(this->places);
+    }
+    this->FitMost();
+  }
+  /// The plane that guides a blade is that of most of the wall: a side of the part that it runs
+  /// into does not turn it. Flatness tells of both.
+  void FitMost()
+  {
+    constexpr int Rounds = 10;
+    std::vector<glm::dvec3> near = this->places;
+    const auto most = near.begin() + std::ptrdiff_t(near.size() - near.size() / 4);
+    for (int round = 0; round < Rounds; ++round)
+    {
+      std::nth_element(near.begin(), most - 1, near.end(),
+        [&](const glm::dvec3& a, const glm::dvec3& b) { return this->Off(a) < this->Off(b); });
+      this->FitTo({ near.begin(), most });
     }
   }
-  void FitAll()
+  void FitTo(std::span<const glm::dvec3> some)
   {
     NormalEquations<3> equations;
-    for (const glm::dvec3& p : this->places)
+    for (const glm::dvec3& p : some)
       equations.Add({ 1.0, p.x, p.y }, p.z);
     if (const auto solved = equations.Solve())
       this->plane = *solved;
@@ -58,11 +74,12 @@ struct Wall
   {
     return this->plane[0] + this->plane[1] * uv.x + this->plane[2] * uv.y;
   }
+  double Off(const glm::dvec3& p) const { return std::abs(p.z - this->At(p)); }
   double Flatness() const
   {
     std::vector<double> off;
     for (const glm::dvec3& p : this->places)
-      off.push_back(std::abs(p.z - this->At(p)));
+      off.push_back(this->Off(p));
     const auto nth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 95 / 100);
     std::nth_element(off.begin(), nth, off.end());
     return *nth;

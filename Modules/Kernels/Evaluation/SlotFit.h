@@ -29,11 +29,11 @@ struct SlotFit
 ///
 /// Places are 0.25 mm apart over the claimed length and all of the mesh across it. A wall faces the
 /// plane within 20 degrees and lies within twice the claimed width + 1 mm. Planes are fitted by
-/// least squares of the distances to the middle plane; walls more than 1 mm behind them belong to
-/// something else and are left out. Of the length, 0.25 mm at either end are
-/// left out: ends may be round.
-/// The mesh should be closed: whether a place is in material is told from the first wall that a ray
-/// meets. Any thread; one core; about 2 us a place.
+/// least squares of the distances to the middle plane, to the nearest three quarters of a wall's
+/// places; walls more than 1 mm behind them belong to something else and are left out. Of the
+/// length, 0.25 mm at either end are left out: ends may be round. The mesh should be closed:
+/// whether a place is in material is told from the first wall that a ray meets. Any thread; one
+/// core; about 2 us a place.
 SlotFit FitSlot(const TriangleTree& tree, const ClaimedSlot& slot);
 
 } // namespace hasp

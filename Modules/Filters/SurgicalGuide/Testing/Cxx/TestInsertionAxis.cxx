@@ -111,6 +111,20 @@ TEST(InsertionAxis, WhatNoDirectionReachesIsNamed)
   EXPECT_NE(answer.error.find("axisSearchDeg"), std::string::npos) << answer.error;
 }
 
+TEST(InsertionAxis, BoneThatIsNotThereIsNotTheDirectionsFault)
+{
+  const auto ct = ScanOf(hasp::AnalyticSphere({}, 20), glm::dvec3(1.5), 0.2);
+  hasp::GuideRecipe r;
+  r.spacingMm = 0.6;
+  r.thicknessMm = 2.8;
+  r.landmarks = { { 26, 0, 0 }, { 26, 2, 0 } };
+  r.withdrawal = { 1, 0, 0 };
+  r.axisSearchDeg = 30;
+  Answer answer(ct, r);
+  EXPECT_NE(answer.error.find("landmarks[0] is over 3 mm from bone"), std::string::npos)
+    << answer.error;
+}
+
 TEST(InsertionAxis, SawPlanesMustSuitTheDirectionFound)
 {
   const auto ct = ScanOf(hasp::AnalyticSphere({}, 20), glm::dvec3(1.5), 0.2);
