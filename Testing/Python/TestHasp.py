@@ -282,7 +282,7 @@ class Guide(unittest.TestCase):
         guide = hasp.vtkHaspGuideFilter()
         said = errors_of(guide)
         self.assertFalse(guide.ReadRecipe("/nonexistent/recipe.json"))
-        self.assertIn("guide recipe: the file cannot be read", "".join(said))
+        self.assertIn("guide recipe: the file is not there", "".join(said))
         recipe = pathlib.Path(__file__).parents[2] / "Data/cranium-guide.json"
         self.assertTrue(guide.ReadRecipe(str(recipe)))
 
