@@ -1,0 +1,351 @@
+#include "Segmentation/RandomWalker.h"
+
+#include "Grid/ParallelFor.h"
+#include "Segmentation/ConjugateGradients.h"
+#include "Segmentation/Multigrid.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace hasp
+{
+
+using walk::LaneCount;
+using walk::NodeValues;
+
+namespace
+{
+
+constexpr std::int32_t noLabel = -1; ///< no seed in this piece of the graph
+constexpr std::int32_t severalLabels = -2;
+
+/// Pieces of the graph, by span.
+std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& pieces)
+{
+  const std::vector<VoxelGraph::Span>& spans = graph.Spans();
+  std::vector<std::int32_t> parent(spans.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::int32_t s)
+  {
+    while (parent[s] != s)
+      s = parent[s] = parent[parent[s]];
+    return s;
+  };
+  const auto join = [&](std::int32_t a, std::int32_t b)
+  {
+    a = root(a);
+    b = root(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  // Where the span of a neighbour is looked for: rows are met in order, so the place only moves on.
+  std::size_t at[2] = { 0, 0 };
+  for (std::size_t s = 0; s < spans.size(); ++s)
+  {
+    if (spans[s].joined != 0)
+      join(static_cast<std::int32_t>(s), static_cast<std::int32_t>(s + 1));
+    for (int axis = 0; axis < 2; ++axis)
+      if (spans[s].above[axis] != 0)
+      {
+        const std::int32_t other = spans[s].first + spans[s].above[axis];
+        while (spans[at[axis]].first + spans[at[axis]].count <= other)
+          ++at[axis];
+        join(static_cast<std::int32_t>(s), static_cast<std::int32_t>(at[axis]));
+      }
+  }
+  pieces = 0;
+  std::vector<std::int32_t> piece(spans.size());
+  for (std::size_t s = 0; s < spans.size(); ++s)
+  {
+    const std::int32_t r = root(static_cast<std::int32_t>(s));
+    piece[s] = r == static_cast<std::int32_t>(s) ? pieces++ : piece[r];
+  }
+  return piece;
+}
+
+} // namespace
+
+struct RandomWalker::Internals
+{
+  std::shared_ptr<const VoxelGraph> graph;
+  walk::Multigrid multigrid;
+  std::vector<std::int32_t> pieceOfSpan;
+  std::vector<std::int32_t> pieceLabel; ///< the label of all its seeds, noLabel or severalLabels
+  std::vector<WalkerSeed> seeds;        ///< ascending nodes
+  Label rest = 0;                       ///< the label without a system of its own
+  std::vector<Label> laneLabels;        ///< of the systems; 0: free
+  std::vector<NodeValues> batches;      ///< probabilities, four labels each
+
+  Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress)
+    : graph(std::move(g)),
+      multigrid(graph, progress)
+  {
+    std::int32_t pieces = 0;
+    pieceOfSpan = FindPieces(*graph, pieces);
+    pieceLabel.assign(static_cast<std::size_t>(pieces), noLabel);
+  }
+
+  std::size_t SpanOf(std::int32_t node) const
+  {
+    const auto after = std::upper_bound(graph->Spans().begin(), graph->Spans().end(), node,
+      [](std::int32_t n, const VoxelGraph::Span& span) { return n < span.first; });
+    return static_cast<std::size_t>(after - graph->Spans().begin()) - 1;
+  }
+
+  /// A system for each label but one; labels that had one keep it.
+  void AssignLanes()
+  {
+    std::vector<Label> labels;
+    for (const WalkerSeed& seed : seeds)
+      labels.push_back(seed.label);
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    const auto used = [&](Label l) { return std::binary_search(labels.begin(), labels.end(), l); };
+    if (!used(rest)) // all probabilities that were implied are lost
+    {
+      rest = labels.empty() ? Label{ 0 } : labels.front();
+      laneLabels.clear();
+      batches.clear();
+    }
+    for (std::size_t lane = 0; lane < laneLabels.size(); ++lane)
+      if (laneLabels[lane] != 0 && !used(laneLabels[lane]))
+      {
+        laneLabels[lane] = 0;
+        FillLane(lane, 0.0F);
+      }
+    for (const Label label : labels)
+      if (label != rest &&
+          std::find(laneLabels.begin(), laneLabels.end(), label) == laneLabels.end())
+      {
+        const auto free = std::find(laneLabels.begin(), laneLabels.end(), Label{ 0 });
+        if (free != laneLabels.end())
+          *free = label;
+        else
+          laneLabels.push_back(label);
+      }
+    const std::size_t needed = (laneLabels.size() + LaneCount - 1) / LaneCount;
+    while (batches.size() < needed)
+      batches.emplace_back(graph->Nodes());
+  }
+
+  void FillLane(std::size_t lane, float value)
+  {
+    NodeValues& batch = batches[lane / LaneCount];
+    for (std::int64_t n = 0; n < graph->Nodes(); ++n)
+      batch.data()[n][lane % LaneCount] = value;
+  }
+
+  /// 1 in the system of the label, 0 in all others.
+  walk::Lanes Known(std::size_t batch, std::int32_t label) const
+  {
+    walk::Lanes value{};
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const std::size_t at = batch * LaneCount + static_cast<std::size_t>(lane);
+      if (at < laneLabels.size() && laneLabels[at] != 0 && laneLabels[at] == label)
+        value[lane] = 1.0F;
+    }
+    return value;
+  }
+
+  void FindPieceLabels()
+  {
+    std::fill(pieceLabel.begin(), pieceLabel.end(), noLabel);
+    for (const WalkerSeed& seed : seeds)
+    {
+      std::int32_t& label = pieceLabel[pieceOfSpan[SpanOf(seed.node)]];
+      label = label == noLabel || label == seed.label ? seed.label : severalLabels;
+    }
+  }
+
+  /// What is known without solving.
+  void SetKnown()
+  {
+    for (std::size_t b = 0; b < batches.size(); ++b)
+    {
+      walk::Lanes* x = batches[b].data();
+      ParallelFor(0, static_cast<std::int64_t>(pieceOfSpan.size()), 4096,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t s = first; s < last; ++s)
+          {
+            const std::int32_t label = pieceLabel[pieceOfSpan[s]];
+            const VoxelGraph::Span& span = graph->Spans()[s];
+            if (label != severalLabels)
+              std::fill_n(x + span.first, span.count, Known(b, label));
+          }
+        });
+      for (const WalkerSeed& seed : seeds)
+        x[seed.node] = Known(b, seed.label);
+    }
+  }
+
+  /// The most likely label of a node whose piece has several.
+  Label Best(std::int64_t node) const
+  {
+    float sum = 0.0F;
+    float most = -1.0F;
+    Label best = 0;
+    const auto take = [&](Label label, float probability)
+    {
+      if (probability > most || (probability == most && label < best))
+      {
+        most = probability;
+        best = label;
+      }
+    };
+    for (std::size_t lane = 0; lane < laneLabels.size(); ++lane)
+      if (laneLabels[lane] != 0)
+      {
+        const float probability =
+          batches[lane / LaneCount].data()[node][static_cast<int>(lane % LaneCount)];
+        sum += probability;
+        take(laneLabels[lane], probability);
+      }
+    take(rest, 1.0F - sum);
+    return best;
+  }
+};
+
+RandomWalker::RandomWalker(
+  std::shared_ptr<const VoxelGraph> graph, const ProgressFunction& progress)
+  : internals(std::make_unique<Internals>(std::move(graph), progress))
+{
+}
+
+RandomWalker::~RandomWalker() = default;
+
+void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
+{
+  Internals& in = *internals;
+  for (const WalkerSeed& seed : seeds)
+    if (seed.node < 0 || seed.node >= in.graph->Nodes() || seed.label == 0)
+      throw std::invalid_argument(
+        "a seed is at node " + std::to_string(seed.node) + " with label " +
+        std::to_string(seed.label) + ", must be at a node in [0, " +
+        std::to_string(in.graph->Nodes()) + ") with a label in [1, 65535]");
+  std::stable_sort(seeds.begin(), seeds.end(),
+    [](const WalkerSeed& a, const WalkerSeed& b) { return a.node < b.node; });
+  std::vector<WalkerSeed> each;
+  for (const WalkerSeed& seed : seeds)
+    if (!each.empty() && each.back().node == seed.node)
+      each.back() = seed;
+    else
+      each.push_back(seed);
+  in.seeds = std::move(each);
+  in.AssignLanes();
+  in.FindPieceLabels();
+  std::vector<std::int32_t> fixed;
+  fixed.reserve(in.seeds.size());
+  for (const WalkerSeed& seed : in.seeds)
+    fixed.push_back(seed.node);
+  in.multigrid.Fix(fixed);
+}
+
+RandomWalkerRun RandomWalker::Solve(
+  const RandomWalkerSettings& settings, const ProgressFunction& progress)
+{
+  if (!(settings.tolerance > 0.0 && settings.tolerance <= 0.1))
+    throw std::invalid_argument(
+      "tolerance is " + std::to_string(settings.tolerance) + ", must be in (0, 0.1]");
+  if (settings.mostIterations < 1 || settings.mostIterations > 100000)
+    throw std::invalid_argument(
+      "mostIterations is " + std::to_string(settings.mostIterations) + ", must be in [1, 100000]");
+  Internals& in = *internals;
+  in.SetKnown();
+  RandomWalkerRun all;
+  NodeValues residual(in.batches.empty() ? 0 : in.graph->Nodes());
+  for (std::size_t b = 0; b < in.batches.size(); ++b)
+  {
+    NodeValues& x = in.batches[b];
+    in.multigrid.Residual(x, residual);
+    if (settings.coarseStart)
+    {
+      all.coarseIterations = std::max(
+        all.coarseIterations, in.multigrid.AddCoarseSolution(residual, x, settings.tolerance));
+      in.multigrid.Residual(x, residual);
+    }
+    const walk::SolverRun run = walk::ConjugateGradients(in.multigrid, x, residual,
+      settings.tolerance, settings.mostIterations,
+      [&](double share)
+      { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); });
+    all.iterations = std::max(all.iterations, run.cycles);
+    all.error = std::max<double>(all.error, run.error);
+    all.converged = all.converged && run.converged;
+  }
+  ReportProgress(progress, 1.0);
+  return all;
+}
+
+void RandomWalker::Reset()
+{
+  for (NodeValues& batch : internals->batches)
+    std::fill_n(batch.data(), internals->graph->Nodes(), walk::Lanes{});
+}
+
+void RandomWalker::WriteLabels(GridView<Label> labels) const
+{
+  const Internals& in = *internals;
+  if (labels.geometry.dims != in.graph->Geometry().dims)
+    throw std::invalid_argument("the label map must be as large as the scan");
+  const std::vector<VoxelGraph::Run>& runs = in.graph->Runs();
+  const std::vector<VoxelGraph::Span>& spans = in.graph->Spans();
+  const std::int64_t rows = static_cast<std::int64_t>(in.graph->RowRuns().size()) - 1;
+  ParallelFor(0, rows, 256,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t row = first; row < last; ++row)
+        for (std::int32_t r = in.graph->RowRuns()[row]; r < in.graph->RowRuns()[row + 1]; ++r)
+        {
+          Label* voxel = labels.data + row * labels.geometry.dims.x + runs[r].x - runs[r].first;
+          const std::int32_t end = runs[r].first + runs[r].count;
+          for (std::size_t s = in.SpanOf(runs[r].first); s < spans.size() && spans[s].first < end;
+               ++s)
+          {
+            const std::int32_t label = in.pieceLabel[in.pieceOfSpan[s]];
+            if (label == noLabel)
+              continue;
+            for (std::int32_t n = spans[s].first; n < spans[s].first + spans[s].count; ++n)
+              voxel[n] = label == severalLabels ? in.Best(n) : static_cast<Label>(label);
+          }
+        }
+    });
+}
+
+double RandomWalker::Probability(std::int32_t node, Label label) const
+{
+  const Internals& in = *internals;
+  if (node < 0 || node >= in.graph->Nodes())
+    throw std::invalid_argument("node " + std::to_string(node) + " is not of the graph");
+  const std::int32_t known = in.pieceLabel[in.pieceOfSpan[in.SpanOf(node)]];
+  if (known != severalLabels)
+    return known == label ? 1.0 : 0.0;
+  double sum = 0.0;
+  for (std::size_t lane = 0; lane < in.laneLabels.size(); ++lane)
+  {
+    const double probability =
+      in.batches[lane / LaneCount].data()[node][static_cast<int>(lane % LaneCount)];
+    if (in.laneLabels[lane] == label && label != 0)
+      return probability;
+    sum += probability;
+  }
+  return label == in.rest ? 1.0 - sum : 0.0;
+}
+
+const VoxelGraph& RandomWalker::Graph() const
+{
+  return *internals->graph;
+}
+
+std::size_t RandomWalker::Bytes() const
+{
+  std::size_t bytes = internals->multigrid.Bytes() +
+                      internals->seeds.capacity() * sizeof(WalkerSeed) +
+                      internals->pieceOfSpan.capacity() * sizeof(std::int32_t);
+  for (const NodeValues& batch : internals->batches)
+    bytes += batch.Bytes();
+  return bytes;
+}
+
+} // namespace hasp

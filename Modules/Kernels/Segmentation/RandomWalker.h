@@ -1,0 +1,85 @@
+#pragma once
+#include "Segmentation/VoxelGraph.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hasp
+{
+
+/// A voxel whose label is known.
+struct WalkerSeed
+{
+  std::int32_t node = 0; ///< VoxelGraph::NodeAt
+  Label label = 1;
+  bool operator==(const WalkerSeed&) const noexcept = default;
+};
+
+struct RandomWalkerSettings
+{
+  double tolerance = 1e-3;  ///< of probabilities, (0, 0.1]; see RandomWalkerRun::error
+  int mostIterations = 500; ///< [1, 100000]
+  bool coarseStart = true;  ///< begin with what the coarse graphs say; off: for comparison
+};
+
+/// What a solve cost, and how good it is.
+struct RandomWalkerRun
+{
+  int iterations = 0;       ///< of conjugate gradients on voxels; the most of all batches of labels
+  int coarseIterations = 0; ///< on the first coarse graph, before them
+  double error =
+    0.0; ///< of probabilities, estimated: the largest change that one cycle still asks for
+  bool converged = true;
+};
+
+/// The probability that a random walk from a voxel meets a seed of each label first (Grady 2006;
+/// BoneSplit): on free voxels L x = 0, at seeds x is 1 in their label's system and 0 in others'.
+///
+/// Solved by conjugate gradients with a multigrid cycle (Multigrid.h), four labels at once; one
+/// label less than there are, since probabilities add up to 1. What was solved is where the next
+/// solve starts: one more stroke takes a few iterations. So two ways to the same seeds agree within
+/// the tolerance, not to the last bit: Reset() first where bytes must not depend on what was
+/// before. Pieces of the graph that no seed touches are left out, and pieces with seeds of one
+/// label alone are known at once.
+///
+/// Memory: 64 bytes a voxel for four labels more, about 130 a voxel for the solver.
+/// WORKER threads: one caller at a time. The same bits with any number of threads.
+class RandomWalker
+{
+public:
+  /// O(voxels), on all cores; throws Cancelled.
+  explicit RandomWalker(
+    std::shared_ptr<const VoxelGraph> graph, const ProgressFunction& progress = {});
+  ~RandomWalker();
+
+  /// All seeds there are; of two on one node the last counts. Throws std::invalid_argument if a
+  /// node is not of the graph or a label is 0. Keeps what was solved.
+  void SetSeeds(std::vector<WalkerSeed> seeds);
+
+  /// Throws std::invalid_argument on bad settings, Cancelled: what is solved so far is kept, and
+  /// Solve may be called again.
+  RandomWalkerRun Solve(
+    const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
+
+  /// Forgets what was solved, not the seeds.
+  void Reset();
+
+  /// Writes each voxel's most likely label; of equal ones the smallest. Voxels of the graph that no
+  /// seed is connected to, and all others, keep their labels. Throws std::invalid_argument if sizes
+  /// differ.
+  void WriteLabels(GridView<Label> labels) const;
+
+  /// In [0, 1] up to the tolerance. 0 where no seed is connected.
+  double Probability(std::int32_t node, Label label) const;
+
+  const VoxelGraph& Graph() const;
+  /// Of the solver and its solution, without the graph.
+  std::size_t Bytes() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> internals;
+};
+
+} // namespace hasp
