@@ -18,7 +18,7 @@ struct WalkerSeed
 
 struct RandomWalkerSettings
 {
-  double tolerance = 1e-3;  ///< of probabilities, (0, 0.1]; see RandomWalkerRun::error
+  double tolerance = 5e-3;  ///< of probabilities, (0, 0.1]; see RandomWalkerRun::error
   int mostIterations = 500; ///< [1, 100000]
   bool coarseStart = true;  ///< begin with what the coarse graphs say; off: for comparison
 };
@@ -26,8 +26,8 @@ struct RandomWalkerSettings
 /// What a solve cost, and how good it is.
 struct RandomWalkerRun
 {
-  int iterations = 0;       ///< of conjugate gradients on voxels; the most of all batches of labels
-  int coarseIterations = 0; ///< on the first coarse graph, before them
+  int iterations = 0;       ///< multigrid cycles on voxels; the most of all batches of labels
+  int coarseIterations = 0; ///< cycles on the first coarse graph, before them
   double error =
     0.0; ///< of probabilities, estimated: the largest change that one cycle still asks for
   bool converged = true;

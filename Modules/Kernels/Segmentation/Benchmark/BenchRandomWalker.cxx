@@ -2,20 +2,23 @@
 #include "Grid/Stopwatch.h"
 #include "Segmentation/RandomWalker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 #include <vector>
 
-/// BenchKernelRandomWalker [spacing mm]: the phantom's skull with three cracks, four labels; a
-/// solve from nothing, then one more stroke at a time.
+/// BenchKernelRandomWalker [spacing mm] [errors]: the phantom's skull with two cracks across each
+/// other, four labels; a solve from nothing, then one more stroke, at several tolerances. With a
+/// second argument also how far off: against the same solved on.
 namespace
 {
 
 using hasp::Label;
 
-/// Signed distance from the three cracks, which part left from right, and front from back twice.
+/// mm from the nearer of two wavy cracks, which part left from right and front from back.
 double CrackDistance(const glm::dvec3& p)
 {
   const double wave = 0.8 * std::sin(p.y * 0.4) * std::sin(p.z * 0.35);
@@ -38,115 +41,119 @@ void Stroke(const hasp::VoxelGraph& graph, const glm::dvec3& middle, double radi
           seeds.push_back({ node, label });
 }
 
+struct Skull
+{
+  hasp::PhantomSettings settings;
+  hasp::GridGeometry geometry;
+  std::vector<std::int16_t> samples;
+  std::vector<Label> labels;
+
+  explicit Skull(double spacing)
+  {
+    settings.noiseHU = 40.0;
+    settings.blurMm = glm::dvec3(0.5);
+    geometry = hasp::PhantomGrid(glm::dvec3(spacing), settings);
+    samples = hasp::SamplePhantom(geometry, settings);
+    std::size_t v = 0;
+    for (int k = 0; k < geometry.dims.z; ++k)
+      for (int j = 0; j < geometry.dims.y; ++j)
+        for (int i = 0; i < geometry.dims.x; ++i, ++v)
+          if (samples[v] > 0)
+          {
+            const double d = CrackDistance(geometry.IndexToWorld({ i, j, k }));
+            samples[v] =
+              static_cast<std::int16_t>(samples[v] * (1.0 - 0.8 * std::exp(-d * d / 0.3)));
+          }
+    labels.resize(samples.size());
+    hasp::ThresholdLabels(Grid(), 226.0, 1e6, { labels.data(), geometry });
+  }
+  hasp::GridView<const std::int16_t> Grid() const { return { samples.data(), geometry }; }
+  glm::dvec3 Outer(const glm::dvec3& direction) const
+  {
+    return hasp::PhantomOuterTable(settings, direction);
+  }
+};
+
+struct Trial
+{
+  const Skull& skull;
+  hasp::RandomWalker& walker;
+  bool errors;
+
+  /// All probabilities but the last label's, and labels.
+  std::pair<std::vector<float>, std::vector<Label>> Answer() const
+  {
+    std::pair<std::vector<float>, std::vector<Label>> answer;
+    for (std::int32_t n = 0; errors && n < walker.Graph().Nodes(); ++n)
+      for (const Label label : { Label{ 2 }, Label{ 3 }, Label{ 4 } })
+        answer.first.push_back(static_cast<float>(walker.Probability(n, label)));
+    answer.second = skull.labels;
+    walker.WriteLabels({ answer.second.data(), skull.geometry });
+    return answer;
+  }
+
+  void Run(const char* what, const std::vector<hasp::WalkerSeed>& seeds,
+    const hasp::RandomWalkerSettings& how)
+  {
+    const hasp::Stopwatch setClock;
+    walker.SetSeeds(seeds);
+    const double set = setClock.Milliseconds();
+    const hasp::Stopwatch clock;
+    const hasp::RandomWalkerRun run = walker.Solve(how);
+    std::printf("%-22s tolerance %.0e: seeds %4.0f ms, solve %5.0f ms, %2d cycles (%d coarse)",
+      what, how.tolerance, set, clock.Milliseconds(), run.iterations, run.coarseIterations);
+    if (errors)
+    {
+      const auto answer = Answer();
+      walker.Solve({ .tolerance = 2e-6 });
+      const auto truth = Answer();
+      float worst = 0.0F;
+      for (std::size_t n = 0; n < truth.first.size(); ++n)
+        worst = std::max(worst, std::abs(answer.first[n] - truth.first[n]));
+      std::size_t wrong = 0;
+      for (std::size_t v = 0; v < truth.second.size(); ++v)
+        wrong += answer.second[v] != truth.second[v] ? 1 : 0;
+      std::printf(", estimate %.1e, error %.1e, labels %.1e of bone", run.error, worst,
+        static_cast<double>(wrong) / static_cast<double>(walker.Graph().Nodes()));
+    }
+    std::printf("\n");
+  }
+};
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const double spacing = argc > 1 ? std::atof(argv[1]) : 0.7;
-  hasp::PhantomSettings settings;
-  settings.noiseHU = 40.0;
-  settings.blurMm = glm::dvec3(0.5);
-  const hasp::GridGeometry geometry = hasp::PhantomGrid(glm::dvec3(spacing), settings);
-  std::vector<std::int16_t> samples = hasp::SamplePhantom(geometry, settings);
-  for (int k = 0; k < geometry.dims.z; ++k)
-    for (int j = 0; j < geometry.dims.y; ++j)
-      for (int i = 0; i < geometry.dims.x; ++i)
-      {
-        const double d = CrackDistance(geometry.IndexToWorld({ i, j, k }));
-        std::int16_t& s =
-          samples[(static_cast<std::size_t>(k) * geometry.dims.y + j) * geometry.dims.x + i];
-        s = static_cast<std::int16_t>(s - (s > 0 ? 0.8 * s * std::exp(-d * d / 0.3) : 0.0));
-      }
-  std::vector<Label> labels(samples.size());
-  const hasp::GridView<const std::int16_t> grid{ samples.data(), geometry };
-  hasp::ThresholdLabels(grid, 226.0, 1e6, { labels.data(), geometry });
-  hasp::Stopwatch clock;
+  const Skull skull(argc > 1 ? std::atof(argv[1]) : 0.7);
+  const hasp::Stopwatch graphClock;
   auto graph = std::make_shared<hasp::VoxelGraph>(
-    grid, hasp::GridView<const Label>{ labels.data(), geometry }, Label{ 1 });
-  std::printf("%.1f M voxels of bone, %.2f M spans, graph %.2f s, %.0f MB\n", graph->Nodes() * 1e-6,
-    graph->Spans().size() * 1e-6, clock.Milliseconds() / 1000, graph->Bytes() * 1e-6);
-  clock = {};
+    skull.Grid(), hasp::GridView<const Label>{ skull.labels.data(), skull.geometry }, Label{ 1 });
+  std::printf("%.2f M voxels of bone, %.2f M spans, graph %.0f ms, %.0f MB\n",
+    static_cast<double>(graph->Nodes()) * 1e-6, static_cast<double>(graph->Spans().size()) * 1e-6,
+    graphClock.Milliseconds(), static_cast<double>(graph->Bytes()) * 1e-6);
+  const hasp::Stopwatch walkerClock;
   hasp::RandomWalker walker(graph);
-  std::printf("multigrid %.2f s\n", clock.Milliseconds() / 1000);
+  std::printf("coarse graphs %.0f ms\n", walkerClock.Milliseconds());
 
   std::vector<hasp::WalkerSeed> seeds;
-  const auto solve = [&](const char* what, const hasp::RandomWalkerSettings& how)
+  Stroke(*graph, skull.Outer({ 1, 0.8, 0.5 }), 4.0, 2, seeds);
+  Stroke(*graph, skull.Outer({ -1, 0.8, 0.5 }), 4.0, 3, seeds);
+  Stroke(*graph, skull.Outer({ 1, -1, 0.5 }), 4.0, 4, seeds);
+  Stroke(*graph, skull.Outer({ -1, -0.3, 0.9 }), 4.0, 5, seeds);
+  std::vector<hasp::WalkerSeed> same = seeds;
+  Stroke(*graph, skull.Outer({ 0.3, 1, 0.2 }), 3.0, 2, same);
+  std::vector<hasp::WalkerSeed> other = same;
+  Stroke(*graph, skull.Outer({ -0.3, 1, 0.6 }), 3.0, 2, other);
+  Trial trial{ skull, walker, argc > 2 };
+  for (const double tolerance : { 2e-2, 5e-3, 1e-3, 1e-4 })
   {
-    clock = {};
-    walker.SetSeeds(seeds);
-    const double set = clock.Milliseconds() / 1000;
-    clock = {};
-    const hasp::RandomWalkerRun run = walker.Solve(how);
-    const double solved = clock.Milliseconds() / 1000;
-    clock = {};
-    std::vector<Label> out = labels;
-    walker.WriteLabels({ out.data(), geometry });
-    std::vector<float> now(3 * graph->Nodes());
-    for (int n = 0; n < graph->Nodes(); ++n)
-      for (int l = 0; l < 3; ++l)
-        now[3 * n + l] = walker.Probability(n, l + 3);
-    hasp::RandomWalkerSettings fine;
-    fine.tolerance = 3e-6;
-    walker.Solve(fine);
-    float worst = 0;
-    double sq = 0;
-    for (int n = 0; n < graph->Nodes(); ++n)
-      for (int l = 0; l < 3; ++l)
-      {
-        float e = std::abs(now[3 * n + l] - walker.Probability(n, l + 3));
-        worst = std::max(worst, e);
-        sq += e * e;
-      }
-    std::vector<Label> out2 = labels;
-    walker.WriteLabels({ out2.data(), geometry });
-    size_t wrong = 0;
-    for (size_t v = 0; v < out.size(); ++v)
-      wrong += out[v] != out2[v];
-    std::printf("TRUE %.1e rms %.1e labels %.1e of bone ", worst, std::sqrt(sq / now.size()),
-      double(wrong) / graph->Nodes());
-    std::printf(
-      "%-28s set %.2f s, solve %.2f s, write %.2f s, %d iterations (%d coarse), error %.1e\n", what,
-      set, solved, clock.Milliseconds() / 1000, run.iterations, run.coarseIterations, run.error);
-    return out;
-  };
-  const auto outer = [&](double x, double y, double z) {
-    return hasp::PhantomOuterTable(settings, { x, y, z });
-  };
-  Stroke(*graph, outer(1, 0.8, 0.5), 4.0, 2, seeds);
-  Stroke(*graph, outer(-1, 0.8, 0.5), 4.0, 3, seeds);
-  Stroke(*graph, outer(1, -1, 0.5), 4.0, 4, seeds);
-  Stroke(*graph, outer(-1, -0.3, 0.9), 4.0, 5, seeds);
-  for (const double tolerance : { 2e-2, 5e-3, 1e-3 })
-    for (const bool coarse : { false, true })
-    {
-      hasp::RandomWalkerSettings how;
-      how.tolerance = tolerance;
-      how.coarseStart = coarse;
-      walker.Reset();
-      char what[64];
-      std::snprintf(what, sizeof what, "cold %.0e%s", tolerance, coarse ? " coarse start" : "");
-      solve(what, how);
-    }
-  for (const double tolerance : { 2e-2, 5e-3, 1e-3 })
-    for (const bool coarse : { true })
-    {
-      hasp::RandomWalkerSettings how;
-      how.tolerance = tolerance;
-      how.coarseStart = coarse;
-      const std::size_t before = seeds.size();
-      walker.Reset();
-      solve("again", how);
-      char what[64];
-      Stroke(*graph, outer(0.3, 1, 0.2), 3.0, 2, seeds);
-      std::snprintf(
-        what, sizeof what, "warm %.0e%s, same label", tolerance, coarse ? " coarse" : "");
-      solve(what, how);
-      Stroke(*graph, outer(-0.3, 1, 0.6), 3.0, 2, seeds);
-      std::snprintf(
-        what, sizeof what, "warm %.0e%s, other label", tolerance, coarse ? " coarse" : "");
-      solve(what, how);
-      seeds.resize(before);
-    }
-  std::printf("walker %.0f MB\n", walker.Bytes() * 1e-6);
+    walker.Reset();
+    trial.Run("from nothing", seeds, { .tolerance = tolerance, .coarseStart = false });
+    walker.Reset();
+    trial.Run("from coarse graphs", seeds, { .tolerance = tolerance });
+    trial.Run("one more stroke", same, { .tolerance = tolerance });
+    trial.Run("a stroke of another", other, { .tolerance = tolerance });
+  }
+  std::printf("solver %.0f MB\n", static_cast<double>(walker.Bytes()) * 1e-6);
   return 0;
 }
