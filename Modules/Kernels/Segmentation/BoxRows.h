@@ -60,4 +60,7 @@ using RowChange = std::function<void(int j, int k, std::span<Label> row)>;
 LabelDelta ProposeRows(GridView<const Label> labels, const VoxelBox& box, const RowChange& change,
   const ProgressFunction& progress);
 
+/// Makes a proposed change and hands it back, with no more memory than it needs.
+LabelDelta Made(LabelDelta proposed, GridView<Label> labels);
+
 } // namespace hasp

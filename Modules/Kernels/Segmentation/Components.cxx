@@ -1,12 +1,14 @@
 #include "Segmentation/Components.h"
 
 #include "Grid/ProgressPart.h"
+#include "Segmentation/BoxRows.h"
 #include "Segmentation/LabelPieces.h"
 
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hasp
 {
@@ -83,8 +85,7 @@ LabelDelta SeparateComponents(GridView<Label> labels, Label label,
         numbers[run.piece] });
     });
   ReportProgress(progress, 1.0);
-  ApplyDelta(delta, labels);
-  return delta;
+  return Made(std::move(delta), labels);
 }
 
 LabelDelta FillCavities(GridView<Label> labels, Label label, const ProgressFunction& progress)
@@ -115,8 +116,7 @@ LabelDelta FillCavities(GridView<Label> labels, Label label, const ProgressFunct
             delta.Append({ labels.Offset(i, j, k), 1, 0, label });
     });
   ReportProgress(progress, 1.0);
-  ApplyDelta(delta, labels);
-  return delta;
+  return Made(std::move(delta), labels);
 }
 
 } // namespace hasp

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hasp
 {
@@ -29,8 +30,7 @@ LabelDelta PaintVoxels(
         delta.Append({ v, std::uint32_t(next - v), before, label });
     }
   }
-  ApplyDelta(delta, labels);
-  return delta;
+  return Made(std::move(delta), labels);
 }
 
 LabelDelta MergeLabels(
@@ -45,8 +45,7 @@ LabelDelta MergeLabels(
     [from, into](int, int, std::span<Label> row)
     { std::replace(row.begin(), row.end(), from, into); },
     PartOf(progress, 0.5, 1.0));
-  ApplyDelta(delta, labels);
-  return delta;
+  return Made(std::move(delta), labels);
 }
 
 } // namespace hasp

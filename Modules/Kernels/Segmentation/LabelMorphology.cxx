@@ -5,6 +5,7 @@
 #include "Segmentation/NearVoxels.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace hasp
 {
@@ -38,8 +39,7 @@ LabelDelta Change(GridView<Label> labels, Label from, const BoxMask& mask, bool 
           row[i] = into;
     },
     progress);
-  ApplyDelta(delta, labels);
-  return delta;
+  return Made(std::move(delta), labels);
 }
 
 LabelDelta Nothing(GridView<Label> labels)

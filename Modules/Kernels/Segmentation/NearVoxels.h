@@ -1,4 +1,5 @@
 #pragma once
+#include "Grid/ParallelFor.h"
 #include "Segmentation/VoxelBox.h"
 
 #include <cstdint>
@@ -22,10 +23,6 @@ struct BoxMask
   bool At(int i, int j, int k) const { return this->inside[this->Offset(i, j, k)] != 0; }
 };
 
-/// Where is(label) is true, in a box that lies in the map.
-template <typename Is>
-BoxMask MaskOf(GridView<const Label> labels, const VoxelBox& box, Is&& is);
-
 /// Whole voxels along each axis that a radius reaches over. Throws std::invalid_argument, beginning
 /// with `what`, unless the radius is in (0, 50] mm and reaches over at most 1,000 voxels.
 glm::ivec3 StepsWithin(const glm::dvec3& spacing, double radiusMm, const char* what);
@@ -43,12 +40,9 @@ BoxMask Dilated(const BoxMask& mask, const VoxelBox& box, const glm::dvec3& spac
 /// Memory for a mask of the box. Throws std::runtime_error where it would have 2^33 voxels or more.
 BoxMask EmptyMask(const VoxelBox& box);
 
-} // namespace hasp
-
-#include "Grid/ParallelFor.h"
-
+/// Where is(label) is true, in a box that lies in the map.
 template <typename Is>
-hasp::BoxMask hasp::MaskOf(GridView<const Label> labels, const VoxelBox& box, Is&& is)
+BoxMask MaskOf(GridView<const Label> labels, const VoxelBox& box, Is&& is)
 {
   BoxMask mask = EmptyMask(box);
   ParallelFor(box.low.z, box.high.z, 1,
@@ -65,3 +59,5 @@ hasp::BoxMask hasp::MaskOf(GridView<const Label> labels, const VoxelBox& box, Is
     });
   return mask;
 }
+
+} // namespace hasp

@@ -106,9 +106,13 @@ TEST(Brush, MarksWhatBruteForceMarks)
             if (std::abs(away) < 1e-8)
               return; // either is right
             if (away < 0.0 || onTheWay[v])
+            {
               EXPECT_TRUE(marked[v]) << away;
+            }
             else if (marked[v]) // the line cuts a corner that the steps of OnTheWay miss
+            {
               EXPECT_LT(away + radius, 0.5 * glm::length(grid.spacing));
+            }
           });
       }
 }

@@ -144,7 +144,7 @@ TEST(Components, SixtyFragmentsAreNumberedBySizeThenByPlace)
       map.At(2 * n, j, n % 2) = 1;
   hasp::SeparateComponents(map.View(), 1);
   EXPECT_EQ(map.At(4, 0, 0), 1);   // the first of three voxels
-  EXPECT_EQ(map.At(10, 0, 1), 21); // z = 1 comes after all of z = 0, large before small
+  EXPECT_EQ(map.At(10, 0, 1), 11); // behind the ten of three voxels with z = 0
   for (int n = 0; n < 60; ++n)
   {
     const Label label = map.At(2 * n, 0, n % 2);

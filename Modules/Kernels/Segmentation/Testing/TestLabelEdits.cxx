@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -41,8 +42,8 @@ TEST(LabelEdits, PaintMarksItsVoxelsAndLeavesOthersAlone)
             expected.labels[v] = label;
       const LabelDelta delta = hasp::PaintVoxels(map.View(), runs, label, only);
       EXPECT_EQ(map.labels, expected.labels);
-      EXPECT_EQ(
-        delta, hasp::DifferenceOf(before.View(), expected.View(), { glm::ivec3(0), grid.dims }));
+      EXPECT_EQ(delta, hasp::DifferenceOf(before.View(), std::as_const(expected).View(),
+                         { glm::ivec3(0), grid.dims }));
       hasp::RevertDelta(delta, map.View());
       EXPECT_EQ(map.labels, before.labels);
     }
