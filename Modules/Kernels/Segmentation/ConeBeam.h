@@ -53,7 +53,7 @@ struct ConeBeamFindings
 /// Throws std::invalid_argument if a number is out of its range, sizes differ, or no sample is >
 /// insideAbove; Cancelled if progress says so (`corrected` is then undefined). A patient of one
 /// single value is left as it is. Any thread; all are used, the same bytes with any number.
-/// O(voxels); 17 MB and two times 17 MB with contrast, besides `corrected`.
+/// O(voxels); at most 20 MB besides `corrected`.
 ConeBeamFindings CorrectConeBeam(const AnyGridView& grid, const ConeBeamSettings& settings,
   GridView<float> corrected, const ProgressFunction& progress = {});
 
