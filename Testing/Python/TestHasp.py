@@ -287,6 +287,34 @@ class Guide(unittest.TestCase):
         self.assertTrue(guide.ReadRecipe(str(recipe)))
 
 
+class ConeBeam(unittest.TestCase):
+    def test_correction_leaves_what_is_even_and_what_is_outside(self):
+        image = vtkImageData()
+        image.SetExtent(2, 25, 0, 23, 0, 11)
+        scalars = vtkFloatArray()
+        for i in range(24 * 24 * 12):
+            scalars.InsertNextValue(100.0 if 4 <= i % 24 < 20 else -900.0)
+        image.GetPointData().SetScalars(scalars)
+        correction = hasp.vtkHaspConeBeamCorrection()
+        correction.SetInputData(image)
+        correction.Update()
+        corrected = correction.GetOutput()
+        self.assertEqual(corrected.GetExtent(), image.GetExtent())
+        for i in (3, 4, 12, 19, 20):
+            self.assertAlmostEqual(corrected.GetPointData().GetScalars().GetValue(i), scalars.GetValue(i),
+                                   delta=0.01)
+        self.assertAlmostEqual(correction.GetAirLevel(), -900.0, delta=1.0)
+
+    def test_without_a_patient_is_an_error(self):
+        correction = hasp.vtkHaspConeBeamCorrection()
+        correction.SetInputData(ball())  # at most 9
+        correction.SetInsideAbove(10.0)
+        said = errors_of(correction)
+        correction.Update()
+        self.assertIn("insideAbove", "".join(said))
+        self.assertEqual(correction.GetOutput().GetNumberOfPoints(), 0)
+
+
 class Distance(unittest.TestCase):
     """Bone that is sampled, less a shape that is not."""
 
