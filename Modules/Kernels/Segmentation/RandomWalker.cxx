@@ -284,7 +284,7 @@ void RandomWalker::Reset()
     std::fill_n(batch.data(), internals->graph->Nodes(), walk::Lanes{});
 }
 
-void RandomWalker::WriteLabels(GridView<Label> labels) const
+void RandomWalker::WriteLabels(GridView<Label> labels, Label unreached) const
 {
   const Internals& in = *internals;
   if (labels.geometry.dims != in.graph->Geometry().dims)
@@ -303,8 +303,9 @@ void RandomWalker::WriteLabels(GridView<Label> labels) const
           for (std::size_t s = in.SpanOf(runs[r].first); s < spans.size() && spans[s].first < end;
                ++s)
           {
-            const std::int32_t label = in.pieceLabel[in.pieceOfSpan[s]];
-            if (label == noLabel)
+            const std::int32_t seeded = in.pieceLabel[in.pieceOfSpan[s]];
+            const std::int32_t label = seeded == noLabel ? unreached : seeded;
+            if (label == 0)
               continue;
             for (std::int32_t n = spans[s].first; n < spans[s].first + spans[s].count; ++n)
               voxel[n] = label == severalLabels ? in.Best(n) : static_cast<Label>(label);

@@ -66,9 +66,9 @@ public:
   void Reset();
 
   /// Writes each voxel's most likely label; of equal ones the smallest. Voxels of the graph that no
-  /// seed is connected to, and all others, keep their labels. Throws std::invalid_argument if sizes
-  /// differ.
-  void WriteLabels(GridView<Label> labels) const;
+  /// seed is connected to get the label `unreached`, or keep theirs if that is 0; all others keep
+  /// theirs. Throws std::invalid_argument if sizes differ.
+  void WriteLabels(GridView<Label> labels, Label unreached = 0) const;
 
   /// In [0, 1] up to the tolerance. 0 where no seed is connected.
   double Probability(std::int32_t node, Label label) const;

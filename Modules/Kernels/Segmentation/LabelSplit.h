@@ -1,0 +1,50 @@
+#pragma once
+#include "Segmentation/Brush.h"
+#include "Segmentation/LabelDelta.h"
+#include "Segmentation/RandomWalker.h"
+
+#include <memory>
+#include <span>
+
+namespace hasp
+{
+
+/// A stroke as the voxels that it marks.
+struct SeedVoxels
+{
+  Label label = 2;
+  VoxelRuns voxels; ///< those outside the bone that is split mark nothing
+};
+
+/// The voxels of one label while they are shared out among strokes: made once, asked after each
+/// stroke. Keeps the graph and what was solved, so that one more stroke takes a few cycles.
+///
+/// WORKER threads: one caller at a time. Memory as RandomWalker.h and VoxelGraph.h say.
+class LabelSplit
+{
+public:
+  /// The voxels that have `label` in `labels`, tied to each other by the samples of `grid`. Keeps
+  /// neither. Throws as VoxelGraph's constructor does.
+  LabelSplit(const AnyGridView& grid, GridView<const Label> labels, Label label,
+    const EdgeWeightSettings& weights = {}, const ProgressFunction& progress = {});
+
+  /// Shares the voxels out among all strokes there are; where two mark a voxel the later one
+  /// counts. A piece of bone that no stroke touches has the label that all had. Changes the map and
+  /// returns the change. Throws std::invalid_argument if a label is 0 or sizes differ, Cancelled;
+  /// the map is then as it was. The map need not be the one this was made from: only voxels of the
+  /// split are written, whatever they hold.
+  LabelDelta Share(std::span<const SeedVoxels> strokes, GridView<Label> labels,
+    const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
+
+  /// What the last Share cost, and how good it is.
+  const RandomWalkerRun& LastRun() const { return run; }
+  const VoxelGraph& Graph() const { return walker.Graph(); }
+  std::size_t Bytes() const { return walker.Graph().Bytes() + walker.Bytes(); }
+
+private:
+  Label label;
+  RandomWalker walker;
+  RandomWalkerRun run;
+};
+
+} // namespace hasp
