@@ -1,13 +1,17 @@
 """import hasp, as its users meet it. Arguments: test cases, as for unittest; PYTHONPATH says which hasp."""
 import array
+import gzip
 import math
 import os
 import pathlib
+import re
+import struct
 import tempfile
 import unittest
 
 import hasp
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import (vtkFloatArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray,
+                                      vtkUnsignedShortArray)
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
@@ -195,6 +199,122 @@ class Files(unittest.TestCase):
         for p in (0, 7812, 15624):
             self.assertEqual(back.GetPointData().GetScalars().GetValue(p),
                              image.GetPointData().GetScalars().GetValue(p))
+
+
+def label_image(labels):
+    """3 x 2 x 2 samples, oblique, with two names."""
+    image = vtkImageData()
+    image.SetDimensions(3, 2, 2)
+    image.SetOrigin(-10.5, 20.25, 3)
+    image.SetSpacing(0.5, 0.75, 2)
+    image.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)
+    scalars = vtkUnsignedShortArray()
+    for label in labels:
+        scalars.InsertNextValue(label)
+    image.GetPointData().SetScalars(scalars)
+    values, names, colors = vtkUnsignedShortArray(), vtkStringArray(), vtkUnsignedCharArray()
+    values.SetName("LabelValues")
+    names.SetName("LabelNames")
+    colors.SetName("LabelColors")
+    colors.SetNumberOfComponents(3)
+    for value, name, color in ((65535, NAME, (255, 128, 0)), (2, "two", (1, 2, 3))):
+        values.InsertNextValue(value)
+        names.InsertNextValue(name)
+        colors.InsertNextTuple3(*color)
+    for column in (values, names, colors):
+        image.GetFieldData().AddArray(column)
+    return image
+
+
+NAME = 'Kiefer "l\u00e4nks": a:=b \\ c\nd'
+LABELS = [0, 2, 65535, 0, 0, 0, 0, 0, 2, 0, 0, 9]
+
+
+def parse_segmentation(path):
+    """Fields, pairs and samples, by the standard library alone."""
+    header, data = pathlib.Path(path).read_bytes().split(b"\n\n", 1)
+    fields, pairs = {}, {}
+    for line in header.decode("utf-8").split("\n")[1:]:
+        if ":=" in line:
+            key, value = line.split(":=", 1)
+            pairs[key] = re.sub(r"\\(.)", lambda m: "\n" if m[1] == "n" else m[1], value)
+        else:
+            key, value = line.split(": ", 1)
+            fields[key] = value
+    data = gzip.decompress(data) if fields["encoding"] == "gzip" else data
+    count = math.prod(int(size) for size in fields["sizes"].split())
+    return fields, pairs, list(struct.unpack(f"<{count}H", data))
+
+
+class Labels(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = os.path.join(folder.name, "jaw.seg.nrrd")
+
+    def write(self, image, compress=True):
+        writer = hasp.vtkHaspSegmentationWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(self.path)
+        writer.SetCompress(compress)
+        self.said = errors_of(writer)
+        return writer.Write()
+
+    def test_a_file_is_what_slicer_reads(self):
+        for compress in (True, False):
+            self.assertEqual(self.write(label_image(LABELS), compress), 1)
+            fields, pairs, samples = parse_segmentation(self.path)
+            self.assertEqual(samples, LABELS)
+            self.assertEqual(fields["encoding"], "gzip" if compress else "raw")
+            self.assertEqual(fields["type"], "uint16")
+            self.assertEqual(fields["space"], "left-posterior-superior")
+            self.assertEqual(fields["space origin"], "(-10.5,20.25,3)")
+            # Slicer reads segments until an ID is missing, and cuts all to the extent of the first.
+            self.assertEqual([n for n in range(9) if f"Segment{n}_ID" in pairs], [0, 1, 2])
+            self.assertEqual({pairs[f"Segment{n}_Extent"] for n in range(3)}, {"1 2 0 1 0 1"})
+            self.assertEqual([pairs[f"Segment{n}_LabelValue"] for n in range(3)], ["65535", "2", "9"])
+            self.assertEqual([pairs[f"Segment{n}_Name"] for n in range(3)], [NAME, "two", "Fragment 9"])
+            self.assertEqual([round(255 * float(c)) for c in pairs["Segment0_Color"].split(" ")],
+                             [255, 128, 0])
+            # Nobody said that the first is of bone.
+            tags = [dict(t.split(":", 1) for t in pairs[f"Segment{n}_Tags"].split("|") if t)
+                    for n in range(3)]
+            self.assertNotIn("TerminologyEntry", tags[0])
+            entry = tags[2]["TerminologyEntry"].split("~")
+            self.assertEqual(len(entry), 7)
+            self.assertEqual(entry[2].split("^"), ["SCT", "272673000", "Bone"])
+
+    def test_labels_and_names_come_back(self):
+        self.assertEqual(self.write(label_image(LABELS)), 1)
+        reader = hasp.vtkHaspSegmentationReader()
+        reader.SetFileName(self.path)
+        reader.SetInputData(label_image([0] * 12))
+        reader.Update()
+        back = reader.GetOutput()
+        scalars, fields = back.GetPointData().GetScalars(), back.GetFieldData()
+        self.assertEqual([scalars.GetValue(p) for p in range(12)], LABELS)
+        names = fields.GetAbstractArray("LabelNames")
+        self.assertEqual([names.GetValue(n) for n in range(3)], [NAME, "two", "Fragment 9"])
+        self.assertEqual(fields.GetArray("LabelColors").GetTuple3(0), (255, 128, 0))
+
+    def test_a_name_with_a_tab_is_an_error_and_leaves_no_file(self):
+        image = label_image(LABELS)
+        image.GetFieldData().GetAbstractArray("LabelNames").SetValue(0, "a\tb")
+        self.assertEqual(self.write(image), 0)
+        self.assertIn("control character", "".join(self.said))
+        self.assertEqual(os.listdir(os.path.dirname(self.path)), [])
+
+    def test_a_scan_is_no_label_map(self):
+        writer = hasp.vtkHaspVolumeWriter()
+        writer.SetInputData(ball())
+        self.path = self.path.replace(".seg.nrrd", ".mha")
+        writer.SetFileName(self.path)
+        self.assertEqual(writer.Write(), 1)
+        reader = hasp.vtkHaspSegmentationReader()
+        reader.SetFileName(self.path)
+        said = errors_of(reader)
+        reader.Update()
+        self.assertIn("the .mha file: holds samples in floating point", "".join(said))
 
 
 class Cells(unittest.TestCase):
