@@ -60,7 +60,7 @@ LabelBox BoxOf(const GridView<const T>& labels)
 }
 
 template <typename T>
-void WriteLabels(const std::filesystem::path& file, const VolumeHeader& header,
+void WriteFile(const std::filesystem::path& file, const VolumeHeader& header,
   const GridView<const T>& labels, bool compress, const ProgressFunction& progress)
 {
   AtomicFile output(file);
@@ -111,7 +111,7 @@ void WriteSegmentation(vtkImageData* labels, const std::vector<Segment>& segment
             std::to_string(segments.size()) + " segments and their names take " +
             std::to_string(header.bytes.size()) + " bytes of a header, " +
             std::to_string(NrrdHeaderLimit) + " at most are read back; shorten or merge them");
-        WriteLabels(file, header, view, settings.compress, progress);
+        WriteFile(file, header, view, settings.compress, progress);
       }
       else
         throw std::invalid_argument("labels are " + SampleTypeName(labels->GetScalarType()) +
