@@ -130,7 +130,7 @@ void Write(const CutOptions& options, const CutBone& cut, const nlohmann::ordere
         { return 0.55 + 0.4 * std::cos(6.283185 * (turn + offset)); };
         segments.push_back({ fragment.number,
           (fragment.crumb ? "crumb " : "fragment ") + std::to_string(fragment.number),
-          { shade(0.0), shade(1.0 / 3.0), shade(2.0 / 3.0) } });
+          { shade(0.0), shade(1.0 / 3.0), shade(2.0 / 3.0) }, true });
       }
       const auto start = std::chrono::steady_clock::now();
       const std::vector<std::uint16_t> numbers = LabelFragments(cut.fragments, grid);

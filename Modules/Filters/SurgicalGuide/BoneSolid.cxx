@@ -1,11 +1,11 @@
 #include "BoneSolid.h"
 
 #include "FragmentLabels.h"
-#include "LabelGrid.h"
 
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/GridSolid.h"
+#include "Grid/LabelGrid.h"
 #include "Grid/ProgressPart.h"
 #include "WorkingGrid.h"
 

@@ -1,6 +1,7 @@
 #ifndef vtkHaspOutputFile_h
 #define vtkHaspOutputFile_h
 
+#include "Grid/Progress.h"          // for ProgressFunction
 #include "vtkHaspIOMedicalModule.h" // for export macro
 #include "vtkHaspPartLabel.h"       // for what files say of a part
 
@@ -32,11 +33,21 @@ struct VolumeWriteSettings
 VTKHASPIOMEDICAL_EXPORT void WriteVolume(
   vtkImageData* image, const std::string& path, const VolumeWriteSettings& settings = {});
 
-/// .seg.nrrd as 3D Slicer reads it: a gzipped label map with each segment's label value, name,
-/// colour and extent. Labels are unsigned char or unsigned short; label values are distinct and at
-/// least 1.
-VTKHASPIOMEDICAL_EXPORT void WriteSegmentation(
-  vtkImageData* labels, const std::vector<Segment>& segments, const std::string& path);
+struct SegmentationWriteSettings
+{
+  bool compress = true; ///< gzip; off: raw
+};
+
+/// .seg.nrrd as 3D Slicer reads it: one layer, with each segment's label value, name, colour and
+/// tags, and the grid as its reference geometry. Labels are unsigned char or unsigned short; label
+/// values are distinct and at least 1. Names are written as they are, for they are what the user
+/// called the segments: UTF-8 without control characters other than line feeds; a segment without a
+/// name is named by its ID. Labels that are no segment's are written, but Slicer shows none of
+/// them. Refused besides: a single sample, which Slicer takes as an empty segmentation, and a
+/// header above the 4 MiB that are read back (some 9,000 segments). progress may cancel: Cancelled.
+VTKHASPIOMEDICAL_EXPORT void WriteSegmentation(vtkImageData* labels,
+  const std::vector<Segment>& segments, const std::string& path,
+  const SegmentationWriteSettings& settings = {}, const ProgressFunction& progress = {});
 
 /// What an inspection of a part's file found. A part that does not hold is written once more, the
 /// same but for its label, which says so: throw to have no file at all.

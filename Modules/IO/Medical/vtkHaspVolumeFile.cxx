@@ -182,6 +182,7 @@ OpenedVolume OpenVolume(
                            "segments");
   opened.file = path;
   opened.hash = settings.hash;
+  opened.memoryLimitBytes = settings.memoryLimitBytes;
   return opened;
 }
 

@@ -92,8 +92,9 @@ public:
 struct Segment
 {
   int labelValue = 0;                           ///< of its samples, in [1, 65535]
-  std::string name;                             ///< UTF-8
+  std::string name;                             ///< UTF-8; bytes that are none are U+FFFD
   std::array<double, 3> color{ 0.5, 0.5, 0.5 }; ///< red, green, blue in [0, 1]
+  bool bone = false;                            ///< its tags say so, in SNOMED CT
 };
 
 struct VolumeReadSettings
@@ -128,6 +129,7 @@ struct OpenedVolume
   std::function<vtkSmartPointer<vtkImageData>(const ProgressFunction&, Passport&)> load;
   std::vector<Segment> segments = {}; ///< of a segmentation
   bool hash = false;                  ///< as the settings ask
+  std::size_t memoryLimitBytes = 0;   ///< likewise
   /// Where the samples lie, if it is in one stream, slice after slice: for VolumeSlabReader.
   std::shared_ptr<const SampleFile> samples = {};
 };

@@ -1,4 +1,5 @@
 #include "Files/FileError.h"
+#include "Files/Utf8.h"
 #include "Files/Words.h"
 
 #include <algorithm>
@@ -19,30 +20,6 @@ constexpr const char* KnownEndings[] = { ".dcm", ".hcells", ".html", ".inv3", ".
   ".mhd", ".nhdr", ".nii", ".nii.gz", ".nrrd", ".obj", ".ply", ".png", ".seg.nrrd", ".stl", ".vti",
   ".vtp" };
 
-/// Bytes of the UTF-8 character that begins there, and which it is; 0: there is none.
-std::size_t Decode(const std::string& text, std::size_t at, char32_t& character)
-{
-  constexpr char32_t Least[] = { 0, 0, 0x80, 0x800, 0x10000 }; // with so many bytes
-  const auto byte = [&](std::size_t n) { return static_cast<unsigned char>(text[n]); };
-  const unsigned first = byte(at);
-  const std::size_t size = first < 0x80            ? 1
-                           : first >> 5 == 0b110   ? 2
-                           : first >> 4 == 0b1110  ? 3
-                           : first >> 3 == 0b11110 ? 4
-                                                   : 0;
-  if (size == 0 || at + size > text.size())
-    return 0;
-  character = size == 1 ? first : first & (0xFFU >> (size + 1));
-  for (std::size_t n = at + 1; n < at + size; ++n)
-  {
-    if (byte(n) >> 6 != 0b10)
-      return 0;
-    character = character << 6 | (byte(n) & 0x3FU);
-  }
-  const bool surrogate = character >= 0xD800 && character <= 0xDFFF;
-  return character < Least[size] || surrogate || character > 0x10FFFF ? 0 : size;
-}
-
 /// Controls, and marks that end a line or turn the direction of writing.
 bool Commands(char32_t c)
 {
@@ -58,7 +35,7 @@ std::string Printable(const std::string& name)
   for (std::size_t at = 0; at < name.size();)
   {
     char32_t character = 0;
-    const std::size_t size = Decode(name, at, character);
+    const std::size_t size = DecodeUtf8(name, at, character);
     text += size == 0 || Commands(character) ? "?" : name.substr(at, size);
     at += std::max<std::size_t>(size, 1);
   }

@@ -9,8 +9,6 @@ namespace hasp
 namespace
 {
 
-constexpr std::size_t HeaderLimit = 1 << 22; ///< a segmentation has hundreds of lines of its own
-
 /// Fields that may be spelt in two ways, by the way they are kept.
 std::string FieldName(std::string_view text)
 {
@@ -120,7 +118,7 @@ NrrdHeader ReadNrrdHeader(const std::filesystem::path& file)
     int c = stream.get();
     for (; c != '\n' && c != std::istream::traits_type::eof(); c = stream.get())
     {
-      if (++header.bytes > HeaderLimit)
+      if (++header.bytes > NrrdHeaderLimit)
         ThrowFileError(file, "has no blank line at the end of its header: it is no NRRD file");
       line.push_back(static_cast<char>(c));
     }

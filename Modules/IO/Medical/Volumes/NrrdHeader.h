@@ -10,6 +10,9 @@
 namespace hasp
 {
 
+/// Longer headers are refused. A segmentation has hundreds of lines of its own.
+constexpr std::size_t NrrdHeaderLimit = 1 << 22;
+
 /// The lines of an NRRD header, as its specification (format versions 1 to 5) has them.
 struct NrrdHeader
 {

@@ -1,5 +1,7 @@
+#include "Files/Utf8.h"
 #include "Files/Words.h"
 #include "Volumes/NrrdHeader.h"
+#include "Volumes/SegmentPairs.h"
 
 #include "vtkImageData.h"
 #include "vtkType.h"
@@ -40,9 +42,11 @@ int WholeOr(const std::filesystem::path& file, const Pairs& pairs, const std::st
   return static_cast<int>(number->front());
 }
 
-std::array<double, 3> ColorOf(const Pairs& pairs, const std::string& key)
+std::array<double, 3> ColorOf(const Pairs& pairs, const std::string& prefix)
 {
-  const auto found = pairs.find(key);
+  auto found = pairs.find(prefix + "Color");
+  if (found == pairs.end())
+    found = pairs.find(prefix + "DefaultColor"); // before Slicer 4.9
   const auto color = found == pairs.end() ? std::nullopt : FiniteNumbers(found->second, 3);
   std::array<double, 3> rgb{ 0.5, 0.5, 0.5 };
   for (int n = 0; color && n < 3; ++n)
@@ -76,8 +80,10 @@ std::vector<LayeredSegment> Segments(const std::filesystem::path& file, const Pa
     one.segment.labelValue = WholeOr(file, pairs, prefix + "LabelValue", 1, 1);
     one.layer = WholeOr(file, pairs, prefix + "Layer", 0, old ? n : 0);
     const auto name = pairs.find(prefix + "Name");
-    one.segment.name = name == pairs.end() ? "" : name->second;
-    one.segment.color = ColorOf(pairs, prefix + "Color");
+    one.segment.name = name == pairs.end() ? "" : ValidUtf8(name->second);
+    one.segment.color = ColorOf(pairs, prefix);
+    const auto tags = pairs.find(prefix + "Tags");
+    one.segment.bone = tags != pairs.end() && TagsSayBone(tags->second);
     if (!seen.emplace(one.layer, one.segment.labelValue).second)
       ThrowFileError(file, "two segments have one label value in one layer; save it again");
     segments.push_back(one);
