@@ -10,13 +10,16 @@
 namespace hasp
 {
 
-LabelDelta PaintVoxels(
-  GridView<Label> labels, std::span<const VoxelRun> voxels, Label label, Label only)
+LabelDelta PaintVoxels(GridView<Label> labels, std::span<const VoxelRun> voxels, Label label,
+  Label only, const ProgressFunction& progress)
 {
   const std::uint64_t size = labels.geometry.Size();
   LabelDelta delta{ labels.geometry.dims, {} };
-  for (const VoxelRun& run : voxels)
+  for (std::size_t n = 0; n < voxels.size(); ++n)
   {
+    if (n % 4096 == 0)
+      ReportProgress(progress, double(n) / double(voxels.size()));
+    const VoxelRun& run = voxels[n];
     if (run.first >= size || run.length > size - run.first)
       throw std::invalid_argument("paint: voxels up to " + std::to_string(run.first + run.length) +
                                   " do not lie in a map of " + std::to_string(size));
@@ -30,6 +33,7 @@ LabelDelta PaintVoxels(
         delta.Append({ v, std::uint32_t(next - v), before, label });
     }
   }
+  ReportProgress(progress, 1.0);
   return Made(std::move(delta), labels);
 }
 

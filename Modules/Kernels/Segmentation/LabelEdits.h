@@ -11,8 +11,8 @@ namespace hasp
 
 /// The voxels become of the label, or nothing (label 0: an eraser). With `only` those alone that
 /// have that label; only = 0 paints any. Throws if a voxel is not in the map. O(voxels).
-LabelDelta PaintVoxels(
-  GridView<Label> labels, std::span<const VoxelRun> voxels, Label label, Label only = 0);
+LabelDelta PaintVoxels(GridView<Label> labels, std::span<const VoxelRun> voxels, Label label,
+  Label only = 0, const ProgressFunction& progress = {});
 
 /// All voxels of a label become of another, or nothing (into 0). Throws if `from` is 0. Two passes
 /// over the map.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -210,6 +211,18 @@ TEST(Brush, ASurfaceLayerIsWhatLiesWithinItsDepth)
           EXPECT_EQ(kept[v], all[v] && map.labels[v] != 0 && least <= depth * (1 + 1e-6));
         });
     }
+  // The surface lies out of the stroke's box: 2 voxels in front of it.
+  hasp::testing::LabelMap block(hasp::testing::PlainGrid({ 9, 3, 3 }), 1);
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      block.At(0, j, k) = 0;
+  const VoxelRuns inside = hasp::RasterizeStroke(block.geometry, Points{ { 2, 1, 1 } }, 1.0);
+  EXPECT_EQ(
+    hasp::CountVoxels(hasp::KeepSurfaceLayer(inside, std::as_const(block).View(), 1.0)), 1U);
+  EXPECT_EQ(
+    hasp::CountVoxels(hasp::KeepSurfaceLayer(inside, std::as_const(block).View(), 2.0)), 6U);
+  EXPECT_EQ(
+    hasp::CountVoxels(hasp::KeepSurfaceLayer(inside, std::as_const(block).View(), 3.0)), 7U);
   const hasp::testing::LabelMap map(hasp::testing::PlainGrid({ 3, 3, 3 }), 1);
   EXPECT_TRUE(hasp::KeepSurfaceLayer({}, map.View(), 1.0).empty());
   EXPECT_THROW(hasp::KeepSurfaceLayer({}, map.View(), 51.0), std::invalid_argument);

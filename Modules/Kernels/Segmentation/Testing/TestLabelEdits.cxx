@@ -155,6 +155,13 @@ TEST(LabelEdits, WhoIsCancelledHasChangedNothing)
     hasp::testing::SkewGrid({ 30, 25, 40 }, { 0.3, 0.4, 0.5 }, 0), 20, 2, random);
   const std::uint64_t hash = map.Hash();
   const std::vector<std::function<LabelDelta(const hasp::ProgressFunction&)>> edits{
+    [&](const auto& progress)
+    {
+      hasp::VoxelRuns all; // not joined, so that there are many
+      for (std::uint64_t v = 0; v < map.labels.size(); ++v)
+        all.push_back({ v, 1 });
+      return hasp::PaintVoxels(map.View(), all, 2, 0, progress);
+    },
     [&](const auto& progress) { return hasp::MergeLabels(map.View(), 1, 2, progress); },
     [&](const auto& progress) { return hasp::SeparateComponents(map.View(), 1, {}, progress); },
     [&](const auto& progress) { return hasp::FillCavities(map.View(), 1, progress); },

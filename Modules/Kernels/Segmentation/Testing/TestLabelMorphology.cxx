@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -183,6 +184,19 @@ TEST(LabelMorphology, OpenAndCloseDoNothingTheSecondTime)
       Do(map, 1, 1.1, way);
       EXPECT_TRUE(Do(map, 1, 1.1, way).Empty());
     }
+}
+
+TEST(LabelMorphology, ReachesAsFarFromEachSlice)
+{
+  // In closed form: 3 slices each way, also from one slab into the next.
+  for (int seed = 0; seed < 150; ++seed)
+  {
+    LabelMap map(hasp::testing::PlainGrid({ 1, 1, 150 }, { 1, 1, 0.1 }));
+    map.At(0, 0, seed) = 1;
+    hasp::DilateLabel(map.View(), 1, 0.3);
+    for (int k = 0; k < 150; ++k)
+      ASSERT_EQ(map.At(0, 0, k), std::abs(k - seed) <= 3) << seed << ' ' << k;
+  }
 }
 
 TEST(LabelMorphology, TallGridsAreWorkedOnInSlabsWithoutASeam)

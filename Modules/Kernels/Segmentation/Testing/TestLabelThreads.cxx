@@ -1,5 +1,6 @@
 #include "Grid/Testing/WithThreads.h"
 #include "Segmentation/Components.h"
+#include "Segmentation/GreyHistogram.h"
 #include "Segmentation/LabelEdits.h"
 #include "Segmentation/LabelMorphology.h"
 #include "Testing/RandomLabels.h"
@@ -46,6 +47,23 @@ TEST(LabelThreads, OneTwoAndFourMakeTheSameEdits)
     map.labels[v] ^= 1U; // crumbs
   const auto make = [&] { return HashesOfEdits(map); };
   const std::vector<std::uint64_t> one = hasp::testing::WithThreads(1, make);
+  EXPECT_EQ(hasp::testing::WithThreads(2, make), one);
+  EXPECT_EQ(hasp::testing::WithThreads(4, make), one);
+}
+
+TEST(LabelThreads, OneTwoAndFourCountTheSameHistogram)
+{
+  const hasp::GridGeometry grid = hasp::testing::PlainGrid({ 150, 140, 120 }); // several pieces
+  std::vector<float> samples(grid.Size());
+  std::mt19937 random(73);
+  for (float& sample : samples)
+    sample = float(random() % 100000) * 0.01F;
+  samples[5] = 1e20F;
+  const auto make = [&] {
+    return hasp::CountGreyValues(hasp::GridView<const float>{ samples.data(), grid }).counts;
+  };
+  const std::vector<std::uint64_t> one = hasp::testing::WithThreads(1, make);
+  EXPECT_GT(one.size(), 256U);
   EXPECT_EQ(hasp::testing::WithThreads(2, make), one);
   EXPECT_EQ(hasp::testing::WithThreads(4, make), one);
 }
