@@ -40,23 +40,28 @@ void ReadScan(const Plan& plan, const std::string& file, std::size_t number,
                           " is none that the plan still needs; it is not used");
 }
 
-void ReadLabels(const PlanSegmentation& segmentation, const std::string& planFolder,
+void ReadLabels(const PlanDocument& document, PlanId segmentation, const std::string& planFolder,
   const std::filesystem::path& folder, RunImages& images, Session& session)
 {
   const std::string place = (folder / "labels.nrrd").string();
-  WriteBytes(
-    Try(ExitCode::BadInput, "", [&] { return ReadBlob(planFolder, segmentation.labels); }), place);
+  const auto blob = [&]
+  {
+    return ReadBlob(
+      planFolder, LabelMapOf(document.history.Current(), document.parts, segmentation));
+  };
+  WriteBytes(Try(ExitCode::BadInput, "", blob), place);
   VolumeChoices choices;
   choices.input = place;
-  Use(images, segmentation.id, ReadVolume(choices, session));
+  Use(images, segmentation, ReadVolume(choices, session));
   std::filesystem::remove(place);
 }
 } // namespace
 
-RunImages ReadRunImages(const Plan& plan, const std::set<PlanId>& needed,
+RunImages ReadRunImages(const PlanDocument& document, const std::set<PlanId>& needed,
   const std::vector<std::string>& files, const std::string& planFolder,
   const std::filesystem::path& folder, Session& session)
 {
+  const Plan& plan = document.history.Current();
   RunImages images;
   std::set<PlanId> missing;
   for (const PlanVolume& volume : plan.volumes)
@@ -76,7 +81,7 @@ RunImages ReadRunImages(const Plan& plan, const std::set<PlanId>& needed,
              "scan that the plan was made on");
   for (const PlanSegmentation& segmentation : plan.segmentations)
     if (needed.contains(segmentation.id))
-      ReadLabels(segmentation, planFolder, folder, images, session);
+      ReadLabels(document, segmentation.id, planFolder, folder, images, session);
   return images;
 }
 

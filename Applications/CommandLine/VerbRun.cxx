@@ -62,7 +62,7 @@ public:
     {
       const fs::path folder = fs::u8path(pendingName);
       fs::create_directory(folder);
-      this->Images = ReadRunImages(this->Now, this->NeededImages(), this->Options.volumes,
+      this->Images = ReadRunImages(this->Document, this->NeededImages(), this->Options.volumes,
         PlanFolder(this->Options.plan), folder, this->Shared);
       this->MakeMissing(folder);
       this->FindFaults();

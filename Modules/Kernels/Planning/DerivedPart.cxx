@@ -54,18 +54,27 @@ private:
   template <typename T>
   bool Add(const T& object, std::initializer_list<const char*> without)
   {
+    if (this->Found.contains({ object.id, PartFacet::Shape })) // a recipe may be long
+      return false;
     Json json = ObjectToJson(object);
     json.erase("id");
     json.erase("name");
     for (const char* key : without)
       json.erase(key);
-    return this->Found.emplace(std::pair(object.id, PartFacet::Shape), HashOf(std::move(json)))
-      .second;
+    this->Found.emplace(std::pair(object.id, PartFacet::Shape), HashOf(std::move(json)));
+    return true;
   }
   void ShapeOf(const PlanVolume& object) { this->Add(object, {}); }
   void ShapeOf(const PlanSegmentation& object)
   {
-    this->Add(object, {});
+    if (object.recipe.steps.empty()) // what was made before there were recipes stays in date
+      this->Add(object, { "recipe" });
+    else
+    {
+      PlanSegmentation nameless = object;
+      nameless.recipe.names.clear();
+      this->Add(nameless, {});
+    }
     this->Shape(object.volume);
   }
   void ShapeOf(const PlanFragment& object)
@@ -162,6 +171,23 @@ InputHashes Gather(const Plan& plan, PlanId object)
   return std::move(gathering.Found);
 }
 
+std::vector<PartInput> InputsOf(const Plan& plan, PlanId object)
+{
+  std::vector<PartInput> inputs;
+  for (auto& [key, hash] : Gather(plan, object))
+    inputs.push_back({ key.first, key.second, hash });
+  return inputs;
+}
+
+const PlanSegmentation& Segmentation(const Plan& plan, PlanId id)
+{
+  const auto* found = FindPlanObject<PlanSegmentation>(plan, id);
+  if (!found)
+    throw std::invalid_argument(
+      CalledObject(plan, id) + ": it is no segmentation, and has no label map");
+  return *found;
+}
+
 std::string Called(const Plan& plan, const std::pair<PlanId, PartFacet>& input)
 {
   return input.second == PartFacet::CaseLabel ? "the case label" : CalledObject(plan, input.first);
@@ -213,10 +239,29 @@ std::vector<PartInput> PartInputs(const Plan& plan, PlanId object)
       CalledObject(plan, object) +
       ": nothing is made of it, only of a fragment, group, guide, plate, implant, transplant or "
       "mitre guide");
-  std::vector<PartInput> inputs;
-  for (auto& [key, hash] : Gather(plan, object))
-    inputs.push_back({ key.first, key.second, hash });
-  return inputs;
+  return InputsOf(plan, object);
+}
+
+std::vector<PartInput> LabelInputs(const Plan& plan, PlanId segmentation)
+{
+  return InputsOf(plan, Segmentation(plan, segmentation).id);
+}
+
+std::string LabelMapOf(const Plan& plan, std::span<const DerivedPart> parts, PlanId segmentation)
+{
+  const PlanSegmentation& found = Segmentation(plan, segmentation);
+  const std::string called = CalledObject(plan, segmentation) + ": ";
+  if (found.recipe.steps.empty())
+  {
+    if (found.labels.empty())
+      throw std::invalid_argument(called + "it has neither labels nor steps yet");
+    return found.labels;
+  }
+  const DerivedPart* made = PartInDate(plan, parts, segmentation, PartFormat::Nrrd);
+  if (!made)
+    throw std::invalid_argument(called + "its label map must be made first: " +
+                                WhyNoPart(plan, parts, segmentation, PartFormat::Nrrd));
+  return made->bytes;
 }
 
 std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part)

@@ -34,17 +34,18 @@ enum class PartFormat
   Stl,
   ThreeMf,
   Ply,
-  Obj
+  Obj,
+  Nrrd ///< of a segmentation: its label map
 };
 
-/// Something made from a plan, such as a guide's mesh. Kept beside the plan and not in it: undo
-/// takes back decisions and not files, and a part that was made before an undo is in date after the
-/// redo.
+/// Something made from a plan, such as a guide's mesh or a segmentation's label map. Kept beside
+/// the plan and not in it: undo takes back decisions and not files, and a part that was made before
+/// an undo is in date after the redo.
 struct DerivedPart
 {
-  PlanId object = 0; ///< what it is the mesh of: one that IsPartObject
+  PlanId object = 0; ///< what it is the mesh of: one that IsPartObject, or a segmentation
   PartFormat format = PartFormat::Stl;
-  std::vector<PartInput> inputs; ///< PartInputs when it was made
+  std::vector<PartInput> inputs; ///< PartInputs, or LabelInputs, when it was made
   std::string bytes;             ///< the blob that holds it: its SHA-256
   std::string report; ///< the blob that says what was measured on it, as JSON; empty: none
 
@@ -68,6 +69,11 @@ std::vector<PlanId> PartObjects(const Plan& plan);
 /// object.
 std::vector<PartInput> PartInputs(const Plan& plan, PlanId object);
 
+/// The same of a segmentation's label map: itself, but for the names and colours of its labels, and
+/// the volume. Without steps it is as before there were recipes. Throws std::invalid_argument if
+/// the plan has no such segmentation.
+std::vector<PartInput> LabelInputs(const Plan& plan, PlanId segmentation);
+
 /// Why a part must be made anew before it is exported: "guide 8 is out of date: cut 6 has changed".
 /// Empty if it is in date.
 std::string WhyOutOfDate(const Plan& plan, const DerivedPart& part);
@@ -78,6 +84,11 @@ const DerivedPart* PartInDate(const Plan& plan, std::span<const DerivedPart> par
 /// Why PartInDate found none: of the newest one, or "guide 8 has not been made". Empty if it did.
 std::string WhyNoPart(const Plan& plan, std::span<const DerivedPart> parts, PlanId object,
   PartFormat format = PartFormat::Stl);
+
+/// The blob that holds the label map of a segmentation as it is now: its own `labels` if its recipe
+/// has no steps, else the newest of its parts that is in date. Throws std::invalid_argument, which
+/// says why there is none.
+std::string LabelMapOf(const Plan& plan, std::span<const DerivedPart> parts, PlanId segmentation);
 
 constexpr std::size_t MaxPartsOfObject = 4;
 /// Adds a part as the newest. One of the same object, format and inputs goes; of each object in

@@ -3,6 +3,7 @@
 #include "Planning/PlanEditsFile.h"
 #include "Planning/PlanLists.h"
 #include "Planning/PlanMigration.h"
+#include "Planning/SegmentationJson.h"
 #include "Planning/ValueChecks.h"
 
 namespace hasp
@@ -11,7 +12,8 @@ namespace hasp
 namespace
 {
 constexpr std::pair<PartFormat, const char*> PartFormats[] = { { PartFormat::Stl, "stl" },
-  { PartFormat::ThreeMf, "3mf" }, { PartFormat::Ply, "ply" }, { PartFormat::Obj, "obj" } };
+  { PartFormat::ThreeMf, "3mf" }, { PartFormat::Ply, "ply" }, { PartFormat::Obj, "obj" },
+  { PartFormat::Nrrd, "nrrd" } };
 constexpr std::pair<PartFacet, const char*> PartFacets[] = { { PartFacet::Shape, "shape" },
   { PartFacet::Place, "place" }, { PartFacet::CaseLabel, "caseLabel" } };
 constexpr const char* EditsSubject = "edits";
@@ -56,6 +58,14 @@ struct ToEditJson
   Json operator()(const SetFragmentState& edit) const
   {
     return { { "state", NameOf(edit.state, FragmentStates) }, { "fragments", edit.fragments } };
+  }
+  Json operator()(const AddSegmentationStep& edit) const
+  {
+    return { { "addStep", edit.segmentation }, { "step", StepToJson(edit.step) } };
+  }
+  Json operator()(const AddSegmentationStroke& edit) const
+  {
+    return { { "addStroke", edit.segmentation }, { "stroke", StrokeToJson(edit.stroke) } };
   }
   Json operator()(const SetCaseLabel& edit) const { return { { "caseLabel", edit.caseLabel } }; }
 };
@@ -135,6 +145,18 @@ PlanEdit EditFromJson(const Json& json, const std::string& name)
     const StrictJson read = Read(json, name, { "state", "fragments" });
     return SetFragmentState{ read.Counts("fragments", 1, MaxPlanId),
       read.Named("state", FragmentStates) };
+  }
+  if (json.contains("addStep"))
+  {
+    const StrictJson read = Read(json, name, { "addStep", "step" });
+    return AddSegmentationStep{ ReadId(read, "addStep"),
+      StepFromJson(read.Get("step"), "plan", Below(name, "step")) };
+  }
+  if (json.contains("addStroke"))
+  {
+    const StrictJson read = Read(json, name, { "addStroke", "stroke" });
+    return AddSegmentationStroke{ ReadId(read, "addStroke"),
+      StrokeFromJson(read.Get("stroke"), "plan", Below(name, "stroke")) };
   }
   return SetCaseLabel{ Read(json, name, { "caseLabel" }).Text("caseLabel") };
 }

@@ -4,6 +4,7 @@
 #include "Planning/Osteotomy.h"
 #include "Planning/PlanPose.h"
 #include "Planning/PlateRecipe.h"
+#include "Planning/SegmentationRecipe.h"
 #include "Planning/TransplantRecipe.h"
 
 #include <glm/vec3.hpp>
@@ -35,13 +36,19 @@ struct PlanVolume
   bool operator==(const PlanVolume&) const noexcept = default;
 };
 
-/// A volume's voxels sorted into labels.
+/// A volume's voxels sorted into labels. Without steps the label map is `labels`, from elsewhere.
+/// With steps it is made of the volume, of `labels` and of the recipe, and kept beside the plan as
+/// what is made from it (LabelMapOf in DerivedPart.h): it goes out of date with each of the three,
+/// and is found again when an edit is undone.
 struct PlanSegmentation
 {
   PlanId id = 0;
   std::string name;
-  PlanId volume = 0;  ///< whose voxels
-  std::string labels; ///< the blob that holds the label map: its SHA-256
+  PlanId volume = 0; ///< whose voxels
+  /// The blob that holds the label map that the steps begin with: its SHA-256. Empty: label 0
+  /// everywhere.
+  std::string labels;
+  SegmentationRecipe recipe{};
 
   bool operator==(const PlanSegmentation&) const noexcept = default;
 };

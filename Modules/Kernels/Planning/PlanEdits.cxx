@@ -100,6 +100,32 @@ struct Applied
     for (const PlanId id : edit.fragments)
       Existing<PlanFragment>(this->plan, id).state = edit.state;
   }
+  void operator()(const AddSegmentationStep& edit) const
+  {
+    const std::string subject = Called("segmentation", edit.segmentation);
+    std::vector<SegmentationStep>& steps =
+      Existing<PlanSegmentation>(this->plan, edit.segmentation).recipe.steps;
+    if (steps.size() >= MostSegmentationSteps)
+      Refuse(subject, "has " + std::to_string(MostSegmentationSteps) + " steps, no more fit");
+    ValidateSegmentationStep(edit.step, subject + ": step");
+    if (IsImageFilter(edit.step) && !steps.empty() && !IsImageFilter(steps.back()))
+      Refuse(subject, "a filter must stand before all steps that are none; undo those first");
+    steps.push_back(edit.step);
+  }
+  void operator()(const AddSegmentationStroke& edit) const
+  {
+    const std::string subject = Called("segmentation", edit.segmentation);
+    std::vector<SegmentationStep>& steps =
+      Existing<PlanSegmentation>(this->plan, edit.segmentation).recipe.steps;
+    auto* split = steps.empty() ? nullptr : std::get_if<SplitStep>(&steps.back());
+    if (!split)
+      Refuse(subject, "its last step is none that splits a label; add one first");
+    if (split->strokes.size() >= MostStrokes)
+      Refuse(subject,
+        "its last step has " + std::to_string(MostStrokes) + " strokes, no more fit; add a step");
+    ValidateBrushStroke(edit.stroke, subject + ": stroke");
+    split->strokes.push_back(edit.stroke);
+  }
   void operator()(const SetCaseLabel& edit) const
   {
     CheckCaseLabel(edit.caseLabel);
@@ -156,6 +182,15 @@ struct Labelled
   {
     return (edit.state == FragmentState::Resected ? "Resect " : "Keep ") +
            CalledFragments(edit.fragments);
+  }
+  std::string operator()(const AddSegmentationStep& edit) const
+  {
+    return StepLabel(edit.step) + " in " + Called("segmentation", edit.segmentation);
+  }
+  std::string operator()(const AddSegmentationStroke& edit) const
+  {
+    return "Stroke of label " + std::to_string(edit.stroke.label) + " in " +
+           Called("segmentation", edit.segmentation);
   }
   std::string operator()(const SetCaseLabel&) const { return "Change the case label"; }
 };

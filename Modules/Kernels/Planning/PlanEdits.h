@@ -6,9 +6,9 @@
 #include <vector>
 
 /// Every change of a plan as a value: the planner, the command line and Python make the same ones,
-/// and PlanHistory keeps them. Edits hold what is to be afterwards, never a difference: no
-/// arithmetic stands between them and the plan, so that a history leads to the same bits on every
-/// machine.
+/// and PlanHistory keeps them. Edits hold what is to be afterwards, and of a segmentation what is
+/// added to it, never a difference: no arithmetic stands between them and the plan, so that a
+/// history leads to the same bits on every machine.
 namespace hasp
 {
 
@@ -64,6 +64,23 @@ struct SetFragmentState
   bool operator==(const SetFragmentState&) const noexcept = default;
 };
 
+/// One more step of a segmentation's recipe, behind all others. The history keeps this step, and
+/// not the whole recipe again as ChangeObject would.
+struct AddSegmentationStep
+{
+  PlanId segmentation = 0;
+  SegmentationStep step;
+  bool operator==(const AddSegmentationStep&) const noexcept = default;
+};
+
+/// One more stroke of a segmentation's last step, which must be a SplitStep.
+struct AddSegmentationStroke
+{
+  PlanId segmentation = 0;
+  BrushStroke stroke;
+  bool operator==(const AddSegmentationStroke&) const noexcept = default;
+};
+
 struct SetCaseLabel
 {
   std::string caseLabel;
@@ -72,16 +89,17 @@ struct SetCaseLabel
 
 /// A new kind of object is a line here.
 using PlanEdit = std::variant<RemoveObject, RenameObject, PoseFragments, SetFragmentState,
-  SetCaseLabel, AddObject<PlanVolume>, ChangeObject<PlanVolume>, //
-  AddObject<PlanSegmentation>, ChangeObject<PlanSegmentation>,   //
-  AddObject<PlanFragment>, ChangeObject<PlanFragment>,           //
-  AddObject<PlanGroup>, ChangeObject<PlanGroup>,                 //
-  AddObject<PlanCut>, ChangeObject<PlanCut>,                     //
-  AddObject<PlanGuide>, ChangeObject<PlanGuide>,                 //
-  AddObject<PlanPlate>, ChangeObject<PlanPlate>,                 //
-  AddObject<PlanImplant>, ChangeObject<PlanImplant>,             //
-  AddObject<PlanTransplant>, ChangeObject<PlanTransplant>,       //
-  AddObject<PlanMitreGuide>, ChangeObject<PlanMitreGuide>,       //
+  SetCaseLabel, AddSegmentationStep, AddSegmentationStroke,    //
+  AddObject<PlanVolume>, ChangeObject<PlanVolume>,             //
+  AddObject<PlanSegmentation>, ChangeObject<PlanSegmentation>, //
+  AddObject<PlanFragment>, ChangeObject<PlanFragment>,         //
+  AddObject<PlanGroup>, ChangeObject<PlanGroup>,               //
+  AddObject<PlanCut>, ChangeObject<PlanCut>,                   //
+  AddObject<PlanGuide>, ChangeObject<PlanGuide>,               //
+  AddObject<PlanPlate>, ChangeObject<PlanPlate>,               //
+  AddObject<PlanImplant>, ChangeObject<PlanImplant>,           //
+  AddObject<PlanTransplant>, ChangeObject<PlanTransplant>,     //
+  AddObject<PlanMitreGuide>, ChangeObject<PlanMitreGuide>,     //
   AddObject<PlanMeasure>, ChangeObject<PlanMeasure>>;
 
 /// The plan after the edit. A valid plan stays valid: else std::invalid_argument, which names the

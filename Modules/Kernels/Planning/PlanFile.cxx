@@ -141,7 +141,11 @@ std::string ReadBlob(const fs::path& folder, const std::string& hash)
 std::vector<std::string> BlobsOf(const PlanDocument& document)
 {
   std::set<std::string> blobs;
-  const auto ofSegmentation = [&](const PlanSegmentation& s) { blobs.insert(s.labels); };
+  const auto ofSegmentation = [&](const PlanSegmentation& s)
+  {
+    if (!s.labels.empty())
+      blobs.insert(s.labels);
+  };
   for (const PlanSegmentation& segmentation : document.history.Start().segmentations)
     ofSegmentation(segmentation);
   for (const PlanStep& step : document.history.Steps())

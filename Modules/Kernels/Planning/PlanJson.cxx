@@ -5,10 +5,10 @@
 #include "Planning/MitreGuideJson.h"
 #include "Planning/PlanLists.h"
 #include "Planning/PlateRecipeJson.h"
+#include "Planning/SegmentationJson.h"
 #include "Planning/TransplantJson.h"
 #include "Planning/ValueChecks.h"
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace hasp
@@ -76,24 +76,6 @@ std::variant<LabelSource, ComponentSource, PieceSource> ReadSource(
     source.Vector("seed"), source.Number("spacingMm") };
 }
 
-std::string ColourToText(const std::array<std::uint8_t, 3>& colour)
-{
-  char text[8];
-  std::snprintf(text, sizeof(text), "#%02x%02x%02x", colour[0], colour[1], colour[2]);
-  return text;
-}
-
-std::array<std::uint8_t, 3> ReadColour(const StrictJson& object, const char* key)
-{
-  const std::string text = object.Text(key);
-  if (text.size() != 7 || text[0] != '#' ||
-      text.find_first_not_of("0123456789abcdef", 1) != std::string::npos)
-    object.Fail(key, "must be # and six hexadecimal digits in lower case");
-  const unsigned long value = std::stoul(text.substr(1), nullptr, 16);
-  return { static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
-    static_cast<std::uint8_t>(value) };
-}
-
 Osteotomy ReadBlade(const Json& json, const std::string& name)
 {
   const StrictJson blade =
@@ -156,20 +138,21 @@ void ReadObject(const Json& json, const std::string& name, PlanVolume& object)
 Json ObjectToJson(const PlanSegmentation& object)
 {
   return { { "id", object.id }, { "name", object.name }, { "volume", object.volume },
-    { "labels", object.labels } };
+    { "labels", object.labels }, { "recipe", SegmentationRecipeToJson(object.recipe) } };
 }
 
 void ReadObject(const Json& json, const std::string& name, PlanSegmentation& object)
 {
-  const StrictJson read = Read(json, name, { "id", "name", "volume", "labels" });
-  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume"), read.Text("labels") };
+  const StrictJson read = Read(json, name, { "id", "name", "volume", "labels", "recipe" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume"), read.Text("labels"),
+    ReadRecipe(read, "recipe", SegmentationRecipeFromJson) };
 }
 
 Json ObjectToJson(const PlanFragment& object)
 {
   return { { "id", object.id }, { "name", object.name },
     { "source", std::visit(SourceToJson{}, object.source) },
-    { "colour", ColourToText(object.colour) }, { "state", NameOf(object.state, FragmentStates) },
+    { "colour", ColourText(object.colour) }, { "state", NameOf(object.state, FragmentStates) },
     { "scanToPlanned", PoseToJson(object.scanToPlanned) }, { "locked", object.locked } };
 }
 
@@ -178,7 +161,7 @@ void ReadObject(const Json& json, const std::string& name, PlanFragment& object)
   const StrictJson read =
     Read(json, name, { "id", "name", "source", "colour", "state", "scanToPlanned", "locked" });
   object = { ReadId(read, "id"), read.Text("name"),
-    ReadSource(read.Get("source"), Below(name, "source")), ReadColour(read, "colour"),
+    ReadSource(read.Get("source"), Below(name, "source")), read.Colour("colour"),
     read.Named("state", FragmentStates),
     PoseFromJson(read.Get("scanToPlanned"), Below(name, "scanToPlanned")), read.Flag("locked") };
 }

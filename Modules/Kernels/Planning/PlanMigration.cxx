@@ -96,6 +96,15 @@ void MendPartOf2(Json& part)
   if (part.is_object())
     part["report"] = "";
 }
+
+/// Version 4 has the recipe of a segmentation: without steps it is what it was.
+void MendObjectOf3(const std::string& noun, Json& object)
+{
+  if (noun == "segmentation")
+    SetIfMissing(object, "recipe",
+      { { "format", "hasp-segmentation-1" }, { "steps", Json::array() },
+        { "names", Json::array() } });
+}
 } // namespace
 
 void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigration> steps)
@@ -129,7 +138,7 @@ std::size_t ReadFormatVersion(const StrictJson& file, const std::string& begin)
 std::span<const PlanMigration> PlanMigrations()
 {
   static constexpr PlanMigration steps[] = { { AddListsOf2, MendObjectOf1, MendPartOf1 },
-    { AddListOf3, MendObjectOf2, MendPartOf2 } };
+    { AddListOf3, MendObjectOf2, MendPartOf2 }, { nullptr, MendObjectOf3, nullptr } };
   return steps;
 }
 

@@ -199,7 +199,9 @@ void CheckObject(const PlanSegmentation& object, const std::string& subject)
 {
   const ValueChecks check(subject);
   check.Text("name", object.name);
-  check.Hash("labels", object.labels);
+  if (!object.labels.empty())
+    check.Hash("labels", object.labels);
+  CheckRecipe(check, "recipe", [&] { ValidateSegmentationRecipe(object.recipe); });
 }
 
 void CheckObject(const PlanFragment& object, const std::string& subject)

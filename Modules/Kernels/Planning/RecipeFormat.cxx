@@ -17,6 +17,8 @@ constexpr FileKind Kinds[] = { { "hasp-guide-recipe-", "a guide recipe", "hasp g
   { "hasp-implant-recipe-", "an implant recipe", "hasp implant" },
   { "hasp-cut-recipe-", "a cut recipe", "hasp cut --cuts" },
   { "hasp-transplant-recipe-", "a transplant recipe", "hasp transplant" },
+  { "hasp-segmentation-", "a segmentation recipe", "hasp segment --recipe" },
+  { "hasp-seeds-", "seeds", "hasp segment --seeds" },
   { "hasp-plan-", "a plan", "hasp plan or hasp run" } };
 } // namespace
 

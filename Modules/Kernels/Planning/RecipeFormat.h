@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 
 namespace hasp
@@ -21,6 +22,17 @@ void CheckFormat(
 inline std::string ReadRecipeText(const std::string& path, const std::string& subject)
 {
   return ReadWhole(path, MostRecipeBytes, subject + ": the file");
+}
+
+/// Puts it in place as a whole. Throws std::runtime_error, also for a text that ReadRecipeText
+/// would not take. Internal. Any thread.
+inline void WriteRecipeText(
+  const std::string& path, const std::string& text, const std::string& subject)
+{
+  if (text.size() > MostRecipeBytes)
+    throw std::runtime_error(subject + ": the file would have " + std::to_string(text.size()) +
+                             " bytes, at most " + std::to_string(MostRecipeBytes) + " can be read");
+  WriteDurably(path, text, subject + ": the file");
 }
 
 } // namespace hasp

@@ -2,6 +2,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -14,6 +15,10 @@
 /// World = patient LPS, mm.
 namespace hasp
 {
+
+/// What a recipe has room for.
+inline constexpr std::size_t MostSegmentationSteps = 10'000, MostStrokes = 10'000,
+                             MostStrokePoints = 100'000;
 
 /// Gaussian blur of the samples.
 struct GaussianStep
@@ -58,9 +63,9 @@ struct ThresholdStep
 /// A brush drawn along a line: all within radiusMm of it.
 struct BrushStroke
 {
-  std::uint16_t label = 2;        ///< what it marks
+  std::uint16_t label = 2;        ///< what it marks; [0, 65535], 0 where it says so
   double radiusMm = 2.0;          ///< (0, 50]
-  std::vector<glm::dvec3> points; ///< of the line, world; 1 to 100,000
+  std::vector<glm::dvec3> points; ///< of the line, world; 1 to MostStrokePoints
   bool operator==(const BrushStroke&) const noexcept = default;
 };
 
@@ -70,7 +75,7 @@ struct BrushStroke
 struct SplitStep
 {
   std::uint16_t label = 1;          ///< whose voxels; [1, 65535]
-  std::vector<BrushStroke> strokes; ///< labels in [1, 65535]; at most 10,000
+  std::vector<BrushStroke> strokes; ///< labels in [1, 65535]; at most MostStrokes
   double beta =
     90.0; ///< how much an edge of the image holds a walk back, [0, 1e12]; RandomWalker.h
   bool operator==(const SplitStep&) const noexcept = default;
@@ -79,7 +84,7 @@ struct SplitStep
 /// Voxels within a stroke become of its label, or nothing (label 0).
 struct PaintStep
 {
-  BrushStroke stroke;
+  BrushStroke stroke;     ///< label 0 erases
   std::uint16_t only = 0; ///< leaves all voxels but those of this label alone; 0: paints any
   bool operator==(const PaintStep&) const noexcept = default;
 };
@@ -87,8 +92,8 @@ struct PaintStep
 /// All voxels of a label become of another, or nothing (into 0).
 struct MergeStep
 {
-  std::uint16_t from = 2;
-  std::uint16_t into = 1;
+  std::uint16_t from = 2; ///< [1, 65535]
+  std::uint16_t into = 1; ///< [0, 65535], another than from
   bool operator==(const MergeStep&) const noexcept = default;
 };
 
@@ -96,7 +101,7 @@ struct MergeStep
 /// others get the next free numbers, large before small; what is smaller than leastMm3 is removed.
 struct ComponentsStep
 {
-  std::uint16_t label = 1;
+  std::uint16_t label = 1;       ///< [1, 65535]
   double leastMm3 = 0.0;         ///< [0, 1e9]
   bool keepLargestAlone = false; ///< all others are removed
   bool operator==(const ComponentsStep&) const noexcept = default;
@@ -105,7 +110,7 @@ struct ComponentsStep
 /// Cavities of a label: voxels of label 0 from which no way leads out of the scan.
 struct FillStep
 {
-  std::uint16_t label = 1;
+  std::uint16_t label = 1; ///< [1, 65535]
   bool operator==(const FillStep&) const noexcept = default;
 };
 
@@ -121,7 +126,7 @@ enum class Morphology
 /// the scan is no edge of the bone.
 struct MorphologyStep
 {
-  std::uint16_t label = 1;
+  std::uint16_t label = 1; ///< [1, 65535]
   Morphology operation = Morphology::Dilate;
   double radiusMm = 1.0; ///< (0, 50]
   bool operator==(const MorphologyStep&) const noexcept = default;
@@ -134,8 +139,8 @@ using SegmentationStep = std::variant<GaussianStep, MedianStep, EdgePreservingSt
 /// What a label is called and how it is drawn. The user's words.
 struct LabelName
 {
-  std::uint16_t label = 1;
-  std::string name;
+  std::uint16_t label = 1; ///< [1, 65535]
+  std::string name;        ///< UTF-8, at most 200 bytes, no control characters
   std::array<std::uint8_t, 3> colour{ 227, 218, 201 }; ///< red, green, blue
   bool operator==(const LabelName&) const noexcept = default;
 };
@@ -143,14 +148,32 @@ struct LabelName
 /// What a segmentation is made from, besides the scan. A plain value.
 struct SegmentationRecipe
 {
-  std::vector<SegmentationStep> steps; ///< at most 10,000; filters before the first other step
+  std::vector<SegmentationStep> steps; ///< at most MostSegmentationSteps; filters before all others
   std::vector<LabelName> names;        ///< each label once
   bool operator==(const SegmentationRecipe&) const noexcept = default;
 };
 
+/// Whether a step changes the samples and not the labels.
+bool IsImageFilter(const SegmentationStep& step);
+
+/// What a menu calls it: "Gaussian filter", "Split label 1". No text of the user's.
+std::string StepLabel(const SegmentationStep& step);
+
 /// Throws std::invalid_argument unless every number is finite and in its range, no filter stands
-/// behind a ThresholdStep and each label is named once. The message names the key as it stands in
-/// the file, its value and the legal range ("steps 3: sigmaMm is 0, must be in (0, 10]").
+/// behind a step that is none and each label is named once. The message names the key as it stands
+/// in the file, its value and the legal range ("segmentation recipe: steps[3]: sigmaMm is 0, must
+/// be in (0, 10]"). O(points).
 void ValidateSegmentationRecipe(const SegmentationRecipe& recipe);
+
+/// The same of one step, but for its place among the others, or of one stroke of a label from
+/// leastLabel on. `subject` begins the message.
+void ValidateSegmentationStep(const SegmentationStep& step, const std::string& subject);
+void ValidateBrushStroke(
+  const BrushStroke& stroke, const std::string& subject, std::uint16_t leastLabel = 1);
+
+/// Each label once, in [1, 65535], and its name a text that can be shown. `subject` begins the
+/// message, which calls the list `list` and does not say a name.
+void ValidateLabelNames(
+  const std::vector<LabelName>& names, const std::string& subject, const char* list = "names");
 
 } // namespace hasp

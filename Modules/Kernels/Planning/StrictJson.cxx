@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <functional>
 #include <numeric>
 #include <set>
@@ -47,6 +48,40 @@ std::string Nearest(
   { return Misspelling(wrong, key) + (object.contains(key) ? 1.0 : 0.0); };
   return *std::min_element(
     keys.begin(), keys.end(), [&](const char* a, const char* b) { return far(a) < far(b); });
+}
+
+bool IsNumbers(const Json& json)
+{
+  return json.is_array() && !json.empty() &&
+         std::all_of(json.begin(), json.end(), [](const Json& value) { return value.is_number(); });
+}
+
+/// As dump(2), but for lists of numbers: a point of a stroke is one line and not five.
+void Write(const Json& json, std::size_t indent, std::string& text)
+{
+  if (!json.is_structured() || json.empty())
+  {
+    text += json.dump();
+    return;
+  }
+  const bool object = json.is_object(), oneLine = IsNumbers(json);
+  const auto newLine = [&](std::size_t spaces) { text.append(1, '\n').append(spaces, ' '); };
+  char before = object ? '{' : '[';
+  for (auto member = json.begin(); member != json.end(); ++member)
+  {
+    text += before;
+    if (!oneLine)
+      newLine(indent + 2);
+    else if (before == ',')
+      text += ' ';
+    if (object)
+      text.append(Json(member.key()).dump()).append(": ");
+    Write(*member, indent + 2, text);
+    before = ',';
+  }
+  if (!oneLine)
+    newLine(indent);
+  text += object ? '}' : ']';
 }
 } // namespace
 
@@ -120,7 +155,9 @@ std::string FormatJson(const Json& json, const std::string& subject)
 {
   try
   {
-    return json.dump(2) + "\n";
+    std::string text;
+    Write(json, 0, text);
+    return text + "\n";
   }
   catch (const Json::exception&) // its text quotes the value
   {
@@ -128,14 +165,17 @@ std::string FormatJson(const Json& json, const std::string& subject)
   }
 }
 
+std::string ColourText(const std::array<std::uint8_t, 3>& colour)
+{
+  char text[8];
+  std::snprintf(text, sizeof(text), "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+  return text;
+}
+
 StrictJson::StrictJson(
   const Json& json, std::string subject, std::string name, std::initializer_list<const char*> keys)
-  : Members(json),
-    Subject(std::move(subject)),
-    Name(std::move(name))
+  : StrictJson(json, std::move(subject), std::move(name))
 {
-  if (!json.is_object())
-    this->Fail("", "must be an object");
   std::size_t number = 0;
   for (auto member = json.begin(); member != json.end(); ++member, ++number)
     if (const std::string& key = member.key();
@@ -144,6 +184,15 @@ StrictJson::StrictJson(
                          " is unknown, the nearest known is '" + Nearest(key, json, keys) +
                          "'; mend its spelling or take it out",
         json, number);
+}
+
+StrictJson::StrictJson(const Json& json, std::string subject, std::string name)
+  : Members(json),
+    Subject(std::move(subject)),
+    Name(std::move(name))
+{
+  if (!json.is_object())
+    this->Fail("", "must be an object");
 }
 
 bool StrictJson::Has(const char* key) const
@@ -210,12 +259,23 @@ glm::dvec3 StrictJson::Vector(const char* key) const
   return this->AsVector(key, this->Get(key));
 }
 
-std::vector<glm::dvec3> StrictJson::Vectors(const char* key) const
+std::vector<glm::dvec3> StrictJson::Vectors(const char* key, std::size_t most) const
 {
   std::vector<glm::dvec3> vectors;
-  for (const Json& value : this->List(key))
+  for (const Json& value : this->List(key, most))
     vectors.push_back(this->AsVector(ListKey(key, vectors.size()), value));
   return vectors;
+}
+
+std::array<std::uint8_t, 3> StrictJson::Colour(const char* key) const
+{
+  const std::string text = this->Text(key);
+  if (text.size() != 7 || text[0] != '#' ||
+      text.find_first_not_of("0123456789abcdef", 1) != std::string::npos)
+    this->Fail(key, "must be # and six hexadecimal digits in lower case");
+  const unsigned long value = std::stoul(text.substr(1), nullptr, 16);
+  return { static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
+    static_cast<std::uint8_t>(value) };
 }
 
 const Json& StrictJson::List(const char* key, std::size_t most) const

@@ -2,6 +2,7 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -53,8 +54,9 @@ auto ReadJson(const std::string& text, const std::string& subject, const Read& r
   }
 }
 
-/// Two spaces a level, a line feed at the end. Throws std::invalid_argument "SUBJECT: a text is not
-/// UTF-8" rather than write what no one can read back.
+/// Two spaces a level, lists of numbers on one line, a line feed at the end. Throws
+/// std::invalid_argument "SUBJECT: a text is not UTF-8" rather than write what no one can read
+/// back.
 std::string FormatJson(const Json& json, const std::string& subject);
 
 /// One object of a file, read strictly: only the keys named are in it, and what is asked for is
@@ -67,6 +69,8 @@ public:
   /// `name` is where the object stands in the file, such as "cuts[2]"; empty for the file itself.
   StrictJson(const Json& json, std::string subject, std::string name,
     std::initializer_list<const char*> keys);
+  /// Of a file whose format is not ours: other keys may be there, and are not looked at.
+  StrictJson(const Json& json, std::string subject, std::string name);
 
   bool Has(const char* key) const;
   const Json& Get(const char* key) const;
@@ -79,7 +83,9 @@ public:
   std::string Text(const char* key) const;
   std::vector<double> Numbers(const char* key, std::size_t count) const;
   glm::dvec3 Vector(const char* key) const;
-  std::vector<glm::dvec3> Vectors(const char* key) const;
+  std::vector<glm::dvec3> Vectors(const char* key, std::size_t most = 10000) const;
+  /// Red, green, blue of "#e3dac9".
+  std::array<std::uint8_t, 3> Colour(const char* key) const;
   /// An array of at most `most` entries.
   const Json& List(const char* key, std::size_t most = 10000) const;
   /// The value of the enum whose name the text is; the error lists the names.
@@ -104,6 +110,9 @@ inline Json ToJson(const glm::dvec3& v)
 {
   return { v.x, v.y, v.z };
 }
+
+/// "#e3dac9"
+std::string ColourText(const std::array<std::uint8_t, 3>& colour);
 
 /// The name of a value of an enum; all values are in `names`.
 template <typename Enum, std::size_t N>

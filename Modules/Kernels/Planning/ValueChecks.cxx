@@ -34,6 +34,8 @@ std::size_t CharacterBytes(const std::string& text, std::size_t at)
   return sound ? bytes : 0;
 }
 
+constexpr double FarthestMm = 4000.0;
+
 std::string Range(char bracket, double low, double high)
 {
   std::ostringstream range;
@@ -57,8 +59,17 @@ void ValueChecks::AboveUpTo(const std::string& key, double value, double low, do
 void ValueChecks::Point(const std::string& key, const glm::dvec3& point) const
 {
   for (int a = 0; a < 3; ++a)
-    if (!(std::abs(point[a]) <= 4000.0))
+    if (!(std::abs(point[a]) <= FarthestMm))
       this->Refuse(key + "[" + std::to_string(a) + "]", point[a], "in [-4000, 4000] mm");
+}
+
+void ValueChecks::Points(const char* list, const std::vector<glm::dvec3>& points) const
+{
+  for (std::size_t n = 0; n < points.size(); ++n)
+    if (const glm::dvec3& p = points[n];
+        !(std::abs(p.x) <= FarthestMm && std::abs(p.y) <= FarthestMm &&
+          std::abs(p.z) <= FarthestMm))
+      this->Point(ListKey(list, n), p);
 }
 
 void ValueChecks::Unit(const std::string& key, const glm::dvec3& direction) const

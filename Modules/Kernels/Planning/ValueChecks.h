@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -21,6 +22,8 @@ public:
   void AboveUpTo(const std::string& key, double value, double low, double high) const;
   /// Each coordinate in [-4000, 4000] mm: an STL's float32 still tells 0.0003 mm apart there.
   void Point(const std::string& key, const glm::dvec3& point) const;
+  /// Each of a list; its key is made for the one that is refused alone.
+  void Points(const char* list, const std::vector<glm::dvec3>& points) const;
   /// Length 1 within 1e-3.
   void Unit(const std::string& key, const glm::dvec3& direction) const;
   /// UTF-8, at most 200 bytes, no control characters. The message does not quote the text.

@@ -143,6 +143,80 @@ TEST(DerivedPart, AGuideThatNamesTheCaseHangsOnItsLabel)
   EXPECT_EQ(WhyOutOfDate(named, nameless), why + "it is now made from the case label, too");
 }
 
+TEST(DerivedPart, FragmentsHangOnTheRecipeOfTheirLabels)
+{
+  Plan plan = Case();
+  const auto why = [&](const PlanEdit& edit, PlanId object)
+  {
+    const DerivedPart part{ object, PartFormat::Stl, PartInputs(plan, object), "", "" };
+    return WhyOutOfDate(Apply(plan, edit), part);
+  };
+  const std::string changed = " is out of date: segmentation 2 has changed";
+  const AddSegmentationStep threshold{ 2, ThresholdStep{} }, split{ 2, SplitStep{} };
+  EXPECT_EQ(why(threshold, 3), "fragment 3" + changed);
+  plan = Apply(Apply(plan, threshold), split);
+  const AddSegmentationStroke stroke{ 2, { 2, 1.5, { { 1, 2, 3 } } } };
+  for (const PlanId object : { 3U, 4U })
+    EXPECT_EQ(why(stroke, object), "fragment " + std::to_string(object) + changed);
+  EXPECT_EQ(why(stroke, 7), "guide 7" + changed);
+  EXPECT_EQ(why(stroke, 12), ""); // on the scan
+  // What labels are called and how they are drawn is no shape.
+  PlanSegmentation named = plan.segmentations[0];
+  named.recipe.names = { { 1, "ramus", { 1, 2, 3 } } };
+  EXPECT_EQ(why(ChangeObject<PlanSegmentation>{ named }, 3), "");
+}
+
+TEST(DerivedPart, ALabelMapIsMadeOfARecipeAndFoundAfterAnUndo)
+{
+  Plan plan = Case();
+  std::vector<DerivedPart> parts;
+  const auto refusal = [&](PlanId id)
+  {
+    try
+    {
+      LabelMapOf(plan, parts, id);
+      return std::string();
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(LabelMapOf(plan, parts, 2), std::string(64, 'b')); // no steps: from elsewhere
+  EXPECT_EQ(refusal(1), "volume 1: it is no segmentation, and has no label map");
+  EXPECT_EQ(refusal(99), "object 99: it is no segmentation, and has no label map");
+  EXPECT_THROW(LabelInputs(plan, 1), std::invalid_argument);
+  plan = Apply(plan, ChangeObject<PlanSegmentation>{ { 2, "", 1, "", {} } });
+  EXPECT_EQ(refusal(2), "segmentation 2: it has neither labels nor steps yet");
+  plan = Apply(Case(), AddSegmentationStep{ 2, ThresholdStep{} });
+  EXPECT_EQ(refusal(2),
+    "segmentation 2: its label map must be made first: segmentation 2 has not been made");
+  const auto made = [&](char bytes) {
+    return DerivedPart{ 2, PartFormat::Nrrd, LabelInputs(plan, 2), std::string(64, bytes), "" };
+  };
+  KeepPart(parts, made('x'));
+  EXPECT_EQ(LabelMapOf(plan, parts, 2), std::string(64, 'x'));
+  const Plan before = plan;
+  plan = Apply(plan, AddSegmentationStep{ 2, FillStep{} });
+  EXPECT_EQ(refusal(2), "segmentation 2: its label map must be made first: segmentation 2 is out "
+                        "of date: segmentation 2 has changed");
+  KeepPart(parts, made('y'));
+  EXPECT_EQ(LabelMapOf(plan, parts, 2), std::string(64, 'y'));
+  EXPECT_EQ(LabelMapOf(before, parts, 2), std::string(64, 'x'));
+  // It is made of the map that it begins with and of the scan, too, and not of names.
+  PlanSegmentation other = plan.segmentations[0];
+  other.recipe.names = { { 1, "ramus", { 1, 2, 3 } } };
+  plan = Apply(plan, ChangeObject<PlanSegmentation>{ other });
+  EXPECT_EQ(LabelMapOf(plan, parts, 2), std::string(64, 'y'));
+  other.labels.clear();
+  plan = Apply(plan, ChangeObject<PlanSegmentation>{ other });
+  EXPECT_NE(refusal(2), "");
+  plan = Apply(before, ChangeObject<PlanVolume>{ { 1, "", std::string(64, 'd') } });
+  EXPECT_EQ(refusal(2), "segmentation 2: its label map must be made first: segmentation 2 is out "
+                        "of date: volume 1 has changed");
+  EXPECT_FALSE(IsPartObject(plan, 2)); // no mesh is made of it
+}
+
 TEST(DerivedPart, PlatesHangOnShapesAndPlaces)
 {
   const std::string posed = "plate 11 is out of date: ", scanned = "plate 12 is out of date: ";

@@ -150,6 +150,38 @@ TEST(PlanFile, WrongTextsUnderASoundSealAreReadOrRefused)
   EXPECT_GT(refused, 800);
 }
 
+/// `count` strokes of 60 points, a step each, as painting makes them.
+PlanDocument Painted(int count)
+{
+  PlanDocument document;
+  document.history.Do({ AddObject<PlanVolume>{ { 1, "", std::string(64, 'a') } },
+    AddObject<PlanSegmentation>{ { 2, "", 1, "", {} } } });
+  document.history.Do(AddSegmentationStep{ 2, ThresholdStep{} });
+  document.history.Do(AddSegmentationStep{ 2, SplitStep{} });
+  std::mt19937 random(6);
+  const auto somewhere = [&] { return std::uniform_real_distribution<double>(-200, 200)(random); };
+  for (int n = 0; n < count; ++n)
+  {
+    BrushStroke stroke{ std::uint16_t(2 + n % 4), 2.0, {} };
+    while (stroke.points.size() < 60)
+      stroke.points.emplace_back(somewhere(), somewhere(), somewhere());
+    document.history.Do(AddSegmentationStroke{ 2, std::move(stroke) });
+  }
+  return document;
+}
+
+TEST(PlanFile, AStrokeIsKeptOnceInThePlanAndOnceInItsHistory)
+{
+  constexpr std::size_t points = 60;
+  const std::size_t few = FormatPlan(Painted(50)).size(), many = FormatPlan(Painted(150)).size();
+  // A point has three numbers of at most 22 bytes, and its line's spaces; and so much besides.
+  const std::size_t most = 2 * (points * (3 * 22 + 30) + 400);
+  EXPECT_LT((many - few) / 100, most);
+  RecordProperty("bytes of a plan of 100 strokes", int(FormatPlan(Painted(100)).size()));
+  const PlanDocument document = Painted(100);
+  EXPECT_EQ(ParsePlan(FormatPlan(document)), document);
+}
+
 TEST(PlanFile, AFlippedByteOfALargePlanIsFound)
 {
   const std::string sound = FormatPlan(RandomDocument(12, 400));
@@ -240,7 +272,10 @@ TEST(PlanFile, OnlyWhatNothingNamesIsRemoved)
   const PlanFolder folder;
   const std::string named = WriteBlob(folder.Plan(), "a"), unused = WriteBlob(folder.Plan(), "b");
   const std::string report = WriteBlob(folder.Plan(), "c");
-  const PlanDocument document{ {}, { { 1, PartFormat::Obj, {}, named, report } } };
+  PlanDocument document{ {}, { { 1, PartFormat::Obj, {}, named, report } } };
+  document.history.Do({ AddObject<PlanVolume>{ { 1, "", std::string(64, '0') } },
+    AddObject<PlanSegmentation>{ { 2, "", 1, "", {} } } });
+  EXPECT_EQ(BlobsOf(document).size(), 2U); // a segmentation without labels names none
   SavePlan(folder.Plan(), document);
   WriteBytes(folder.Plan() / ".hasp-1-2", "half");
   WriteBytes(folder.Plan() / "blobs" / "notes.txt", "the user's");
@@ -259,8 +294,8 @@ TEST(PlanFile, ErrorsNameTheKeyAndNothingElse)
   document.history.Do({ AddObject<PlanVolume>{ { 1, "Erika", std::string(64, '0') } },
     AddObject<PlanCut>{ { 2, "Erika", {}, {} } } });
   const std::string text = FormatPlan(document);
-  EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-3", "hasp-plan-9")),
-    "plan: format is none that this version of Hasp reads: hasp-plan-1 to 3");
+  EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-4", "hasp-plan-9")),
+    "plan: format is none that this version of Hasp reads: hasp-plan-1 to 4");
   EXPECT_EQ(Refusal(Sealed(text, "\"plan\"", "\"plans\"")),
     "plan: a key is unknown, the nearest known is 'plan'; mend its spelling or take it out");
   EXPECT_EQ(Refusal(Sealed(text, "\"name\": \"Erika\"", "\"name\": \"Erik\"")),

@@ -103,10 +103,38 @@ TEST(PlanMigration, AKeptFileOfVersion2IsRead)
   ASSERT_EQ(document.parts.size(), 2U);
   EXPECT_EQ(hasp::WhyOutOfDate(plan, document.parts[0]), ""); // a fragment says what it did
   const std::string written = hasp::FormatPlan(document);
-  EXPECT_NE(written.find("hasp-plan-3"), std::string::npos);
+  EXPECT_NE(written.find("hasp-plan-4"), std::string::npos);
   EXPECT_EQ(hasp::ParsePlan(written), document);
   document.history.Redo();
   EXPECT_EQ(document.history.Current().transplants[0].transplant.kerfMm, 0.8);
+  for (; document.history.ToUndo(); document.history.Undo())
+    hasp::ValidatePlan(document.history.Current());
+}
+
+/// A file that the third version wrote: a segmentation that was changed and changed back, and a
+/// part that was made of one of its labels.
+TEST(PlanMigration, AKeptFileOfVersion3IsRead)
+{
+  const std::string text = ReadBytes(HASP_KEPT_PLAN_3);
+  ASSERT_NE(text.find("hasp-plan-3"), std::string::npos);
+  hasp::PlanDocument document = hasp::ParsePlan(text);
+  const hasp::Plan& plan = document.history.Current();
+  EXPECT_EQ(plan.caseLabel, "K-18");
+  ASSERT_EQ(plan.segmentations.size(), 1U);
+  EXPECT_EQ(plan.segmentations[0].labels, std::string(64, 'b'));
+  EXPECT_EQ(plan.segmentations[0].recipe, hasp::SegmentationRecipe{});
+  EXPECT_EQ(plan.transplants.at(0).mostGapMm, 0.75);
+  EXPECT_EQ(plan.mitreGuides.size(), 1U);
+  ASSERT_EQ(document.parts.size(), 1U);
+  EXPECT_EQ(document.parts[0].report, std::string(64, 'f'));
+  EXPECT_EQ(hasp::WhyOutOfDate(plan, document.parts[0]), ""); // without steps it says what it did
+  EXPECT_EQ(hasp::LabelMapOf(plan, document.parts, 2), std::string(64, 'b'));
+  const std::string written = hasp::FormatPlan(document);
+  EXPECT_NE(written.find("hasp-plan-4"), std::string::npos);
+  EXPECT_EQ(hasp::ParsePlan(written), document);
+  document.history.Redo();
+  EXPECT_EQ(document.history.Current().segmentations[0].labels, std::string(64, 'c'));
+  EXPECT_NE(hasp::WhyOutOfDate(document.history.Current(), document.parts[0]), "");
   for (; document.history.ToUndo(); document.history.Undo())
     hasp::ValidatePlan(document.history.Current());
 }

@@ -18,7 +18,7 @@ inline hasp::PlanDocument RandomDocument(unsigned seed, int steps)
   {
     const auto facet = hasp::PartFacet(random.Below(3));
     const hasp::PlanId of = facet == hasp::PartFacet::CaseLabel ? 0 : 2;
-    document.parts.push_back({ 1, hasp::PartFormat(random.Below(4)),
+    document.parts.push_back({ 1, hasp::PartFormat(random.Below(5)),
       { { of, facet, random.Hash() } }, random.Hash(), random.Below(2) == 0 ? "" : random.Hash() });
   }
   return document;

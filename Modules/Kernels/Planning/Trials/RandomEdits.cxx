@@ -76,7 +76,23 @@ PlanVolume RandomEdits::MakeVolume()
 
 PlanSegmentation RandomEdits::MakeSegmentation(const Plan& plan)
 {
-  return { 0, this->Text(), this->AnyOf(plan.volumes), this->Hash() };
+  PlanSegmentation made{ 0, this->Text(), this->AnyOf(plan.volumes), "", {} };
+  if (this->Below(2) == 0)
+    made.labels = this->Hash();
+  if (this->Below(2) == 0)
+    made.recipe = RandomSegmentation(this->Random).Recipe(3, this->Text());
+  return made;
+}
+
+PlanEdit RandomEdits::OfSegmentation(const PlanSegmentation& segmentation)
+{
+  RandomSegmentation random(this->Random);
+  const std::vector<SegmentationStep>& steps = segmentation.recipe.steps;
+  if (!steps.empty() && std::holds_alternative<SplitStep>(steps.back()) && this->Below(4) != 0)
+    return AddSegmentationStroke{ segmentation.id, random.Stroke(1) };
+  const bool filters = steps.empty() || IsImageFilter(steps.back());
+  return AddSegmentationStep{ segmentation.id,
+    filters && this->Below(2) == 0 ? random.Filter() : random.Step() };
 }
 
 PlanFragment RandomEdits::MakeFragment(const Plan& plan, PlanId id)
@@ -249,7 +265,7 @@ PlanEdit RandomEdits::OfFragments(const Plan& plan)
 
 PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
 {
-  const int kind = this->Below(14);
+  const int kind = this->Below(16);
   if (plan.volumes.empty() || kind == 0)
     return this->AddOrChange(plan.volumes, newId, [&](PlanId) { return this->MakeVolume(); });
   if (kind == 1)
@@ -281,6 +297,9 @@ PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
   if (kind == 12 && !plan.transplants.empty())
     return this->AddOrChange(
       plan.mitreGuides, newId, [&](PlanId) { return this->MakeMitreGuide(plan); });
+  if (kind >= 13 && kind <= 14 && !plan.segmentations.empty())
+    return this->OfSegmentation(
+      plan.segmentations[std::size_t(this->Below(plan.segmentations.size()))]);
   std::vector<PlanId> all, unused;
   ForEachPlanObject(plan, [&](const auto& object) { all.push_back(object.id); });
   std::copy_if(all.begin(), all.end(), std::back_inserter(unused),

@@ -1,5 +1,6 @@
 #pragma once
 #include "Planning/PlanEdits.h"
+#include "RandomSegmentation.h"
 
 #include <random>
 
@@ -30,6 +31,7 @@ private:
 
   hasp::PlanVolume MakeVolume();
   hasp::PlanSegmentation MakeSegmentation(const hasp::Plan& plan);
+  hasp::PlanEdit OfSegmentation(const hasp::PlanSegmentation& segmentation);
   hasp::PlanFragment MakeFragment(const hasp::Plan& plan, hasp::PlanId id);
   hasp::PlanCut MakeCut(const hasp::Plan& plan);
   hasp::PlanGuide MakeGuide(const hasp::Plan& plan);
