@@ -4,10 +4,10 @@
 #include "Distance/Csg.h"
 #include "Distance/GridSolid.h"
 #include "Distance/SolidMoves.h"
+#include "Grid/LabelGrid.h"
 #include "Grid/ParallelFor.h"
 #include "Grid/ProgressPart.h"
 #include "GuideBone.h"
-#include "LabelGrid.h"
 #include "WorkingGrid.h"
 
 #include <glm/common.hpp>

@@ -1,4 +1,4 @@
-#include "LabelGrid.h"
+#include "Grid/LabelGrid.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
