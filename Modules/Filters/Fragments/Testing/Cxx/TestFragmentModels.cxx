@@ -239,7 +239,7 @@ TEST(FragmentModels, TheSameBytesInAnyOrderAndOnAnyNumberOfThreads)
 {
   const LabelledScan scan = FewCuboids();
   FragmentModels one(scan.Scan(), Quick);
-  const std::vector<std::uint16_t> labels = NumbersOf(one);
+  const std::vector<std::uint16_t> labels{ 2, 5, 9 };
   std::vector<std::string> truth;
   hasp::WithThreadLimit(1,
     [&]
@@ -265,24 +265,24 @@ TEST(FragmentModels, TheSameBytesInAnyOrderAndOnAnyNumberOfThreads)
 TEST(FragmentModels, ACancelledBakeLeavesNothingInPart)
 {
   const LabelledScan scan = FewCuboids();
+  constexpr hasp::FragmentWants Wanted{ .map = true, .surface = true };
   FragmentModels whole(scan.Scan(), Quick);
   const std::vector<std::uint16_t> labels = NumbersOf(whole);
-  whole.Prepare(labels, hasp::AllOfFragment);
+  whole.Prepare(labels, Wanted);
   for (const double until : { 0.0, 0.5 })
   {
     FragmentModels models(scan.Scan(), Quick);
     hasp::WithThreadLimit(2, // with one for each fragment all would be done at once
       [&]
       {
-        EXPECT_THROW(
-          models.Prepare(labels, hasp::AllOfFragment, [&](double share) { return share < until; }),
+        EXPECT_THROW(models.Prepare(labels, Wanted, [&](double share) { return share < until; }),
           hasp::Cancelled);
       });
     std::size_t done = 0;
     for (const std::uint16_t label : labels)
     {
       const hasp::FragmentModel made = models.Finished(label);
-      if (made.map || made.shell || made.surface)
+      if (made.map || made.surface)
       {
         EXPECT_EQ(BytesOf(made), BytesOf(whole.Finished(label))) << "all of it, or nothing";
         ++done;
@@ -290,7 +290,7 @@ TEST(FragmentModels, ACancelledBakeLeavesNothingInPart)
     }
     EXPECT_LT(done, labels.size());
     EXPECT_EQ(done > 0, until > 0.0) << "what was done stays";
-    models.Prepare(labels, hasp::AllOfFragment);
+    models.Prepare(labels, Wanted);
     for (const std::uint16_t label : labels)
       EXPECT_EQ(BytesOf(models.Finished(label)), BytesOf(whole.Finished(label)));
   }
@@ -307,7 +307,7 @@ TEST(FragmentModels, WhatIsFinishedIsReadWhileMoreIsMade)
   const LabelledScan scan = FewCuboids();
   FragmentModels models(scan.Scan(), Quick);
   const std::vector<std::uint16_t> labels = NumbersOf(models);
-  const auto work = models.Begin(labels, { .shell = true, .cells = true });
+  const auto work = models.Begin(labels, { .surface = true, .cells = true });
   std::atomic<bool> done{ false };
   std::thread worker(
     [&]
@@ -320,7 +320,7 @@ TEST(FragmentModels, WhatIsFinishedIsReadWhileMoreIsMade)
   {
     seen = 0;
     for (const std::uint16_t label : labels)
-      seen += models.Finished(label).shell != nullptr;
+      seen += models.Finished(label).surface != nullptr;
     EXPECT_GE(seen, before);
     before = seen;
     UseOf(models, "");
@@ -328,7 +328,7 @@ TEST(FragmentModels, WhatIsFinishedIsReadWhileMoreIsMade)
   worker.join();
   EXPECT_TRUE(work->Outdated().empty());
   for (const std::uint16_t label : labels)
-    EXPECT_NE(models.Finished(label).shell, nullptr);
+    EXPECT_NE(models.Finished(label).surface, nullptr);
   EXPECT_TRUE(models.HasCells());
 }
 
