@@ -94,8 +94,7 @@ public:
 
   /// Labels that were changed meanwhile, so that their models were dropped; after Run.
   const std::vector<std::uint16_t>& Outdated() const;
-  /// Samples of all grids that distances are made on: what it costs is about 0.5 us of CPU time
-  /// each. After Run.
+  /// Samples of all grids that distances were made on: what it costs. After Run.
   std::size_t Samples() const;
 
 private:
@@ -122,10 +121,10 @@ private:
 /// Threads: one owns this and the label map, say RENDER: it makes, asks, paints and says
 /// LabelsChanged. Finished and ListResources are safe on any thread, at any time. FragmentBaking
 /// runs on a WORKER beside all that. The scan's samples stay as they are.
-/// Cost: a pass over the labels to begin with, O(samples of the box) after an edit; models about
-/// 0.5 us of CPU time a sample of the fragment's box and its margin (bin/BenchFragments prints it);
-/// a DistanceMap is asked for 16 spacings around, the others for 5. Memory: about 50 bytes for each
-/// label in each 32^3 samples, and what was asked for.
+/// Cost: a pass over the labels to begin with, O(samples of the box) after an edit; CPU time a
+/// sample of a fragment's grid: a map about 0.2 us, a shell 0.5, a mesh 2 (bin/BenchFragments
+/// prints it); a DistanceMap is asked for 16 spacings around, the others for 5. Memory: about 50
+/// bytes for each label in each 32^3 samples, and what was asked for.
 class VTKHASPFILTERSFRAGMENTS_EXPORT FragmentModels
 {
 public:

@@ -15,7 +15,7 @@
  * Errors (vtkErrorMacro, empty output): images that hasp::FragmentScanOf or hasp::FragmentModels
  * refuses, a label that is not there, has no bone, or is thinner than the spacing. AbortExecute
  * gives an empty output without an error. Threads: as any VTK filter, one at a time (RENDER or
- * WORKER); uses all cores. Cost: a pass over the labels, and about 1 us of CPU time a sample of
+ * WORKER); uses all cores. Cost: a pass over the labels, and about 2 us of CPU time a sample of
  * each fragment's box, with 5 spacings around.
  */
 #ifndef vtkHaspFragmentSurface_h
