@@ -338,6 +338,38 @@ class Distance(unittest.TestCase):
         self.assertTrue(said)
 
 
+class Fragments(unittest.TestCase):
+    """A ball that labels part into two halves."""
+
+    def test_each_half_has_a_closed_surface(self):
+        scan = ball()
+        labels = vtkImageData()
+        labels.CopyStructure(scan)
+        labels.AllocateScalars(5, 1)  # VTK_UNSIGNED_SHORT
+        for k in range(25):
+            for j in range(25):
+                for i in range(25):
+                    labels.SetScalarComponentFromDouble(i, j, k, 0, 2 if i < 12 else 3)
+        surface = hasp.vtkHaspFragmentSurface()
+        surface.SetInputData(scan)
+        surface.SetLabelData(labels)
+        surface.SetIsoValue(0.0)
+        surface.Update()
+        both = surface.GetOutput()
+        self.assertEqual(both.GetCellData().GetArray("Label").GetRange(), (2.0, 3.0))
+        surface.SetLabel(3)
+        surface.Update()
+        half = surface.GetOutput()
+        self.assertLess(half.GetNumberOfCells(), both.GetNumberOfCells())
+        self.assertAlmostEqual(half.GetBounds()[0], -0.5, delta=0.1)  # half way between the voxels
+        self.assertAlmostEqual(half.GetBounds()[1], RADIUS, delta=0.1)
+        said = errors_of(surface)
+        surface.SetLabel(4)
+        surface.Update()
+        self.assertIn("label 4 is not in the label map", "".join(said))
+        self.assertEqual(surface.GetOutput().GetNumberOfCells(), 0)
+
+
 class PointShell(unittest.TestCase):
     """A vtkPolyData with normals drawn as discs, and a force."""
 

@@ -5,6 +5,7 @@
 #include "Distance/Coverage.h"
 #include "Distance/CoverageDistance.h"
 #include "Distance/GridSolid.h"
+#include "Distance/KeptGrid.h"
 #include "Grid/LabelGrid.h"
 #include "Grid/ProgressPart.h"
 #include "WorkingGrid.h"
@@ -17,27 +18,6 @@
 
 namespace hasp
 {
-
-namespace
-{
-constexpr double MarginSteps = 4.0;
-} // namespace
-
-std::pair<glm::ivec3, glm::ivec3> KeptRange(
-  const glm::ivec3& dims, std::span<const std::uint8_t> keep)
-{
-  glm::ivec3 low(dims), high(-1);
-  std::size_t at = 0;
-  for (int k = 0; k < dims.z; ++k)
-    for (int j = 0; j < dims.y; ++j)
-      for (int i = 0; i < dims.x; ++i, ++at)
-        if (keep[at])
-        {
-          low = glm::min(low, glm::ivec3(i, j, k));
-          high = glm::max(high, glm::ivec3(i, j, k));
-        }
-  return { low, high };
-}
 
 GridGeometry WithSpacing(const GridGeometry& grid, double spacingMm)
 {
@@ -101,14 +81,8 @@ BoneDistance DistanceOfBone(const char* who, const AnyGridView& grey, double iso
   if (first.x > last.x)
     throw std::invalid_argument(std::string(who) + ": there is no bone");
   BoneDistance bone;
-  GridGeometry& grid = bone.grid;
-  grid.direction = ct.direction;
-  const glm::dvec3 margin =
-    ct.spacing + MarginSteps * spacingMm; // an isosurface reaches out a step
-  grid.origin = ct.IndexToWorld(glm::dvec3(first)) - ct.direction * margin;
-  const glm::dvec3 size = glm::dvec3(last - first) * ct.spacing + 2.0 * margin;
-  grid.spacing = glm::dvec3(spacingMm);
-  grid.dims = glm::ivec3(glm::ceil(size / spacingMm)) + 1;
+  bone.grid = KeptGrid(ct, first, last, spacingMm);
+  const GridGeometry& grid = bone.grid;
   CheckPoints(who, grid.dims, grid.spacing.x, GridRemedy);
   CoverageSettings settings;
   settings.isovalue = isovalue;

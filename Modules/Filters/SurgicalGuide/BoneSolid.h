@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace hasp
@@ -35,10 +34,6 @@ std::vector<std::uint8_t> IslandNear(const char* who, const BoneImage& bone, dou
 /// std::invalid_argument, beginning with `who`, if nothing is kept or it had over 2e8 points.
 BoneDistance DistanceOfBone(const char* who, const AnyGridView& grey, double isovalue,
   std::span<const std::uint8_t> keep, double spacingMm, const ProgressFunction& progress);
-
-/// First and last index of what is kept; first > last if nothing is.
-std::pair<glm::ivec3, glm::ivec3> KeptRange(
-  const glm::ivec3& dims, std::span<const std::uint8_t> keep);
 
 /// The same place with other steps.
 GridGeometry WithSpacing(const GridGeometry& grid, double spacingMm);

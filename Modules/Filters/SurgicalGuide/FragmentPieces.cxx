@@ -1,6 +1,7 @@
 #include "FragmentPieces.h"
 
 #include "BoneSolid.h"
+#include "Distance/KeptGrid.h"
 #include "Distance/TetrahedraContour.h"
 
 #include <glm/common.hpp>
