@@ -1,0 +1,20 @@
+#ifndef LabelPalette_h
+#define LabelPalette_h
+
+#include "Segmentation/LabelMap.h"
+
+#include "vtkHaspInteractionPaintingModule.h" // for export macro
+
+#include <glm/vec3.hpp>
+
+namespace hasp
+{
+
+/// A colour of its own for each label, red, green and blue in [0, 1], for as long as nobody has
+/// chosen one: 0 (nothing) is grey, 1 bone, and the hues of 2, 3, 4 ... lie as far from those
+/// before them as they can (by the golden angle). Any thread.
+VTKHASPINTERACTIONPAINTING_EXPORT glm::dvec3 PaletteColour(Label label);
+
+} // namespace hasp
+
+#endif
