@@ -21,4 +21,10 @@ glm::dvec3 PaletteColour(Label label)
   return Value * (1.0 - Saturation + Saturation * full);
 }
 
+bool IsColour(int label, const glm::dvec3& colour)
+{
+  const auto share = [](double value) { return value >= 0.0 && value <= 1.0; };
+  return label >= 0 && label <= MaxLabel && share(colour.x) && share(colour.y) && share(colour.z);
+}
+
 } // namespace hasp

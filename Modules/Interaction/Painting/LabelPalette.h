@@ -15,6 +15,9 @@ namespace hasp
 /// before them as they can (by the golden angle). Any thread.
 VTKHASPINTERACTIONPAINTING_EXPORT glm::dvec3 PaletteColour(Label label);
 
+/// Is the number a label, [0, 65535], and each component in [0, 1]? NaN is not.
+VTKHASPINTERACTIONPAINTING_EXPORT bool IsColour(int label, const glm::dvec3& colour);
+
 } // namespace hasp
 
 #endif

@@ -1,5 +1,6 @@
 #include "vtkHaspSeedPainter.h"
 
+#include "LabelPalette.h"
 #include "PainterInternals.h"
 
 #include "Segmentation/LabelMap.h"
@@ -79,7 +80,9 @@ void vtkHaspSeedPainter::SetEnabled(bool enabled)
     return;
   }
   if (!enabled)
-    self.End();
+    self.End(); // whose observers may do the same
+  if (self.enabled == enabled)
+    return;
   self.enabled = enabled;
   self.Follow(enabled ? window->GetInteractor() : nullptr);
   if (enabled)
@@ -136,8 +139,7 @@ void vtkHaspSeedPainter::SetRadiusMm(double mm)
 
 void vtkHaspSeedPainter::SetLabelColor(int label, double r, double g, double b)
 {
-  if (label < 0 || label > hasp::MaxLabel || !(std::min({ r, g, b }) >= 0.0) ||
-      !(std::max({ r, g, b }) <= 1.0))
+  if (!hasp::IsColour(label, { r, g, b }))
   {
     vtkErrorMacro(<< "Label " << label << " cannot have the colour " << r << ", " << g << ", " << b
                   << "; labels are in [0, " << hasp::MaxLabel << "], components in [0, 1]");

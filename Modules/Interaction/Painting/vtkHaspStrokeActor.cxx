@@ -155,8 +155,7 @@ vtkIdType vtkHaspStrokeActor::GetNumberOfBallsMade() const
 void vtkHaspStrokeActor::SetLabelColor(int label, double r, double g, double b)
 {
   const glm::dvec3 colour(r, g, b);
-  if (label < 0 || label > hasp::MaxLabel || !(std::min({ r, g, b }) >= 0.0) ||
-      !(std::max({ r, g, b }) <= 1.0))
+  if (!hasp::IsColour(label, colour))
   {
     vtkErrorMacro(<< "Label " << label << " cannot have the colour " << r << ", " << g << ", " << b
                   << "; labels are in [0, " << hasp::MaxLabel << "], components in [0, 1]");
