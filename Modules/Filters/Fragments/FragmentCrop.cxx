@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -66,6 +67,27 @@ CroppedBone<T> CropBone(const GridView<const T>& grey, double isovalue, const Fr
   return bone;
 }
 
+/// What of a crop holds bone of the fragment, with a sample more on each side: the grid of its
+/// models stays where it is, to the last bit, when the label is painted on air. Nothing: no bone.
+template <typename T>
+std::optional<FragmentCrop> CropToBone(
+  const GridView<const T>& grey, double isovalue, const FragmentCrop& crop)
+{
+  const glm::ivec3 dims = crop.geometry.dims;
+  const auto [first, last] = KeptRange(dims, CropBone(grey, isovalue, crop).keep);
+  if (first.x > last.x)
+    return std::nullopt;
+  FragmentCrop bone{ crop.label, glm::max(first - 1, 0), crop.geometry, {} };
+  bone.geometry.dims = glm::min(last + 1, dims - 1) - bone.first + 1;
+  bone.keep.resize(bone.geometry.Size());
+  ForEachRow(bone, crop.geometry,
+    [&](std::size_t own, std::size_t cropped)
+    { std::copy_n(&crop.keep[cropped], bone.geometry.dims.x, &bone.keep[own]); });
+  bone.first += crop.first;
+  bone.geometry.origin = grey.geometry.IndexToWorld(glm::dvec3(bone.first));
+  return bone;
+}
+
 template <typename Error>
 [[noreturn]] void Refuse(std::uint16_t label, const auto&... parts)
 {
@@ -105,16 +127,17 @@ FragmentCoverage CoverFragment(const AnyGridView& grey, double isovalue, const F
 {
   const auto cover = [&]<typename T>(const GridView<const T>& view)
   {
-    const CroppedBone<T> bone = CropBone(view, isovalue, crop);
-    const auto [first, last] = KeptRange(crop.geometry.dims, bone.keep);
-    if (first.x > last.x)
+    const std::optional<FragmentCrop> part = CropToBone(view, isovalue, crop);
+    if (!part)
       Refuse<std::runtime_error>(crop.label, "none of its ",
         std::count(crop.keep.begin(), crop.keep.end(), 1),
         " voxels is bone, grey value >= ", isovalue,
         "; choose a lower isovalue, or remove the label");
-    FragmentCoverage coverage{ KeptGrid(crop.geometry, first, last, settings.spacingMm), {} };
+    const CroppedBone<T> bone = CropBone(view, isovalue, *part);
+    const auto [first, last] = KeptRange(part->geometry.dims, bone.keep);
+    FragmentCoverage coverage{ KeptGrid(part->geometry, first, last, settings.spacingMm), {} };
     CheckSamples(crop.label, coverage.geometry, marginMm, settings);
-    const GridView<const T> cropped{ bone.samples.data(), crop.geometry };
+    const GridView<const T> cropped{ bone.samples.data(), part->geometry };
     coverage.shares =
       Coverage(cropped, coverage.geometry, { .isovalue = isovalue, .keep = bone.keep }, progress);
     return coverage;
