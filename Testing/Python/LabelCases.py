@@ -5,7 +5,7 @@ import unittest
 
 import hasp
 from LabelFile import LABELS, NAME, label_image, parse_segmentation
-from VtkErrors import errors_of
+from Shared import ball, errors_of
 
 
 class Labels(unittest.TestCase):
