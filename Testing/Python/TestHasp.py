@@ -344,7 +344,10 @@ class Fragments(unittest.TestCase):
         surface.Update()
         half = surface.GetOutput()
         self.assertLess(half.GetNumberOfCells(), cells)
-        self.assertAlmostEqual(half.GetBounds()[0], -0.5, delta=0.1)  # half way between the voxels
+        # The cut is half way between the voxels; at its rim it may be three quarters of a voxel off.
+        cut = sorted(x for x, _, _ in map(half.GetPoint, range(half.GetNumberOfPoints())) if x < 0.5)
+        self.assertAlmostEqual(cut[len(cut) // 2], -0.5, delta=0.05)
+        self.assertGreater(cut[0], -0.5 - 0.75)
         self.assertAlmostEqual(half.GetBounds()[1], RADIUS, delta=0.1)
         said = errors_of(surface)
         surface.SetLabel(4)

@@ -7,7 +7,8 @@
  * sample, 0 is nothing. Any extent, spacing and direction. Output: a vtkPolyData of triangles,
  * world mm, with the cell array "Label" (unsigned short); each label's part is a closed 2-manifold
  * that does not meet itself, also where fragments touch: grey values say where in a voxel the
- * surface passes, labels whose it is (thesis 2.1.3, Fig. 2.4), half way between two.
+ * surface passes, labels whose it is (thesis 2.1.3, Fig. 2.4), half way between two. Limit: at the
+ * rim, where a cut meets the bone's own surface, up to 0.75 of the scan's spacing off.
  *
  * For what else a scene needs of fragments, when it needs it, see hasp::FragmentModels, whose
  * Surface this is. Edges are those of distances, not sharp (CoverageDistance.h, SharpContour.h).
