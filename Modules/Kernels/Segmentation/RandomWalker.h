@@ -43,8 +43,8 @@ struct RandomWalkerRun
 /// before. Pieces of the graph that no seed touches are left out, and pieces with seeds of one
 /// label alone are known at once.
 ///
-/// Memory: 64 bytes a voxel for four labels more, about 130 a voxel for the solver.
-/// WORKER threads: one caller at a time. The same bits with any number of threads.
+/// Memory: 16 bytes a voxel for each four labels, about 95 a voxel for the solver, and 64 more
+/// while it solves. WORKER threads: one caller at a time. The same bits with any number of threads.
 class RandomWalker
 {
 public:
