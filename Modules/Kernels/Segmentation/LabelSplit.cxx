@@ -13,8 +13,8 @@ namespace
 {
 
 /// Nodes of a run: within its row they follow each other, where they are bone.
-void AddSeeds(
-  const VoxelGraph& graph, const VoxelRun& run, Label label, std::vector<WalkerSeed>& seeds)
+template <typename Visit>
+void ForNodes(const VoxelGraph& graph, const VoxelRun& run, const Visit& visit)
 {
   const glm::ivec3 dims = graph.Geometry().dims;
   const auto row = static_cast<std::int64_t>(run.first / static_cast<std::uint64_t>(dims.x));
@@ -23,7 +23,7 @@ void AddSeeds(
     if (const std::int32_t node = graph.NodeAt(
           x + static_cast<int>(n), static_cast<int>(row % dims.y), static_cast<int>(row / dims.y));
         node >= 0)
-      seeds.push_back({ node, label });
+      visit(node);
 }
 
 } // namespace
@@ -44,19 +44,54 @@ LabelDelta LabelSplit::Share(std::span<const SeedVoxels> strokes, GridView<Label
   std::vector<WalkerSeed> seeds;
   for (const SeedVoxels& stroke : strokes)
     for (const VoxelRun& voxels : stroke.voxels)
-      AddSeeds(Graph(), voxels, stroke.label, seeds);
+      ForNodes(Graph(), voxels,
+        [&](std::int32_t node) {
+          seeds.push_back({ node, stroke.label });
+        });
   walker.SetSeeds(std::move(seeds));
   run = walker.Solve(settings, PartOf(progress, 0.0, 0.95));
 
   const std::size_t size = labels.geometry.Size();
   std::vector<Label> after(labels.data, labels.data + size);
-  walker.WriteLabels({ after.data(), labels.geometry }, label);
+  unreached = WriteShares({ after.data(), labels.geometry });
   const GridView<const Label> view{ after.data(), labels.geometry };
   LabelDelta delta = DifferenceOf(
     { labels.data, labels.geometry }, view, VoxelBox{ glm::ivec3(0), labels.geometry.dims });
   ReportProgress(progress, 1.0);
   std::copy(after.begin(), after.end(), labels.data);
   return delta;
+}
+
+std::uint64_t LabelSplit::WriteShares(GridView<Label> labels) const
+{
+  const auto forRuns = [&](const auto& visit)
+  {
+    for (std::size_t row = 0; row + 1 < Graph().RowRuns().size(); ++row)
+      for (std::int32_t n = Graph().RowRuns()[row]; n < Graph().RowRuns()[row + 1]; ++n)
+      {
+        const VoxelGraph::Run& run = Graph().Runs()[std::size_t(n)];
+        Label* first = labels.data + row * std::size_t(labels.geometry.dims.x) + run.x;
+        visit(first, first + run.count);
+      }
+  };
+  forRuns([](Label* first, Label* last) { std::fill(first, last, Label(0)); });
+  walker.WriteLabels(labels); // what no seed is connected to keeps its 0
+  std::uint64_t count = 0;
+  forRuns(
+    [&](Label* first, Label* last)
+    {
+      count += static_cast<std::uint64_t>(std::count(first, last, Label(0)));
+      std::replace(first, last, Label(0), label);
+    });
+  return count;
+}
+
+bool LabelSplit::Touches(const SeedVoxels& stroke) const
+{
+  bool touches = false;
+  for (const VoxelRun& voxels : stroke.voxels)
+    ForNodes(Graph(), voxels, [&](std::int32_t) { touches = true; });
+  return touches;
 }
 
 } // namespace hasp

@@ -36,15 +36,25 @@ public:
   LabelDelta Share(std::span<const SeedVoxels> strokes, GridView<Label> labels,
     const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
 
+  /// Forgets what was solved: the next Share gives what it would if it were the first.
+  void Forget() { walker.Reset(); }
+
   /// What the last Share cost, and how good it is.
   const RandomWalkerRun& LastRun() const { return run; }
+  /// Of the last Share: voxels that no stroke is connected to. They have the label that all had.
+  std::uint64_t Unreached() const { return unreached; }
+  /// Whether a stroke marks any voxel of the split.
+  bool Touches(const SeedVoxels& stroke) const;
   const VoxelGraph& Graph() const { return walker.Graph(); }
   std::size_t Bytes() const { return walker.Graph().Bytes() + walker.Bytes(); }
 
 private:
+  std::uint64_t WriteShares(GridView<Label> labels) const;
+
   Label label;
   RandomWalker walker;
   RandomWalkerRun run;
+  std::uint64_t unreached = 0;
 };
 
 } // namespace hasp

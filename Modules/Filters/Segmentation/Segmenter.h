@@ -1,0 +1,103 @@
+#ifndef Segmenter_h
+#define Segmenter_h
+
+#include "Grid/Progress.h"                    // for ProgressFunction
+#include "Planning/SegmentationRecipe.h"      // for the steps
+#include "Segmentation/LabelDelta.h"          // for what a step changes
+#include "Segmentation/RandomWalker.h"        // for its settings
+#include "vtkHaspFiltersSegmentationModule.h" // for export macro
+#include "vtkSmartPointer.h"                  // for images
+
+#include <memory>   // for internals
+#include <optional> // for what only splits have
+#include <vector>   // for findings
+
+class vtkImageData;
+
+namespace hasp
+{
+
+/// What a step came to.
+struct SegmentationFinding
+{
+  std::uint64_t changed = 0; ///< voxels that have another label than before
+  /// Of a SplitStep.
+  std::optional<RandomWalkerRun> walk;
+  std::vector<std::size_t> besideBone; ///< strokes that touch no voxel of the step's label
+  std::uint64_t unreached = 0; ///< voxels that no stroke is connected to: they keep the label
+};
+
+/// A scan while a user makes labels of it: step by step, each of which can be taken back, and
+/// stroke by stroke. At any time the labels are those that the recipe makes of the scan, to the
+/// last bit and with any number of threads; but while strokes are added to a split they are so
+/// within the solver's tolerance, until Settle.
+///
+/// Memory: two bytes a sample for labels; for each filter step the image before it; for each other
+/// step or stroke its PackedDelta; while a split is under way the solver's (RandomWalker.h).
+/// WORKER threads: one caller at a time, and nobody else changes the images.
+class VTKHASPFILTERSSEGMENTATION_EXPORT Segmenter
+{
+public:
+  /// Of a scan as hasp::ViewImage reads it, which is kept by reference and stays as it is.
+  /// `labels`: what the steps begin with, unsigned char or unsigned short on the scan's grid,
+  /// copied; nullptr: label 0 everywhere. Throws std::invalid_argument.
+  explicit Segmenter(vtkImageData* scan, vtkImageData* labels = nullptr);
+  ~Segmenter();
+
+  /// Of splits from now on. The tolerance decides a voxel in some thousands (RandomWalker.h).
+  void SetWalkerSettings(const RandomWalkerSettings& settings);
+
+  /// Does a step behind those that are done, and settles the split before it. Returns the change of
+  /// the labels, none of a filter. Throws std::invalid_argument ("steps[3]: …": the step, or a
+  /// filter behind a step that is none), std::runtime_error (no memory for it), Cancelled; image,
+  /// labels and recipe are then as they were, but that the split before may be settled.
+  LabelDelta Apply(const SegmentationStep& step, const ProgressFunction& progress = {});
+
+  /// One more stroke of the last step, which must be a SplitStep. Begins where the strokes before
+  /// it ended: a few cycles of the solver. Errors as Apply's.
+  LabelDelta AddStroke(const BrushStroke& stroke, const ProgressFunction& progress = {});
+
+  /// Solves the split that strokes were added to as if all had been there from the start. Nothing
+  /// is changed, and it costs nothing, where none was. Throws Cancelled: nothing is settled then.
+  LabelDelta Settle(const ProgressFunction& progress = {});
+  bool IsSettled() const;
+
+  /// Takes back the last step, or the last stroke that AddStroke added. Throws std::logic_error if
+  /// nothing is done. O(voxels that change), and of a split's stroke one pass over the labels.
+  LabelDelta Undo();
+  bool CanUndo() const;
+  /// Of all that can be taken back, but for images.
+  std::size_t UndoBytes() const;
+
+  /// The steps that are done; it has no names.
+  const SegmentationRecipe& Recipe() const;
+  /// Of the last Apply, AddStroke or Settle.
+  const SegmentationFinding& Finding() const;
+  /// As the filters left it: the scan itself where there are none.
+  vtkImageData* Image() const;
+  /// "Labels", unsigned short, on the scan's grid, extent and all. It is this one's own: copy it to
+  /// keep what it is now.
+  vtkImageData* Labels() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Inside;
+  friend struct SegmentedScan SegmentScan(vtkImageData*, const SegmentationRecipe&, vtkImageData*,
+    const RandomWalkerSettings&, const ProgressFunction&);
+};
+
+struct SegmentedScan
+{
+  vtkSmartPointer<vtkImageData> labels;      ///< with the LabelTable of all that occur, as named
+  std::vector<SegmentationFinding> findings; ///< one a step
+};
+
+/// All of a recipe at once; the same labels to the last bit as those of a Segmenter that is
+/// settled. Throws as ValidateSegmentationRecipe and Segmenter do.
+VTKHASPFILTERSSEGMENTATION_EXPORT SegmentedScan SegmentScan(vtkImageData* scan,
+  const SegmentationRecipe& recipe, vtkImageData* labels = nullptr,
+  const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
+
+} // namespace hasp
+
+#endif
