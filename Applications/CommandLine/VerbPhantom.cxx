@@ -1,7 +1,9 @@
+#include "BrokenPhantom.h"
 #include "Failure.h"
 #include "Files.h"
 #include "PhantomFile.h"
 #include "Session.h"
+#include "VerbWork.h"
 #include "Verbs.h"
 #include "vtkHaspFileNames.h"
 
@@ -27,6 +29,7 @@ struct PhantomOptions
   std::string flip;
   std::array<double, 3> blur{ 0.0, 0.0, 0.0 };
   bool intact = false;
+  BrokenPhantomChoices broken;
   PhantomSettings settings;
 };
 
@@ -63,9 +66,29 @@ GridGeometry GridOf(const PhantomOptions& options, const PhantomSettings& settin
   return Flipped(grid, options.flip);
 }
 
+void RunBroken(const PhantomOptions& options, Session& session)
+{
+  const auto& spacing = options.spacing;
+  if (spacing[0] != spacing[1] || spacing[0] != spacing[2])
+    throw Failure(ExitCode::WrongUse, "--broken is of cubic voxels: one --spacing three times");
+  BrokenPhantomChoices broken = options.broken;
+  broken.output = options.output;
+  broken.spacingMm = spacing[0];
+  broken.seed = options.settings.seed;
+  broken.coneBeam = options.settings.coneBeam.on;
+  if (!broken.truth.empty())
+  {
+    RequireWritable(broken.truth, { ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
+    RequireDifferent(broken.truth, broken.output, "--truth and --output");
+  }
+  Try(ExitCode::WrongUse, "", [&] { WriteBrokenPhantom(broken, session); });
+}
+
 void Run(const PhantomOptions& options, Session& session)
 {
   RequireWritable(options.output, { ".mha", ".nrrd", ".nii", ".nii.gz", ".vti" });
+  if (!options.broken.which.empty())
+    return RunBroken(options, session);
   try
   {
     const PhantomSettings settings = SettingsOf(options);
@@ -100,6 +123,24 @@ void AddGridOptions(CLI::App& verb, PhantomOptions& options)
     .add_option("--flip", options.flip,
       "Store the axes named (of ijk) the other way round; everything stays at its place")
     ->check(CLI::IsMember({ "i", "j", "k", "ij", "ik", "jk", "ijk" }));
+}
+
+/// It has a scanner of its own: of others' options it takes spacing, seed and --cbct.
+void AddFractureOptions(CLI::App& verb, PhantomOptions& options)
+{
+  CLI::Option* broken = verb
+                          .add_option("--broken", options.broken.which,
+                            "With fractures: head (six pieces) or mandible (five)")
+                          ->check(CLI::IsMember({ "head", "mandible" }));
+  verb
+    .add_option("--truth", options.broken.truth,
+      "Write which fragment each voxel is of, too: a .seg.nrrd file")
+    ->needs(broken);
+  verb.add_flag("--moved", options.broken.moved, "Its pieces are shifted and turned a little")
+    ->needs(broken);
+  for (const char* other : { "--anatomy", "--intact", "--size", "--flip", "--blur",
+         "--slice-thickness", "--noise", "--grain", "--metal", "--field-radius" })
+    broken->excludes(verb.get_option(other));
 }
 
 void AddScannerOptions(CLI::App& verb, PhantomOptions& options)
@@ -146,6 +187,7 @@ void AddPhantomVerb(CLI::App& app, Session& session)
   verb->add_flag("--intact", options->intact, "Without the hole in the right frontal bone");
   AddGridOptions(*verb, *options);
   AddScannerOptions(*verb, *options);
+  AddFractureOptions(*verb, *options);
   AddCommonOptions(*verb, session);
   verb->footer(
     "Compact bone is 1000 HU, spongy bone 300 to 500, teeth 1700 and 2800, soft tissue 40, "

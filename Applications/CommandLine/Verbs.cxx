@@ -13,6 +13,9 @@ void AddVerbs(CLI::App& app, Session& session)
   AddViewVerb(app, session);
   AddCalibrateVerb(app, session);
 #endif
+#if HASP_WITH_SEGMENTATION
+  AddSegmentVerb(app, session);
+#endif
 #if HASP_WITH_GUIDES
   AddCutVerb(app, session);
   AddGuideVerb(app, session);

@@ -22,6 +22,7 @@ void AddRenderVerb(CLI::App& app, Session& session);
 void AddViewVerb(CLI::App& app, Session& session);
 void AddCalibrateVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
+void AddSegmentVerb(CLI::App& app, Session& session);
 void AddCutVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
 void AddCertifyVerb(CLI::App& app, Session& session);

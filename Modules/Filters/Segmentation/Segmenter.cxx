@@ -419,6 +419,15 @@ vtkImageData* Segmenter::Labels() const
   return this->Inside->labels;
 }
 
+void NameLabels(vtkImageData* labels, const std::vector<LabelName>& names)
+{
+  LabelTable table;
+  for (const LabelName& name : names)
+    table.push_back({ name.label, name.name, name.colour });
+  SetLabelTable(labels, WithUnnamedLabels(std::move(table),
+                          LabelsOf(std::get<GridView<const Label>>(ViewImage(labels)))));
+}
+
 SegmentedScan SegmentScan(vtkImageData* scan, const SegmentationRecipe& recipe,
   vtkImageData* labels, const RandomWalkerSettings& settings, const ProgressFunction& progress)
 {
@@ -434,11 +443,7 @@ SegmentedScan SegmentScan(vtkImageData* scan, const SegmentationRecipe& recipe,
     segmenter.Inside->done.clear(); // nobody will take it back
   }
   result.labels = segmenter.Labels();
-  LabelTable table;
-  for (const LabelName& name : recipe.names)
-    table.push_back({ name.label, name.name, name.colour });
-  const GridView<const Label> map = segmenter.Inside->ReadOnlyMap();
-  SetLabelTable(result.labels, WithUnnamedLabels(std::move(table), LabelsOf(map)));
+  NameLabels(result.labels, recipe.names);
   return result;
 }
 

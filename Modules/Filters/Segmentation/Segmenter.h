@@ -92,6 +92,10 @@ struct SegmentedScan
   std::vector<SegmentationFinding> findings; ///< one a step
 };
 
+/// Gives labels (unsigned short) a LabelTable: these names, and UnnamedLabel for others that occur.
+VTKHASPFILTERSSEGMENTATION_EXPORT void NameLabels(
+  vtkImageData* labels, const std::vector<LabelName>& names);
+
 /// All of a recipe at once; the same labels to the last bit as those of a Segmenter that is
 /// settled. Throws as ValidateSegmentationRecipe and Segmenter do.
 VTKHASPFILTERSSEGMENTATION_EXPORT SegmentedScan SegmentScan(vtkImageData* scan,

@@ -1,0 +1,166 @@
+#include "SegmentationChoices.h"
+
+#include "RecipePart.h"
+#include "Session.h"
+#include "VerbWork.h"
+#include "vtkHaspVolumeFile.h"
+#include "vtkHaspVolumeView.h"
+
+#include "Planning/SeedsFile.h"
+#include "Planning/SegmentationRecipeFile.h"
+#include "Segmentation/ThresholdPresets.h"
+#include "Segmentation/ThresholdProposal.h"
+#include "vtkImageData.h"
+
+#include <CLI/CLI.hpp>
+
+namespace hasp
+{
+namespace
+{
+
+const ThresholdPreset& PresetOf(const std::string& name)
+{
+  for (const ThresholdPreset& preset : ThresholdPresets())
+    if (name == preset.name)
+      return preset;
+  throw Failure(ExitCode::WrongUse, "--preset: there is none of that name");
+}
+
+Seeds ReadSeedFiles(const SegmentationChoices& choices)
+{
+  for (const std::string& path : choices.seeds)
+    RequireInput(path);
+  const std::string label =
+    choices.seeds.size() == 1 ? FileLabel(choices.seeds[0]) + ": " : "--seeds: ";
+  return Try(ExitCode::BadInput, label,
+    [&] { return ReadSeeds(choices.seeds, { .radiusMm = choices.seedRadiusMm }); });
+}
+
+std::vector<SegmentationStep> FiltersOf(const SegmentationChoices& choices)
+{
+  std::vector<SegmentationStep> steps;
+  if (choices.coneBeam)
+    steps.push_back(ConeBeamStep{ choices.fieldMm, 0.0, choices.insideAbove });
+  if (choices.medianMm > 0.0)
+    steps.push_back(MedianStep{ choices.medianMm });
+  if (choices.gaussianMm > 0.0)
+    steps.push_back(GaussianStep{ choices.gaussianMm });
+  return steps;
+}
+
+/// None: it is left open.
+std::optional<ThresholdStep> Threshold(
+  const SegmentationChoices& choices, const Passport& passport, Session& session)
+{
+  if (choices.threshold)
+    return ThresholdStep{ *choices.threshold };
+  if (!choices.preset.empty())
+  {
+    const ThresholdPreset& preset = PresetOf(choices.preset);
+    if (!passport.hounsfield)
+      SayWarning(session, "--preset is a range of HU, and the file does not say that its values "
+                          "are: leave it out, and a threshold is proposed");
+    return ThresholdStep{ preset.lowest, preset.highest };
+  }
+  if (passport.hounsfield && !choices.coneBeam)
+    return ThresholdStep{};
+  return std::nullopt;
+}
+
+} // namespace
+
+ThresholdStep ProposeThresholdStep(vtkImageData* image, Session& session)
+{
+  session.progress.Step("proposing a threshold");
+  const ThresholdProposal proposal =
+    Try(ExitCode::BadInput, "", [&] { return ProposeThreshold(ViewImage(image)); });
+  SayWarning(session, Line("the threshold is proposed from the histogram, since the values are not "
+                           "HU: %.6g; bone and soft tissue are %.1f deviations apart%s",
+                        proposal.threshold, proposal.separation,
+                        proposal.separation < 2.0 ? ", which no threshold parts well" : ""));
+  return { proposal.threshold };
+}
+
+void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
+{
+  CLI::Option* recipe = verb.add_option("--recipe", choices.recipe, "The .json file of all steps");
+  CLI::Option* threshold =
+    verb.add_option("--threshold", choices.threshold, "Bone is value >= this")
+      ->check(Within(-1e6, 1e6));
+  std::vector<std::string> presets;
+  for (const ThresholdPreset& preset : ThresholdPresets())
+    presets.emplace_back(preset.name);
+  CLI::Option* preset = verb.add_option("--preset", choices.preset, "Or a range of HU by its name")
+                          ->check(CLI::IsMember(presets))
+                          ->excludes(threshold);
+  CLI::Option* seeds = verb.add_option("--seeds", choices.seeds,
+    "Strokes of each fragment: a .json file, or .mrk.json files of 3D Slicer");
+  CLI::Option* radius =
+    verb.add_option("--seed-radius", choices.seedRadiusMm, "Of strokes whose file says none, mm")
+      ->check(Within(0.01, 50.0))
+      ->capture_default_str()
+      ->needs(seeds);
+  CLI::Option* beta =
+    verb.add_option("--beta", choices.beta, "How much an edge in the image parts fragments")
+      ->check(Within(0.0, 1e12))
+      ->capture_default_str()
+      ->needs(seeds);
+  CLI::Option* components = verb
+                              .add_option("--components", choices.leastMm3,
+                                "Make fragments of bone's pieces of at least so many mm3")
+                              ->check(Within(0.0, 1e9))
+                              ->excludes(seeds);
+  CLI::Option* gaussian =
+    verb.add_option("--gaussian", choices.gaussianMm, "Blur before, mm")->check(Within(1e-3, 10.0));
+  CLI::Option* median =
+    verb.add_option("--median", choices.medianMm, "Median before, mm")->check(Within(1e-3, 10.0));
+  CLI::Option* coneBeam =
+    verb.add_flag("--cone-beam", choices.coneBeam, "Take cupping out of a cone-beam scan before");
+  CLI::Option* field =
+    verb.add_option("--field", choices.fieldMm, "Cupping is smooth over this length, mm")
+      ->check(Within(10.0, 500.0))
+      ->capture_default_str()
+      ->needs(coneBeam);
+  CLI::Option* inside =
+    verb.add_option("--inside-above", choices.insideAbove, "The patient is value > this")
+      ->check(Within(-1e6, 1e6))
+      ->capture_default_str()
+      ->needs(coneBeam);
+  for (CLI::Option* option : { threshold, preset, seeds, radius, beta, components, gaussian, median,
+         coneBeam, field, inside })
+    recipe->excludes(option);
+}
+
+ChosenSegmentation ChooseSegmentation(
+  const SegmentationChoices& choices, const Passport& passport, Session& session)
+{
+  ChosenSegmentation chosen;
+  if (!choices.recipe.empty())
+  {
+    chosen.recipe = ReadRecipeFile(choices.recipe, ReadSegmentationRecipe);
+    return chosen;
+  }
+  SplitStep split;
+  if (!choices.seeds.empty())
+  {
+    Seeds seeds = ReadSeedFiles(choices);
+    if (seeds.notPlaced > 0)
+      SayWarning(session,
+        std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
+    split = { 1, std::move(seeds.strokes), choices.beta };
+    chosen.recipe.names = std::move(seeds.names);
+  }
+  chosen.recipe.steps = FiltersOf(choices);
+  const std::optional<ThresholdStep> threshold = Threshold(choices, passport, session);
+  if (!threshold)
+    chosen.openThreshold = chosen.recipe.steps.size();
+  chosen.recipe.steps.push_back(threshold.value_or(ThresholdStep{}));
+  if (!choices.seeds.empty())
+    chosen.recipe.steps.push_back(std::move(split));
+  else if (choices.leastMm3)
+    chosen.recipe.steps.push_back(ComponentsStep{ 1, *choices.leastMm3 });
+  return chosen;
+}
+
+} // namespace hasp

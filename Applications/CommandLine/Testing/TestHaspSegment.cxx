@@ -1,0 +1,122 @@
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+
+namespace
+{
+
+using nlohmann::json;
+
+class HaspSegment : public HaspTest
+{
+protected:
+  void Phantom(const std::vector<std::string>& more = {})
+  {
+    std::vector<std::string> words{ "phantom", "--broken", "mandible", "--spacing", "2,2,2",
+      "--output", this->Path("jaw.mha") };
+    words.insert(words.end(), more.begin(), more.end());
+    ASSERT_EQ(RunHasp(words).exitCode, 0);
+  }
+  HaspRun Segment(const std::vector<std::string>& more, const std::string& output = "case.seg.nrrd")
+  {
+    std::vector<std::string> words{ "segment", this->Path("jaw.mha"), "--output",
+      this->Path(output), "--json" };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+  /// Voxels of each label.
+  static std::map<int, std::size_t> LabelsOf(const HaspRun& run)
+  {
+    std::map<int, std::size_t> labels;
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    if (run.exitCode == 0)
+      for (const json& label : json::parse(run.out).at("labels"))
+        labels[label.at("label")] = label.at("voxels");
+    return labels;
+  }
+  static std::string Seeds() { return HASP_BROKEN_MANDIBLE_SEEDS; }
+};
+
+TEST_F(HaspSegment, PartsTheBrokenJawByStrokesAndItsRecipeDoesSoAgain)
+{
+  this->Phantom({ "--truth", this->Path("truth.seg.nrrd") });
+  const HaspRun run = this->Segment({ "--threshold", "226", "--seeds", Seeds(), "--write-recipe",
+    this->Path("recipe.json"), "--explain" });
+  const auto labels = LabelsOf(run);
+  ASSERT_EQ(labels.size(), 5U);
+  const HaspRun truth = RunHasp({ "segment", this->Path("jaw.mha"), "--threshold", "5000",
+    "--labels", this->Path("truth.seg.nrrd"), "--output", this->Path("none.nrrd") });
+  ExpectFailure(truth, 2, "no voxel has a label"); // a threshold forgets labels
+  EXPECT_EQ(ReadBytes(this->Path("case.seg.nrrd")).substr(0, 7), "NRRD000");
+  EXPECT_NE(ReadBytes(this->Path("case.seg.nrrd")).find("Segment0_Name"), std::string::npos);
+  const HaspRun again =
+    this->Segment({ "--recipe", this->Path("recipe.json"), "--threads", "1" }, "again.seg.nrrd");
+  EXPECT_EQ(LabelsOf(again), labels);
+  EXPECT_EQ(
+    ReadBytes(this->Path("case.seg.nrrd")), ReadBytes(this->Path("again.seg.nrrd")));
+}
+
+TEST_F(HaspSegment, IsReadBackAsTheLabelsThatItBeginsWith)
+{
+  this->Phantom({ "--truth", this->Path("truth.seg.nrrd") });
+  this->WriteText("merge.json",
+    R"({ "format": "hasp-segmentation-1", "steps": [{ "step": "merge", "from": 4, "into": 3 }],
+         "names": [] })");
+  const auto merged = LabelsOf(this->Segment(
+    { "--recipe", this->Path("merge.json"), "--labels", this->Path("truth.seg.nrrd") }, "m.mha"));
+  EXPECT_FALSE(merged.contains(4));
+  EXPECT_TRUE(merged.contains(3));
+  EXPECT_TRUE(std::filesystem::exists(this->Path("m.mha")));
+}
+
+TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
+{
+  this->Phantom();
+  const auto bone = LabelsOf(this->Segment({}));
+  ASSERT_EQ(bone.size(), 1U);
+  const auto adult = LabelsOf(this->Segment({ "--preset", "adult compact bone" }));
+  EXPECT_LT(adult.at(1), bone.at(1));
+  const auto pieces = LabelsOf(this->Segment({ "--components", "1000" }));
+  EXPECT_GE(pieces.size(), 2U);
+  EXPECT_LE(pieces.at(1), bone.at(1));
+}
+
+TEST_F(HaspSegment, ProposesAThresholdWhereValuesAreNoHU)
+{
+  this->Phantom({ "--cbct" });
+  const HaspRun run = this->Segment({ "--cone-beam", "--gaussian", "0.5" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_NE(run.err.find("proposed from the histogram"), std::string::npos);
+  const json steps = json::parse(run.out).at("steps");
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_GT(steps[2].at("lowest"), 300.0); // grey values, that the CT's 226 is none of
+  ExpectFailure(this->Segment({ "--preset", "bone", "--quiet", "--threshold", "3" }), 1, "--preset");
+}
+
+TEST_F(HaspSegment, BadInputIsTwoWrongUseIsOneAndNothingIsLeft)
+{
+  this->Phantom();
+  this->WriteText("bad.json", R"({ "format": "hasp-seeds-1", "labels": [], "patient": 1 })");
+  this->WriteText("far.json",
+    R"({ "format": "hasp-seeds-1", "labels": [{ "label": 2, "name": "a", "colour": "#010203",
+         "strokes": [{ "radiusMm": 2, "points": [[900, 0, 0]] }] }] })");
+  const std::vector<std::string> before = this->Names();
+  ExpectFailure(this->Segment({ "--seeds", this->Path("no.json") }), 2, "no such file");
+  ExpectFailure(this->Segment({ "--seeds", this->Path("bad.json") }), 2, "is unknown");
+  ExpectFailure(this->Segment({ "--threshold", "nan" }), 1, "--threshold");
+  ExpectFailure(this->Segment({ "--threshold", "9000" }), 2, "no voxel has a label");
+  ExpectFailure(this->Segment({ "--recipe", this->Path("bad.json"), "--beta", "1" }), 1, "--");
+  ExpectFailure(this->Segment({ "--recipe", this->Path("bad.json") }), 2, "is");
+  ExpectFailure(this->Segment({ "--seeds", this->Path("far.json") }, "x.stl"), 1, ".seg.nrrd");
+  ExpectFailure(this->Segment({ "--labels", this->Path("bad.json") }), 2, "");
+  EXPECT_EQ(this->Names(), before);
+  const HaspRun beside = this->Segment({ "--seeds", this->Path("far.json") });
+  EXPECT_EQ(beside.exitCode, 0) << beside.err;
+  EXPECT_NE(beside.err.find("strokes[0] touches no voxel of label 1"), std::string::npos);
+  EXPECT_NE(beside.err.find("keep label 1"), std::string::npos);
+}
+
+} // namespace

@@ -1,0 +1,205 @@
+#include "Failure.h"
+#include "Files.h"
+#include "RecipePart.h"
+#include "SegmentationChoices.h"
+#include "SegmentationText.h"
+#include "Segmenter.h"
+#include "Session.h"
+#include "VerbWork.h"
+#include "Verbs.h"
+#include "Version.h"
+#include "VolumeInput.h"
+#include "vtkHaspFileNames.h"
+#include "vtkHaspLabelFile.h"
+#include "vtkHaspLabelTable.h"
+#include "vtkHaspVolumeView.h"
+
+#include "Grid/ThreadLimit.h"
+#include "Planning/SegmentationRecipeFile.h"
+#include "vtkImageData.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace hasp
+{
+namespace
+{
+
+struct SegmentOptions
+{
+  VolumeChoices volume;
+  SegmentationChoices segmentation;
+  std::string labels, output, writeRecipe;
+  double tolerance = RandomWalkerSettings{}.tolerance;
+  int threads = 0;
+};
+
+double VoxelMm3(vtkImageData* image)
+{
+  const glm::dvec3 spacing = ImageGeometry(image).spacing;
+  return spacing.x * spacing.y * spacing.z;
+}
+
+/// The labels to begin with, on the scan's grid.
+vtkSmartPointer<vtkImageData> ReadLabels(
+  const SegmentOptions& options, vtkImageData* scan, Session& session)
+{
+  if (options.labels.empty())
+    return nullptr;
+  RequireInput(options.labels);
+  session.progress.Step("reading " + FileLabel(options.labels));
+  return Try(ExitCode::BadInput, "",
+    [&] { return LoadLabels(OpenVolume(options.labels), ImageGeometry(scan)).image; });
+}
+
+/// Does all steps, and fills in a threshold that is open.
+SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
+  const LoadedVolume& volume, Session& session)
+{
+  Segmenter segmenter(volume.image, ReadLabels(options, volume.image, session));
+  segmenter.SetWalkerSettings({ .tolerance = options.tolerance });
+  SegmentedScan made;
+  for (std::size_t n = 0; n < chosen.recipe.steps.size(); ++n)
+  {
+    SegmentationStep& step = chosen.recipe.steps[n];
+    if (chosen.openThreshold == n)
+      step = ProposeThresholdStep(segmenter.Image(), session);
+    session.progress.Step(StepLabel(step));
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t before = segmenter.UndoBytes();
+    segmenter.Apply(step,
+      [&session](double share)
+      {
+        session.progress.Share(share);
+        return true;
+      });
+    session.resources.push_back({ StepLabel(step), segmenter.UndoBytes() - before,
+      MillisecondsSince(start), "a step; the bytes are those that would take it back" });
+    made.findings.push_back(segmenter.Finding());
+    for (const std::string& warning : WarningsOf(step, segmenter.Finding(), VoxelMm3(volume.image)))
+      SayWarning(session, "steps[" + std::to_string(n) + "]: " + warning);
+  }
+  made.labels = segmenter.Labels();
+  NameLabels(made.labels, chosen.recipe.names);
+  return made;
+}
+
+/// Numbers and no names: those are the user's words.
+nlohmann::ordered_json Describe(const ChosenSegmentation& chosen, const SegmentedScan& made)
+{
+  using Json = nlohmann::ordered_json;
+  const std::vector<std::size_t> voxels =
+    CountLabels(std::get<GridView<const Label>>(ViewImage(made.labels)));
+  Json json{ { "labels", Json::array() }, { "steps", Json::array() } };
+  for (std::size_t label = 1; label < voxels.size(); ++label)
+    if (voxels[label] > 0)
+      json["labels"].push_back({ { "label", label }, { "voxels", voxels[label] },
+        { "volume_mm3", double(voxels[label]) * VoxelMm3(made.labels) } });
+  for (std::size_t n = 0; n < chosen.recipe.steps.size(); ++n)
+  {
+    Json step{ { "step", StepLabel(chosen.recipe.steps[n]) } };
+    if (const auto* threshold = std::get_if<ThresholdStep>(&chosen.recipe.steps[n]))
+      step.update({ { "lowest", threshold->lowest }, { "highest", threshold->highest } });
+    const SegmentationFinding& found = made.findings[n];
+    step["changed_voxels"] = found.changed;
+    if (found.walk)
+      step.update({ { "cycles", found.walk->iterations }, { "error", found.walk->error },
+        { "unreached_voxels", found.unreached } });
+    json["steps"].push_back(std::move(step));
+  }
+  json["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
+  json["intended_use"] = "research use only, not a medical device";
+  return json;
+}
+
+void Print(const nlohmann::ordered_json& json)
+{
+  for (const auto& step : json["steps"])
+  {
+    std::cout << step["step"].get<std::string>();
+    if (step.contains("lowest"))
+      std::cout << Line(
+        ": %.6g to %.6g", step["lowest"].get<double>(), step["highest"].get<double>());
+    if (step.contains("cycles"))
+      std::cout << Line(": %d cycles, probabilities within %.1e", step["cycles"].get<int>(),
+        step["error"].get<double>());
+    std::cout << "\n";
+  }
+  for (const auto& label : json["labels"])
+    std::cout << Line("label %5d  %12.1f mm3  %10lld voxels\n", label["label"].get<int>(),
+      label["volume_mm3"].get<double>(), label["voxels"].get<long long>());
+}
+
+void Run(const SegmentOptions& options, Session& session)
+{
+  RequireWritable(options.output, { ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
+  if (!options.writeRecipe.empty())
+  {
+    RequireWritable(options.writeRecipe, { ".json" });
+    RequireDifferent(options.writeRecipe, options.output, "--write-recipe and --output");
+  }
+  const LoadedVolume volume = ReadVolume(options.volume, session);
+  SayWarnings(volume.passport, session);
+  ChosenSegmentation chosen = ChooseSegmentation(options.segmentation, volume.passport, session);
+  const SegmentedScan made =
+    Try(ExitCode::BadInput, "", [&] { return Segment(options, chosen, volume, session); });
+  const nlohmann::ordered_json described = Describe(chosen, made);
+  if (described["labels"].empty())
+    throw Failure(ExitCode::BadInput,
+      "no voxel has a label: the threshold finds no bone; hasp info shows the range of values");
+  session.progress.Step("writing the labels");
+  Try(ExitCode::WrongUse, "",
+    [&]
+    {
+      WriteLabels(made.labels, GetLabelTable(made.labels), options.output);
+      if (!options.writeRecipe.empty())
+        WriteSegmentationRecipe(options.writeRecipe, chosen.recipe);
+    });
+  session.progress.Wipe();
+  if (!session.json)
+    Print(described);
+  session.result["output"] = FileLabel(options.output);
+  session.result.update(described);
+}
+
+} // namespace
+
+void AddSegmentVerb(CLI::App& app, Session& session)
+{
+  auto options = std::make_shared<SegmentOptions>();
+  CLI::App* verb = app.add_subcommand("segment", "Make labels of a CT: bone, and its fragments");
+  AddVolumeOptions(*verb, options->volume);
+  AddSegmentationOptions(*verb, options->segmentation);
+  verb->add_option("--labels", options->labels, "Labels of the same grid to begin with");
+  verb
+    ->add_option("--output", options->output,
+      "The .seg.nrrd file for 3D Slicer, or .nrrd, .mha, .nii, .vti without names")
+    ->required();
+  verb->add_option("--write-recipe", options->writeRecipe,
+    "Write what was done to this .json file: --recipe makes the same labels");
+  verb->add_option("--tolerance", options->tolerance, "Of the walker's probabilities")
+    ->check(Within(1e-6, 0.1))
+    ->capture_default_str();
+  verb
+    ->add_option(
+      "--threads", options->threads, "At most so many; the bytes are the same; 0: one a core")
+    ->check(CLI::Range(0, 1024));
+  AddCommonOptions(*verb, session);
+  verb->footer(
+    "Example: hasp segment head.mha --threshold 226 --seeds seeds.json --output case.seg.nrrd\n"
+    "Bone is what the threshold takes; where none is given, 226 HU, or what the histogram\n"
+    "proposes where values are not HU. Each voxel of it goes to the fragment whose stroke a\n"
+    "random walk meets first. Without seeds bone is label 1.\n"
+    "Exit codes: 0 done, 1 wrong use, 2 bad input.");
+  verb->callback(
+    [&session, options]
+    {
+      session.run = [&session, options]
+      { WithThreadLimit(options->threads, [&] { Run(*options, session); }); };
+    });
+}
+
+} // namespace hasp
