@@ -22,8 +22,16 @@ function (hasp_discover_tests target)
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 120)
   # gtest_discover_tests would take a second label for the name of the next property.
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_labels.cmake")
+  # Without times of an earlier run ctest starts first what costs most, so that all cores have work at the end:
+  # tests that run bin/hasp, then those that draw or make parts.
+  set(cost 1)
+  if ("app" IN_LIST ARGN)
+    set(cost 20)
+  elseif ("module" IN_LIST ARGN)
+    set(cost 5)
+  endif ()
   file(WRITE "${file}" "if (${target}_TESTS)\n"
-    "  set_tests_properties(\${${target}_TESTS} PROPERTIES LABELS \"${ARGN}\")\nendif ()\n")
+    "  set_tests_properties(\${${target}_TESTS} PROPERTIES LABELS \"${ARGN}\" COST ${cost})\nendif ()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")
 endfunction ()
 
