@@ -19,7 +19,8 @@ endif ()
 # hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.
 function (hasp_discover_tests target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # test files share names freely
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 120)
+  # A program of many libraries may take seconds to start on a machine that is busy.
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120)
   # gtest_discover_tests would take a second label for the name of the next property.
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_labels.cmake")
   # Without times of an earlier run ctest starts first what costs most, so that all cores have work at the end:
