@@ -19,11 +19,20 @@ endif ()
 # hasp_discover_tests(TestKernelGrid labels…): one CTest test per GoogleTest case.
 function (hasp_discover_tests target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # test files share names freely
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 120)
+  # A program of many libraries may take seconds to start on a machine that is busy.
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120)
   # gtest_discover_tests would take a second label for the name of the next property.
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_labels.cmake")
+  # Without times of an earlier run ctest starts first what costs most, so that all cores have work at the end:
+  # tests that run bin/hasp, then those that draw or make parts.
+  set(cost 1)
+  if ("app" IN_LIST ARGN)
+    set(cost 20)
+  elseif ("module" IN_LIST ARGN)
+    set(cost 5)
+  endif ()
   file(WRITE "${file}" "if (${target}_TESTS)\n"
-    "  set_tests_properties(\${${target}_TESTS} PROPERTIES LABELS \"${ARGN}\")\nendif ()\n")
+    "  set_tests_properties(\${${target}_TESTS} PROPERTIES LABELS \"${ARGN}\" COST ${cost})\nendif ()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")
 endfunction ()
 

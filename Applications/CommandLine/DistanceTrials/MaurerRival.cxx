@@ -1,4 +1,4 @@
-#include "RivalTransform.h"
+#include "RivalLibrary.h"
 
 #include <itkImage.h>
 #include <itkSignedMaurerDistanceMapImageFilter.h>
@@ -64,7 +64,7 @@ private:
 
 } // namespace
 
-RivalTransform MaurerRival()
+RivalTransform MakeMaurerRival()
 {
   RivalTransform rival;
   rival.key = "itk";

@@ -1,9 +1,9 @@
-#include "RivalTransform.h"
+#include "RivalLibrary.h"
 
 namespace hasp
 {
 
-RivalTransform MaurerRival()
+RivalTransform MakeMaurerRival()
 {
   RivalTransform rival;
   rival.key = "itk";

@@ -1,4 +1,4 @@
-#include "RivalTransform.h"
+#include "RivalLibrary.h"
 
 namespace hasp
 {
@@ -17,12 +17,12 @@ RivalTransform Absent(const std::string& key, const std::string& name)
 
 } // namespace
 
-RivalTransform FogRival()
+RivalTransform MakeFogRival()
 {
   return Absent("openvdb.fog", "OpenVDB fogToSdf");
 }
 
-RivalTransform MeshRival(int bandVoxels)
+RivalTransform MakeMeshRival(int bandVoxels)
 {
   RivalTransform rival = Absent(bandVoxels > 4 ? "openvdb.mesh.far" : "openvdb.mesh",
     "OpenVDB volumeToMesh, meshToSignedDistanceField");

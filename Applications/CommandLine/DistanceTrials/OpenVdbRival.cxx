@@ -1,4 +1,4 @@
-#include "RivalTransform.h"
+#include "RivalLibrary.h"
 
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
@@ -108,7 +108,7 @@ RivalTransform Named(const std::string& key, const std::string& settings)
 
 } // namespace
 
-RivalTransform FogRival()
+RivalTransform MakeFogRival()
 {
   RivalTransform rival =
     Named("openvdb.fog", "fogToSdf of coverage at 0.5, 4 voxels around what is partial");
@@ -117,7 +117,7 @@ RivalTransform FogRival()
   return rival;
 }
 
-RivalTransform MeshRival(int bandVoxels)
+RivalTransform MakeMeshRival(int bandVoxels)
 {
   RivalTransform rival = Named(bandVoxels > BandVoxels ? "openvdb.mesh.far" : "openvdb.mesh",
     "volumeToMesh of coverage at 0.5, meshToSignedDistanceField out to " +

@@ -37,7 +37,7 @@ constexpr int RingSides = 96;
 constexpr double RingPixels = 2.0; // at 72 dpi
 constexpr double BallOpacity = 0.35;
 
-/// Of the eye that the camera stands for now. (Its composite matrix leaves stereo out.)
+/// Of the eye that the camera is drawing for: its composite matrix leaves stereo out.
 glm::dmat4 WorldToClip(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();

@@ -30,8 +30,8 @@ TEST_P(RandomPlates, AreSoundOrNamedErrors)
   EXPECT_GT(made, 0);
 }
 
-// 44 plates, every kind four times.
-INSTANTIATE_TEST_SUITE_P(, RandomPlates, testing::Values(0U, 11U, 22U, 33U));
+// 22 plates, every kind twice; hasp report guides makes hundreds.
+INSTANTIATE_TEST_SUITE_P(, RandomPlates, testing::Values(0U, 11U));
 
 TEST(RandomPlateRecipes, AreOfEveryKindAndTheSameAgain)
 {

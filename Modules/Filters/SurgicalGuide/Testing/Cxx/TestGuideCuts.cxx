@@ -78,7 +78,7 @@ TEST_P(GuideOfCut, HasTheBladesPlane)
   EXPECT_FALSE(fit.blockedAt.has_value());
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, GuideOfCut, testing::Range(0, 20));
+INSTANTIATE_TEST_SUITE_P(Seeds, GuideOfCut, testing::Range(0, 8));
 
 TEST(GuideCuts, TheSlotIsOnTheBoneAndEndsWithItsBlade)
 {
