@@ -1,4 +1,4 @@
-# The test harness. Labels: kernel module render haptic device guest app extreme minimal bench.
+# The test harness. Labels: kernel module render haptic device guest app extreme minimal bench long.
 if (HASP_BUILD_TESTING)
   enable_testing()
   include(GoogleTest)

@@ -77,3 +77,23 @@ class Labels(unittest.TestCase):
         said = errors_of(reader)
         reader.Update()
         self.assertIn("the .mha file: holds samples in floating point", "".join(said))
+
+    def test_a_recipe_makes_labels_of_a_scan(self):
+        recipe = os.path.join(os.path.dirname(self.path), "recipe.json")
+        with open(recipe, "w", encoding="utf-8") as file:
+            file.write("""{ "format": "hasp-segmentation-1", "steps": [
+                { "step": "threshold", "lowest": 0, "highest": 1000000 } ],
+                "names": [{ "label": 1, "name": "ball", "colour": "#ff8000" }] }""")
+        segmentation = hasp.vtkHaspSegmentationFilter()
+        segmentation.SetInputData(ball())
+        self.assertTrue(segmentation.ReadRecipe(recipe))
+        segmentation.Update()
+        image = segmentation.GetOutput()
+        scan, labels = (i.GetPointData().GetScalars() for i in (ball(), image))
+        self.assertEqual([labels.GetValue(p) for p in range(labels.GetNumberOfValues())],
+                         [int(scan.GetTuple1(p) >= 0) for p in range(scan.GetNumberOfTuples())])
+        self.assertEqual(image.GetFieldData().GetAbstractArray("LabelNames").GetValue(0), "ball")
+        said = errors_of(segmentation)
+        self.assertFalse(segmentation.ReadRecipe(recipe + ".none"))
+        self.assertEqual(len(said), 1)
+        self.assertNotIn("recipe.json", "".join(said))

@@ -32,9 +32,11 @@ protected:
   {
     std::map<int, std::size_t> labels;
     EXPECT_EQ(run.exitCode, 0) << run.err;
-    if (run.exitCode == 0)
-      for (const json& label : json::parse(run.out).at("labels"))
-        labels[label.at("label")] = label.at("voxels");
+    if (run.exitCode != 0)
+      return labels;
+    const json document = json::parse(run.out);
+    for (const json& label : document.at("labels"))
+      labels[label.at("label")] = label.at("voxels");
     return labels;
   }
   static std::string Seeds() { return HASP_BROKEN_MANDIBLE_SEEDS; }
@@ -46,7 +48,9 @@ TEST_F(HaspSegment, PartsTheBrokenJawByStrokesAndItsRecipeDoesSoAgain)
   const HaspRun run = this->Segment({ "--threshold", "226", "--seeds", Seeds(), "--write-recipe",
     this->Path("recipe.json"), "--explain" });
   const auto labels = LabelsOf(run);
-  ASSERT_EQ(labels.size(), 5U);
+  for (int label = 2; label <= 6; ++label)
+    EXPECT_TRUE(labels.contains(label)) << label;
+  EXPECT_LE(labels.size(), 6U); // and crumbs of label 1 that no stroke is connected to
   const HaspRun truth = RunHasp({ "segment", this->Path("jaw.mha"), "--threshold", "5000",
     "--labels", this->Path("truth.seg.nrrd"), "--output", this->Path("none.nrrd") });
   ExpectFailure(truth, 2, "no voxel has a label"); // a threshold forgets labels
@@ -55,8 +59,7 @@ TEST_F(HaspSegment, PartsTheBrokenJawByStrokesAndItsRecipeDoesSoAgain)
   const HaspRun again =
     this->Segment({ "--recipe", this->Path("recipe.json"), "--threads", "1" }, "again.seg.nrrd");
   EXPECT_EQ(LabelsOf(again), labels);
-  EXPECT_EQ(
-    ReadBytes(this->Path("case.seg.nrrd")), ReadBytes(this->Path("again.seg.nrrd")));
+  EXPECT_EQ(ReadBytes(this->Path("case.seg.nrrd")), ReadBytes(this->Path("again.seg.nrrd")));
 }
 
 TEST_F(HaspSegment, IsReadBackAsTheLabelsThatItBeginsWith)
@@ -93,7 +96,8 @@ TEST_F(HaspSegment, ProposesAThresholdWhereValuesAreNoHU)
   const json steps = json::parse(run.out).at("steps");
   ASSERT_EQ(steps.size(), 3U);
   EXPECT_GT(steps[2].at("lowest"), 300.0); // grey values, that the CT's 226 is none of
-  ExpectFailure(this->Segment({ "--preset", "bone", "--quiet", "--threshold", "3" }), 1, "--preset");
+  ExpectFailure(
+    this->Segment({ "--preset", "bone", "--quiet", "--threshold", "3" }), 1, "--preset");
 }
 
 TEST_F(HaspSegment, BadInputIsTwoWrongUseIsOneAndNothingIsLeft)
@@ -110,7 +114,7 @@ TEST_F(HaspSegment, BadInputIsTwoWrongUseIsOneAndNothingIsLeft)
   ExpectFailure(this->Segment({ "--threshold", "9000" }), 2, "no voxel has a label");
   ExpectFailure(this->Segment({ "--recipe", this->Path("bad.json"), "--beta", "1" }), 1, "--");
   ExpectFailure(this->Segment({ "--recipe", this->Path("bad.json") }), 2, "is");
-  ExpectFailure(this->Segment({ "--seeds", this->Path("far.json") }, "x.stl"), 1, ".seg.nrrd");
+  ExpectFailure(this->Segment({ "--seeds", this->Path("far.json") }, "x.stl"), 1, ".nrrd");
   ExpectFailure(this->Segment({ "--labels", this->Path("bad.json") }), 2, "");
   EXPECT_EQ(this->Names(), before);
   const HaspRun beside = this->Segment({ "--seeds", this->Path("far.json") });
