@@ -187,6 +187,29 @@ std::vector<ReportTerm> GuideTerms()
   };
 }
 
+std::vector<ReportTerm> SegmentationTerms()
+{
+  return {
+    { "segmentation.dice",
+      "Dice of the worst fragment, of few strokes that a simulated user draws from a coarse hint; "
+      "then the case, the worst of all without it; cbct: of simulated cone-beam scans after "
+      "correction, uncorrected: without" },
+    { "segmentation.surface",
+      "share of the worst fragment's surface, and of the truth's, that lies within one voxel (its "
+      "largest spacing) of the other; the same cases" },
+    { "segmentation.first", "from the mask to labels, the first time" },
+    { "segmentation.resolve", "labels after one more stroke" },
+    { "segmentation.memory", "bytes for each voxel of bone" },
+    { "segmentation.warm",
+      "cycles of one more stroke / of the same from nothing; coarse: / of the same from coarse "
+      "graphs" },
+    { "segmentation.direct", "what probabilities are off by from a sparse direct solver's" },
+    { "segmentation.error_time",
+      "1 - the worst fragment's Dice against time, by the same strokes; lower left is better" },
+    { "segmentation.surface_time", "the same of surface Dice" },
+  };
+}
+
 std::vector<ReportTerm> StereoTerms()
 {
   return {
@@ -224,14 +247,15 @@ std::vector<ReportTerm> OthersOf(const std::string& report)
 
 std::vector<ReportTerm> TermsOf(const std::string& report)
 {
-  std::vector<ReportTerm> terms = report == "isosurface"   ? IsosurfaceTerms()
-                                  : report == "cells"      ? CellTerms()
-                                  : report == "raycaching" ? RaycachingTerms()
-                                  : report == "distance"   ? DistanceTerms()
-                                  : report == "guides"     ? GuideTerms()
-                                  : report == "haptics"    ? HapticTerms()
-                                  : report == "stereo"     ? StereoTerms()
-                                                           : OthersOf(report);
+  std::vector<ReportTerm> terms = report == "isosurface"     ? IsosurfaceTerms()
+                                  : report == "cells"        ? CellTerms()
+                                  : report == "raycaching"   ? RaycachingTerms()
+                                  : report == "distance"     ? DistanceTerms()
+                                  : report == "guides"       ? GuideTerms()
+                                  : report == "haptics"      ? HapticTerms()
+                                  : report == "segmentation" ? SegmentationTerms()
+                                  : report == "stereo"       ? StereoTerms()
+                                                             : OthersOf(report);
   if (!terms.empty())
     terms.push_back({ report + ".memory.peak", "memory of the process at most, so far" });
   return terms;
