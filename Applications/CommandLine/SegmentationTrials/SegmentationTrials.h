@@ -27,7 +27,7 @@ struct RealSkull
 
 /// segmentation.dice, segmentation.surface, of each case and of the worst;
 /// segmentation.error_time: the same strokes for the random walker at several tolerances, for a
-/// watershed and for thresholds with components.
+/// watershed and for thresholds with components; in quick reports of the mandible alone.
 void TrySegmentation(ReportContext& context, const RealSkull& skull);
 
 /// segmentation.dice.cbct, segmentation.surface.cbct: of simulated cone-beam scans, at most 15

@@ -41,8 +41,8 @@ TrialScanSettings ScanSettings(const ReportContext& context)
   settings.seed = context.settings.seed;
   if (context.settings.quick)
   {
-    settings.headMm = 1.0;
-    settings.mandibleMm = 0.8;
+    settings.headMm = 1.4;
+    settings.mandibleMm = 1.0;
   }
   return settings;
 }
