@@ -12,6 +12,7 @@
 #endif
 #include "ReportHaptics.h"
 #include "ReportImport.h"
+#include "ReportSegmentation.h"
 #include "ReportStereo.h"
 
 namespace hasp
@@ -47,6 +48,10 @@ const std::vector<ReportEntry>& ReportRegistry()
         "contact points, levels and Snap-to-fit in a tick, and what they are off by, "
         "against plain code",
         ReportHaptics },
+      { "segmentation",
+        "how far fragments agree with the truth after few strokes, error against time, and what "
+        "one more stroke costs, against a watershed, thresholds and a direct solver",
+        ReportSegmentation },
       { "import", "where samples lie and how long reading takes, against other readers",
         ReportImport },
       { "stereo", "where points lie in both eyes, against VTK's own stereo", ReportStereo },

@@ -17,7 +17,9 @@ namespace hasp
 namespace
 {
 
-constexpr double FarMm = 40.0; ///< further than this from others no place is better than another
+constexpr double FarMm = 40.0;   ///< further than this from others no place is better than another
+constexpr double WayMm = 16.0;   ///< of a way, to each side: half a long stroke
+constexpr double ThickMm = 11.5; ///< so far from others the thickest brush may go
 
 void Require(bool holds, const char* name, double value, const char* range)
 {
@@ -56,6 +58,7 @@ CoarseTruth::CoarseTruth(GridView<const Label> truth, const CoarseTruthSettings&
   this->Cells = (this->Grid.dims + this->VoxelsPerCell - 1) / this->VoxelsPerCell;
   const std::size_t count = static_cast<std::size_t>(this->Cells.x) * this->Cells.y * this->Cells.z;
   this->Known.assign(count, 0);
+  this->Bone.assign(count, 0);
   std::map<Label, Mark> marks;
   for (int k = 0; k < this->Grid.dims.z; ++k)
     for (int j = 0; j < this->Grid.dims.y; ++j)
@@ -65,6 +68,7 @@ CoarseTruth::CoarseTruth(GridView<const Label> truth, const CoarseTruthSettings&
         if (label == 0)
           continue;
         const std::size_t cell = this->Number(this->CellOf({ i, j, k }));
+        ++this->Bone[cell];
         Label& known = this->Known[cell];
         known = known == 0 || known == label ? label : Mixed;
         Mark& mark = marks.try_emplace(label, Mark{ label, glm::dvec3(0.0), 0 }).first->second;
@@ -131,13 +135,13 @@ double CoarseTruth::NearestOtherMm(std::size_t number) const
   return nearest;
 }
 
-glm::dvec3 CoarseTruth::LongWay(std::size_t number) const
+glm::dvec3 CoarseTruth::LongWay(
+  std::size_t number, double withinMm, const std::vector<std::size_t>& cells) const
 {
-  const Label label = this->Known[number];
   const glm::dvec3 at = this->Middle(number);
   std::vector<glm::dvec3> ways;
-  for (std::size_t n = 0; n < this->Known.size(); ++n)
-    if (this->Known[n] == label && glm::distance(this->Middle(n), at) <= FarMm)
+  for (const std::size_t n : cells)
+    if (glm::distance(this->Middle(n), at) <= withinMm)
       ways.push_back(this->Middle(n) - at);
   glm::dvec3 way(0.57, 0.53, 0.63); // the power method: of the direction of most spread
   for (int round = 0; round < 30; ++round)
@@ -152,18 +156,95 @@ glm::dvec3 CoarseTruth::LongWay(std::size_t number) const
   return glm::normalize(way);
 }
 
-CoarseHint CoarseTruth::HintAt(
-  std::size_t number, const glm::dvec3& place, std::uint64_t draw) const
+std::vector<std::size_t> CoarseTruth::Follow(
+  std::size_t number, const glm::dvec3& along, double leastMm) const
 {
+  std::vector<std::size_t> way;
+  glm::dvec3 forward = along;
+  for (std::size_t at = number;;)
+  {
+    const glm::ivec3 place = this->Place(at);
+    const glm::ivec3 low = glm::max(place - 1, 0), high = glm::min(place + 1, this->Cells - 1);
+    std::size_t best = at;
+    double straightest = 0.5; // no sharper turn than 60 degrees
+    for (int k = low.z; k <= high.z; ++k)
+      for (int j = low.y; j <= high.y; ++j)
+        for (int i = low.x; i <= high.x; ++i)
+        {
+          const std::size_t next = this->Number({ i, j, k });
+          if (next == at || this->Known[next] != this->Known[number])
+            continue;
+          const double straight =
+            glm::dot(glm::normalize(this->Middle(next) - this->Middle(at)), forward);
+          if (straight <= straightest || this->NearestOtherMm(next) < leastMm)
+            continue;
+          straightest = straight;
+          best = next;
+        }
+    if (best == at || glm::distance(this->Middle(best), this->Middle(number)) > WayMm)
+      return way;
+    // Bones are round: the way goes on where it led.
+    forward = glm::normalize(forward + glm::normalize(this->Middle(best) - this->Middle(at)));
+    way.push_back(best);
+    at = best;
+  }
+}
+
+CoarseHint CoarseTruth::HintAt(
+  std::size_t number, const glm::dvec3& place, const glm::dvec3& along, std::uint64_t draw) const
+{
+  const double away = this->NearestOtherMm(number);
   CoarseHint hint;
   hint.label = this->Known[number];
   // The other cell's near side may be that much nearer than its middle.
-  hint.reachMm = std::max(
-    this->NearestOtherMm(number) - 0.5 * this->Settings.cellMm, 0.5 * this->Settings.cellMm);
-  const double error = std::min(this->Settings.errorMm, 0.5 * hint.reachMm);
-  hint.near = place + AnyError(error, this->Settings.seed, draw);
-  hint.along = this->LongWay(number);
+  hint.reachMm = std::max(away - 0.5 * this->Settings.cellMm, 0.5 * this->Settings.cellMm);
+  const double most = std::min(this->Settings.errorMm, 0.5 * hint.reachMm);
+  const glm::dvec3 error = AnyError(most, this->Settings.seed, draw);
+  hint.near = place + error;
+  hint.along = along;
+  const double least = std::min(away, ThickMm);
+  std::vector<std::size_t> back = this->Follow(number, -along, least);
+  for (auto n = back.rbegin(); n != back.rend(); ++n)
+    hint.way.push_back(this->Middle(*n) + error);
+  hint.way.push_back(this->Middle(number) + error);
+  for (const std::size_t n : this->Follow(number, along, least))
+    hint.way.push_back(this->Middle(n) + error);
   return hint;
+}
+
+/// Of the cells that are as far from others as any can be, about, the one in whose neighbourhood
+/// most of the fragment's bone is: nobody draws on a splinter.
+std::size_t CoarseTruth::SolidCell(const Mark& mark) const
+{
+  std::vector<std::pair<std::size_t, double>> cells;
+  double farthest = 0.0;
+  for (std::size_t n = 0; n < this->Known.size(); ++n)
+    if (this->Known[n] == mark.label)
+    {
+      cells.emplace_back(n, this->NearestOtherMm(n));
+      farthest = std::max(farthest, cells.back().second);
+    }
+  std::size_t best = this->Known.size();
+  std::uint64_t most = 0;
+  for (const auto& [n, away] : cells)
+  {
+    if (away < 0.8 * farthest)
+      continue;
+    std::uint64_t bone = 0;
+    const glm::ivec3 at = this->Place(n);
+    const glm::ivec3 low = glm::max(at - 2, 0), high = glm::min(at + 2, this->Cells - 1);
+    for (int k = low.z; k <= high.z; ++k)
+      for (int j = low.y; j <= high.y; ++j)
+        for (int i = low.x; i <= high.x; ++i)
+          if (const std::size_t near = this->Number({ i, j, k }); this->Known[near] == mark.label)
+            bone += this->Bone[near];
+    if (bone > most)
+    {
+      most = bone;
+      best = n;
+    }
+  }
+  return best;
 }
 
 std::vector<CoarseHint> CoarseTruth::Hints() const
@@ -171,29 +252,20 @@ std::vector<CoarseHint> CoarseTruth::Hints() const
   std::vector<CoarseHint> hints;
   for (const Mark& mark : this->Marks)
   {
-    const glm::dvec3 mean = mark.sum / double(mark.count);
-    std::size_t best = this->Known.size();
-    double farthest = 0.0, offMiddle = 0.0;
-    for (std::size_t n = 0; n < this->Known.size(); ++n)
-    {
-      if (this->Known[n] != mark.label)
-        continue;
-      const double away = this->NearestOtherMm(n), off = glm::distance(this->Middle(n), mean);
-      if (best == this->Known.size() || away > farthest || (away == farthest && off < offMiddle))
-      {
-        best = n;
-        farthest = away;
-        offMiddle = off;
-      }
-    }
+    const std::size_t best = this->SolidCell(mark);
     if (best < this->Known.size())
     {
-      hints.push_back(this->HintAt(best, this->Middle(best), mark.label));
+      std::vector<std::size_t> cells;
+      for (std::size_t n = 0; n < this->Known.size(); ++n)
+        if (this->Known[n] == mark.label)
+          cells.push_back(n);
+      hints.push_back(
+        this->HintAt(best, this->Middle(best), this->LongWay(best, FarMm, cells), mark.label));
       continue;
     }
     CoarseHint small;
     small.label = mark.label;
-    small.near = mean;
+    small.near = mark.sum / double(mark.count);
     small.along = { 1.0, 0.0, 0.0 };
     small.reachMm = 0.25 * this->Settings.cellMm;
     hints.push_back(small);
@@ -228,20 +300,19 @@ std::optional<CoarseHint> CoarseTruth::LargestError(
   const auto isWrong = [&](std::size_t n)
   { return double(seen[n].wrong) > this->Settings.wrongShare * double(seen[n].bone); };
   std::vector<bool> done(this->Known.size(), false);
-  std::size_t largest = 0, worst = 0;
+  std::size_t largest = 0;
+  std::vector<std::size_t> worstRegion;
   for (std::size_t start = 0; start < this->Known.size(); ++start)
   {
     if (done[start] || !isWrong(start))
       continue;
     std::vector<std::size_t> region{ start };
     done[start] = true;
-    std::size_t wrong = 0, worstHere = start;
+    std::size_t wrong = 0;
     for (std::size_t n = 0; n < region.size(); ++n)
     {
       const std::size_t cell = region[n];
       wrong += seen[cell].wrong;
-      if (seen[cell].wrong > seen[worstHere].wrong)
-        worstHere = cell;
       const glm::ivec3 at = this->Place(cell);
       const glm::ivec3 low = glm::max(at - 1, 0), high = glm::min(at + 1, this->Cells - 1);
       for (int k = low.z; k <= high.z; ++k)
@@ -258,13 +329,24 @@ std::optional<CoarseHint> CoarseTruth::LargestError(
     if (wrong > largest)
     {
       largest = wrong;
-      worst = worstHere;
+      worstRegion = std::move(region);
     }
   }
   if (largest == 0)
     return std::nullopt;
+  // In the middle of what is wrong, where the brush may be thickest; of such cells the worst.
+  std::size_t worst = worstRegion[0];
+  double farthest = 0.0;
+  for (const std::size_t n : worstRegion)
+  {
+    const double away = std::min(this->NearestOtherMm(n), ThickMm);
+    if (away < farthest || (away == farthest && seen[n].wrong <= seen[worst].wrong))
+      continue;
+    farthest = away;
+    worst = n;
+  }
   return this->HintAt(worst, seen[worst].sum / double(seen[worst].wrong),
-    MaxLabel + static_cast<std::uint64_t>(round));
+    this->LongWay(worst, WayMm, worstRegion), MaxLabel + static_cast<std::uint64_t>(round));
 }
 
 } // namespace hasp

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -91,6 +92,29 @@ std::vector<glm::dvec3> Walk(
   return points;
 }
 
+/// Surface voxels from `from` along places one after the other, as Walk goes.
+std::vector<glm::dvec3> Follow(GridView<const Label> bone, const glm::dvec3& from,
+  const std::vector<glm::dvec3>& places, double lengthMm)
+{
+  std::vector<glm::dvec3> points;
+  glm::dvec3 at = from;
+  for (std::size_t n = 1; n < places.size(); ++n)
+  {
+    const glm::dvec3 along = glm::normalize(places[n] - places[n - 1]);
+    const double left = glm::dot(places[n] - at, along);
+    if (left <= 0.0)
+      continue;
+    const std::vector<glm::dvec3> more = Walk(bone, at, along, std::min(left, lengthMm));
+    for (const glm::dvec3& point : more)
+    {
+      lengthMm -= glm::distance(point, at);
+      at = point;
+      points.push_back(at);
+    }
+  }
+  return points;
+}
+
 } // namespace
 
 BrushStroke DrawStroke(
@@ -107,11 +131,25 @@ BrushStroke DrawStroke(
   BrushStroke stroke;
   stroke.label = hint.label;
   stroke.radiusMm = std::min(limits.radiusMm, hint.reachMm / 3.0);
-  const double half = std::clamp(0.5 * hint.reachMm - stroke.radiusMm, 0.0, 0.5 * limits.lengthMm);
-  stroke.points = Walk(bone, *start, -hint.along, half);
-  std::reverse(stroke.points.begin(), stroke.points.end());
+  std::vector<glm::dvec3> back, ahead;
+  if (hint.way.empty())
+  {
+    const double half =
+      std::clamp(0.5 * hint.reachMm - stroke.radiusMm, 0.0, 0.5 * limits.lengthMm);
+    back = Walk(bone, *start, -hint.along, half);
+    ahead = Walk(bone, *start, hint.along, half);
+  }
+  else
+  {
+    const auto nearest = std::min_element(hint.way.begin(), hint.way.end(),
+      [&](const glm::dvec3& a, const glm::dvec3& b)
+      { return glm::distance(a, hint.near) < glm::distance(b, hint.near); });
+    back = Follow(bone, *start, { std::make_reverse_iterator(nearest + 1), hint.way.rend() },
+      0.5 * limits.lengthMm);
+    ahead = Follow(bone, *start, { nearest, hint.way.end() }, 0.5 * limits.lengthMm);
+  }
+  stroke.points.assign(back.rbegin(), back.rend());
   stroke.points.push_back(*start);
-  const std::vector<glm::dvec3> ahead = Walk(bone, *start, hint.along, half);
   stroke.points.insert(stroke.points.end(), ahead.begin(), ahead.end());
   return stroke;
 }

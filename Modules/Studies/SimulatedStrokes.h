@@ -18,10 +18,11 @@ struct StrokeLimits
 };
 
 /// A stroke on the bone's surface: it begins at the surface voxel (a face of it has no bone behind
-/// it) nearest to hint.near, and goes along hint.along both ways in steps of about a millimetre,
-/// each to the nearest surface voxel. Its radius is a third of hint.reachMm and it goes no further
-/// than half of reachMm less the radius to each side, so that it is on one fragment if the hint is
-/// as good as it says. All its points are voxel centres of the bone.
+/// it) nearest to hint.near, and goes both ways, half of lengthMm each at most, in steps of about a
+/// millimetre to the nearest surface voxel: along hint.way, whose cells are of one fragment, or,
+/// where there is none, along hint.along and no further than half of reachMm less the radius. Its
+/// radius is a third of hint.reachMm, so that it is on one fragment if the hint is as good as it
+/// says. All its points are voxel centres of the bone.
 ///
 /// bone   not 0 where there is bone
 /// Throws std::invalid_argument on bad limits, std::runtime_error if there is no bone within 30 mm

@@ -1,5 +1,7 @@
 #include "ReportTerms.h"
 
+#include "SegmentationTerms.h"
+
 namespace hasp
 {
 namespace
@@ -224,14 +226,15 @@ std::vector<ReportTerm> OthersOf(const std::string& report)
 
 std::vector<ReportTerm> TermsOf(const std::string& report)
 {
-  std::vector<ReportTerm> terms = report == "isosurface"   ? IsosurfaceTerms()
-                                  : report == "cells"      ? CellTerms()
-                                  : report == "raycaching" ? RaycachingTerms()
-                                  : report == "distance"   ? DistanceTerms()
-                                  : report == "guides"     ? GuideTerms()
-                                  : report == "haptics"    ? HapticTerms()
-                                  : report == "stereo"     ? StereoTerms()
-                                                           : OthersOf(report);
+  std::vector<ReportTerm> terms = report == "isosurface"     ? IsosurfaceTerms()
+                                  : report == "cells"        ? CellTerms()
+                                  : report == "raycaching"   ? RaycachingTerms()
+                                  : report == "distance"     ? DistanceTerms()
+                                  : report == "guides"       ? GuideTerms()
+                                  : report == "haptics"      ? HapticTerms()
+                                  : report == "segmentation" ? SegmentationTerms()
+                                  : report == "stereo"       ? StereoTerms()
+                                                             : OthersOf(report);
   if (!terms.empty())
     terms.push_back({ report + ".memory.peak", "memory of the process at most, so far" });
   return terms;

@@ -20,7 +20,9 @@ enum class LabelPairing
 
 struct DiceSettings
 {
-  double toleranceMm = 1.0; ///< of surface Dice: as far apart surfaces still agree, >= 0
+  /// Of surface Dice: as far apart surfaces still agree, >= 0. "One voxel" is, where spacing
+  /// differs per axis, the largest spacing: across slices no surface is known better.
+  double toleranceMm = 1.0;
   LabelPairing pairing = LabelPairing::SameNumber;
 };
 

@@ -134,6 +134,18 @@ TEST(SimulatedStrokes, NonsenseIsRefused)
     std::invalid_argument);
 }
 
+TEST(SimulatedStrokes, AStrokeFollowsItsWayAndKeepsItsLength)
+{
+  const Labels bar = Bar(50);
+  CoarseHint hint = CoarseTruth(ViewOf(bar)).Hints()[0];
+  ASSERT_FALSE(hint.way.empty());
+  const BrushStroke longer = hasp::DrawStroke(ViewOf(bar), hint);
+  EXPECT_GT(hasp::LengthOf(longer), 8.0); // the fragment is 28 mm long
+  EXPECT_LE(hasp::LengthOf(hasp::DrawStroke(ViewOf(bar), hint, { 10, 3.0, 5.0 })), 5.0);
+  hint.way = { hint.near }; // nowhere to go
+  EXPECT_EQ(hasp::DrawStroke(ViewOf(bar), hint).points.size(), 1U);
+}
+
 TEST(SimulatedStrokes, TheUserStopsWhenContentOrOutOfStrokes)
 {
   const Labels bar = Bar(50), wrong = Bar(75);

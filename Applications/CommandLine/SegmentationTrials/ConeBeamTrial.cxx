@@ -1,0 +1,45 @@
+#include "DiceRows.h"
+#include "MeasuredRows.h"
+#include "ReportRegistry.h"
+
+#include "Segmentation/ConeBeam.h"
+#include "Segmentation/ThresholdProposal.h"
+
+namespace hasp
+{
+
+void TryConeBeam(ReportContext& context, const RealSkull& skull)
+{
+  constexpr int Strokes = 15;
+  // Grey values are no HU: bone begins where the histogram says.
+  const std::string how =
+    "simulated cone beam, threshold proposed from the histogram, at most 15 strokes";
+  DiceRows corrected(".cbct", how + ", corrected"), plain(".cbct.uncorrected", how);
+  TrialScanSettings settings = ScanSettings(context);
+  settings.coneBeam = true;
+  ForEachTrialScan(settings, skull,
+    [&](const TrialScan& scan)
+    {
+      context.progress(0.0, "segmentation: cone beam, " + scan.key);
+      const AnyGridView grey = scan.Samples();
+      std::vector<float> samples(scan.scan.geometry.Size());
+      ConeBeamSettings correction;
+      correction.insideAbove = -100.0; // between the model's air, -550, and its soft tissue
+      CorrectConeBeam(grey, correction, { samples.data(), scan.scan.geometry });
+      const AnyGridView even = GridView<const float>{ samples.data(), scan.scan.geometry };
+      for (const bool with : { true, false })
+      {
+        const AnyGridView& used = with ? even : grey;
+        const TrialBone bone(used, ProposeThreshold(used).threshold);
+        (with ? corrected : plain)
+          .Add(context, scan, TryUser(bone, scan, Strokes, context.settings.seed));
+      }
+    });
+  for (DiceRows* rows : { &corrected, &plain })
+    if (skull.samples.empty())
+      rows->AddAbsent(context, "cranium", skull.absent);
+  corrected.AddWorst(context, 0.95, 0.95, 0.97);
+  plain.AddWorst(context, 0.0, 0.0, 0.0);
+}
+
+} // namespace hasp
