@@ -9,6 +9,23 @@
 
 namespace hasp
 {
+namespace
+{
+
+/// Of the plan as it is by now, while nobody else changes it.
+template <typename Work>
+void ChangeKept(const std::string& folder, const Work& work)
+{
+  Try(ExitCode::WrongUse, "",
+    [&]
+    {
+      const PlanLock lock(folder);
+      PlanDocument document = OpenPlan(folder);
+      work(document.parts);
+      StorePlan(folder, document);
+    });
+}
+} // namespace
 
 PartFile TakePart(const KeptParts& kept, PlanId object, Session& session)
 {
@@ -42,15 +59,21 @@ void KeepInPlan(const std::string& folder, const std::vector<PartFile>& parts)
 {
   if (parts.empty())
     return;
-  Try(ExitCode::WrongUse, "",
-    [&]
+  ChangeKept(folder,
+    [&](std::vector<DerivedPart>& kept)
     {
-      const PlanLock lock(folder);
-      PlanDocument document = OpenPlan(folder);
       for (const PartFile& part : parts)
-        KeepPart(document.parts, { part.object, PartFormat::Stl, part.inputs,
-                                   WriteBlob(folder, part.stl), WriteBlob(folder, part.report) });
-      StorePlan(folder, document);
+        KeepPart(kept, { part.object, PartFormat::Stl, part.inputs, WriteBlob(folder, part.stl),
+                         WriteBlob(folder, part.report) });
+    });
+}
+
+void KeepInPlan(const std::string& folder, PlanId segmentation,
+  const std::vector<PartInput>& inputs, const std::string& nrrd)
+{
+  ChangeKept(folder,
+    [&](std::vector<DerivedPart>& kept) {
+      KeepPart(kept, { segmentation, PartFormat::Nrrd, inputs, WriteBlob(folder, nrrd), "" });
     });
 }
 

@@ -3,19 +3,12 @@
 #include "PlanInput.h"
 #include "Session.h"
 #include "VolumeInput.h"
-#include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeView.h"
 
 namespace hasp
 {
 namespace
 {
-
-void Use(RunImages& images, PlanId id, const LoadedVolume& read)
-{
-  images.loaded.push_back(read);
-  images.images.emplace(id, ViewImage(read.image));
-}
 
 /// Takes what it finds out of `missing`.
 void ReadScan(const Plan& plan, const std::string& file, std::size_t number,
@@ -29,7 +22,7 @@ void ReadScan(const Plan& plan, const std::string& file, std::size_t number,
   for (const PlanVolume& volume : plan.volumes)
     if (missing.contains(volume.id) && volume.hash == read.passport.hash)
     {
-      Use(images, volume.id, read);
+      images.Add(volume.id, read.image);
       missing.erase(volume.id);
       used = true;
     }
@@ -39,29 +32,17 @@ void ReadScan(const Plan& plan, const std::string& file, std::size_t number,
     SayWarning(session, "--volume number " + std::to_string(number) +
                           " is none that the plan still needs; it is not used");
 }
-
-void ReadLabels(const PlanDocument& document, PlanId segmentation, const std::string& planFolder,
-  const std::filesystem::path& folder, RunImages& images, Session& session)
-{
-  const std::string place = (folder / "labels.nrrd").string();
-  const auto blob = [&]
-  {
-    return ReadBlob(
-      planFolder, LabelMapOf(document.history.Current(), document.parts, segmentation));
-  };
-  WriteBytes(Try(ExitCode::BadInput, "", blob), place);
-  VolumeChoices choices;
-  choices.input = place;
-  Use(images, segmentation, ReadVolume(choices, session));
-  std::filesystem::remove(place);
-}
 } // namespace
 
-RunImages ReadRunImages(const PlanDocument& document, const std::set<PlanId>& needed,
-  const std::vector<std::string>& files, const std::string& planFolder,
-  const std::filesystem::path& folder, Session& session)
+void RunImages::Add(PlanId id, vtkImageData* image)
 {
-  const Plan& plan = document.history.Current();
+  this->loaded[id] = image;
+  this->images.insert_or_assign(id, ViewImage(image));
+}
+
+RunImages ReadScans(const Plan& plan, const std::set<PlanId>& needed,
+  const std::vector<std::string>& files, Session& session)
+{
   RunImages images;
   std::set<PlanId> missing;
   for (const PlanVolume& volume : plan.volumes)
@@ -79,9 +60,6 @@ RunImages ReadRunImages(const PlanDocument& document, const std::set<PlanId>& ne
     throw Failure(ExitCode::BadInput,
       list + ": not among the files given: no --volume has the hash that the plan names; give the "
              "scan that the plan was made on");
-  for (const PlanSegmentation& segmentation : plan.segmentations)
-    if (needed.contains(segmentation.id))
-      ReadLabels(document, segmentation.id, planFolder, folder, images, session);
   return images;
 }
 

@@ -7,6 +7,7 @@
 #include "RunCertificate.h"
 #include "RunFaults.h"
 #include "RunImages.h"
+#include "RunLabels.h"
 #include "RunParts.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -62,8 +63,10 @@ public:
     {
       const fs::path folder = fs::u8path(pendingName);
       fs::create_directory(folder);
-      this->Images = ReadRunImages(this->Document, this->NeededImages(), this->Options.volumes,
-        PlanFolder(this->Options.plan), folder, this->Shared);
+      this->Images =
+        ReadScans(this->Now, this->NeededImages(), this->Options.volumes, this->Shared);
+      AddLabelMaps({ this->Document, this->Options.plan, folder, this->Options.rebuild },
+        this->Parts, this->Images, this->Faults, this->Shared);
       this->MakeMissing(folder);
       this->FindFaults();
       this->KeepGood();
@@ -74,6 +77,7 @@ public:
     };
     Try(ExitCode::WrongUse, "",
       [&] { WriteInspected(this->Options.output, write, [](const std::string&) {}); });
+    SayLabelMaps(this->Shared);
     this->SayParts();
   }
 
@@ -107,7 +111,7 @@ private:
       fs::create_directory(this->Pages.folder);
     PlanRebuild rebuild(this->Now, this->Images.images);
     for (PartFile& part : this->Parts)
-      if (part.made)
+      if (part.made && !this->Faults.Has(part.object)) // for want of a label map
         try
         {
           part = MakePart(rebuild, this->Now, part.object, folder, this->Pages, this->Shared);
@@ -218,7 +222,7 @@ void AddRunVerb(CLI::App& app, Session& session)
   verb->add_option("--output", options->output, "A folder that is not there yet, or empty")
     ->required();
   AddFormatOption(*verb, options->format);
-  verb->add_flag("--rebuild", options->rebuild, "Make parts that are in date, too");
+  verb->add_flag("--rebuild", options->rebuild, "Make parts and label maps that are in date, too");
   verb->add_flag("--force", options->force, "Keep parts that do not hold; their files say so");
   verb->add_option("--html", options->html,
     "A folder, likewise, for the certificates with pictures, KIND-ID.html, whether parts hold or "

@@ -1,0 +1,36 @@
+#pragma once
+#include "RunParts.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The label maps that a run makes its parts of.
+namespace hasp
+{
+
+struct RunImages;
+class RunFaults;
+
+struct LabelRun
+{
+  const PlanDocument& document;
+  std::string plan;             ///< as the user names it: a folder keeps what is made
+  std::filesystem::path folder; ///< where files lie while they are written or read
+  bool rebuild = false;         ///< make label maps that are in date, too
+};
+
+/// Puts the label maps of all segmentations that `parts` need, of those that are to be made, among
+/// the images, which have the segmentations' volumes: those in date are read, those of a recipe's
+/// steps made anew where none is, and kept in the plan at once, whatever becomes of the parts. One
+/// that can be neither read nor made is a fault of all parts that need it ("fragment 5:
+/// segmentation 4: …"). What a user must know of one that is made is said as a warning; one that
+/// is in date says nothing again. session.result["label_maps"]: of all with steps, whether they
+/// were made.
+void AddLabelMaps(const LabelRun& run, const std::vector<PartFile>& parts, RunImages& images,
+  RunFaults& faults, Session& session);
+
+/// "segmentation 4  label map made", a line each, unless JSON is asked for.
+void SayLabelMaps(const Session& session);
+
+} // namespace hasp

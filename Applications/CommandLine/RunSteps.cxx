@@ -1,0 +1,27 @@
+#include "RunSteps.h"
+
+#include "SegmentationText.h"
+#include "Session.h"
+#include "VerbWork.h"
+
+namespace hasp
+{
+
+StepLabels MakeStepLabels(
+  vtkImageData* scan, const SegmentationRecipe& recipe, vtkImageData* begin, Session& session)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const auto progress = [&](double share)
+  {
+    session.progress.Share(share);
+    return true;
+  };
+  const SegmentedScan made =
+    Try(ExitCode::BadInput, "", [&] { return SegmentScan(scan, recipe, begin, {}, progress); });
+  const double spent = MillisecondsSince(start);
+  const double* spacing = scan->GetSpacing();
+  return { made.labels, WarningsOf(recipe, made.findings, spacing[0] * spacing[1] * spacing[2]),
+    spent };
+}
+
+} // namespace hasp
