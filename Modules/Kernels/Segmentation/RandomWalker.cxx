@@ -2,10 +2,12 @@
 
 #include "Grid/ParallelFor.h"
 #include "Segmentation/ConjugateGradients.h"
+#include "Segmentation/LocalGraph.h"
 #include "Segmentation/Multigrid.h"
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +22,7 @@ namespace
 
 constexpr std::int32_t noLabel = -1; ///< no seed in this piece of the graph
 constexpr std::int32_t severalLabels = -2;
+constexpr double mostLocal = 0.2; ///< of all voxels: above, a part is not worth being cut out
 
 /// Pieces of the graph, by span.
 std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& pieces)
@@ -181,6 +184,30 @@ struct RandomWalker::Internals
     }
   }
 
+  /// Solves on where cells are marked; elsewhere x is as it is to be, and holds. An error there is
+  /// no larger than at the rim, but for what is left to solve: harmonic functions have no peaks.
+  walk::SolverRun SolveLocally(const walk::MarkedCells& cells, NodeValues& x, double tolerance,
+    int most, const ProgressFunction& progress) const
+  {
+    const walk::LocalGraph local(*graph, cells);
+    walk::Multigrid system(local.graph, {});
+    std::vector<std::int32_t> fixed = local.rim;
+    for (const walk::LocalGraph::Piece& piece : local.pieces)
+      for (std::int32_t n = 0; n < piece.count; ++n)
+        if (!multigrid.Free(piece.whole + n))
+          fixed.push_back(piece.local + n);
+    std::sort(fixed.begin(), fixed.end());
+    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+    system.Fix(fixed);
+    NodeValues part = local.Take(x);
+    NodeValues residual(part.Nodes());
+    system.Residual(part, residual);
+    const walk::SolverRun run =
+      walk::ConjugateGradients(system, part, residual, NodeValues(), tolerance, most, progress);
+    local.Put(part, x);
+    return run;
+  }
+
   /// The most likely label of a node whose piece has several.
   Label Best(std::int64_t node) const
   {
@@ -260,17 +287,39 @@ RandomWalkerRun RandomWalker::Solve(
   {
     NodeValues& x = in.batches[b];
     in.multigrid.Residual(x, residual);
+    NodeValues start;
     if (settings.coarseStart)
     {
+      start = NodeValues(in.graph->Nodes());
       all.coarseIterations = std::max(
-        all.coarseIterations, in.multigrid.AddCoarseSolution(residual, x, settings.tolerance));
-      in.multigrid.Residual(x, residual);
+        all.coarseIterations, in.multigrid.SolveCoarse(residual, start, settings.tolerance));
     }
-    const walk::SolverRun run = walk::ConjugateGradients(in.multigrid, x, residual,
-      settings.tolerance, settings.mostIterations,
-      [&](double share)
-      { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); });
+    const auto report = [&](double share)
+    { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); };
+    std::optional<walk::MarkedCells> cells;
+    walk::SolverRun run = walk::ConjugateGradients(in.multigrid, x, residual, std::move(start),
+      settings.tolerance, settings.mostIterations, report,
+      [&](const NodeValues& z)
+      {
+        if (!settings.localEnd)
+          return false;
+        cells.emplace(*in.graph, z, static_cast<float>(settings.tolerance) * walk::SeenShare);
+        return static_cast<double>(cells->Nodes()) <=
+               mostLocal * static_cast<double>(in.graph->Nodes());
+      });
+    double work = run.cycles;
+    if (run.left)
+    {
+      const int before = run.cycles;
+      run =
+        in.SolveLocally(*cells, x, settings.tolerance, settings.mostIterations - before, report);
+      work +=
+        run.cycles * static_cast<double>(cells->Nodes()) / static_cast<double>(in.graph->Nodes());
+      run.error = std::max(run.error, cells->LargestOutside() / walk::SeenShare);
+      run.cycles += before;
+    }
     all.iterations = std::max(all.iterations, run.cycles);
+    all.work = std::max(all.work, work);
     all.error = std::max<double>(all.error, run.error);
     all.converged = all.converged && run.converged;
   }

@@ -21,12 +21,14 @@ struct RandomWalkerSettings
   double tolerance = 5e-3;  ///< of probabilities, (0, 0.1]; see RandomWalkerRun::error
   int mostIterations = 500; ///< [1, 100000]
   bool coarseStart = true;  ///< begin with what the coarse graphs say; off: for comparison
+  bool localEnd = true;     ///< end with cycles on what is not good enough; off: for comparison
 };
 
 /// What a solve cost, and how good it is.
 struct RandomWalkerRun
 {
   int iterations = 0;       ///< multigrid cycles on voxels; the most of all batches of labels
+  double work = 0.0;        ///< the same, each cycle by its share of the voxels
   int coarseIterations = 0; ///< cycles on the first coarse graph, before them
   double error =
     0.0; ///< of probabilities, estimated: the largest change that one cycle still asks for
