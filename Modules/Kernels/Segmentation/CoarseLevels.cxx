@@ -202,7 +202,7 @@ CoarseLevels::CoarseLevels(CoarseGraph finest)
     levels.push_back(std::make_unique<Level>(Coarsen(level.graph, level.up)));
   }
   for (const auto& level : levels)
-    level->graph.to = {}; // the links have it
+    std::vector<std::int32_t>().swap(level->graph.to); // the links have it
 }
 
 void CoarseLevels::Fix(const std::vector<FixedLink>& links, const std::vector<std::int32_t>& free)

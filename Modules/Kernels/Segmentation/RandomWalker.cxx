@@ -22,7 +22,7 @@ namespace
 
 constexpr std::int32_t noLabel = -1; ///< no seed in this piece of the graph
 constexpr std::int32_t severalLabels = -2;
-constexpr double mostLocal = 0.2; ///< of all voxels: above, a part is not worth being cut out
+constexpr double mostLocal = 0.1; ///< of all voxels: above, a part is not worth being cut out
 
 /// Pieces of the graph, by span.
 std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& pieces)
@@ -69,9 +69,40 @@ std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& piec
 
 } // namespace
 
+namespace
+{
+
+/// Hands `most` back. Throws std::invalid_argument if a solve takes more.
+std::size_t CheckBytes(const VoxelGraph& graph, std::size_t labels, std::size_t most)
+{
+  constexpr std::size_t ofSolver = 160; ///< a voxel, while it solves
+  const std::size_t batches = labels < 2 ? 0 : (labels - 1 + LaneCount - 1) / LaneCount;
+  const auto voxels = static_cast<std::size_t>(graph.Nodes());
+  const std::size_t bytes = voxels * (ofSolver + batches * sizeof(walk::Lanes));
+  if (bytes > most)
+    throw std::invalid_argument(
+      "sharing " + std::to_string(voxels) + " voxels out among " + std::to_string(labels) +
+      " labels takes " + std::to_string(bytes >> 20) + " MiB, may take " +
+      std::to_string(most >> 20) + "; use fewer labels, or split in parts");
+  return most;
+}
+
+std::vector<Label> LabelsOf(const std::vector<WalkerSeed>& seeds)
+{
+  std::vector<Label> labels;
+  for (const WalkerSeed& seed : seeds)
+    labels.push_back(seed.label);
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
+}
+
+} // namespace
+
 struct RandomWalker::Internals
 {
   std::shared_ptr<const VoxelGraph> graph;
+  std::size_t mostBytes;
   walk::Multigrid multigrid;
   std::vector<std::int32_t> pieceOfSpan;
   std::vector<std::int32_t> pieceLabel; ///< the label of all its seeds, noLabel or severalLabels
@@ -80,8 +111,9 @@ struct RandomWalker::Internals
   std::vector<Label> laneLabels;        ///< of the systems; 0: free
   std::vector<NodeValues> batches;      ///< probabilities, four labels each
 
-  Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress)
+  Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress, std::size_t most)
     : graph(std::move(g)),
+      mostBytes(CheckBytes(*graph, 2, most)),
       multigrid(graph, progress)
   {
     std::int32_t pieces = 0;
@@ -96,14 +128,9 @@ struct RandomWalker::Internals
     return static_cast<std::size_t>(after - graph->Spans().begin()) - 1;
   }
 
-  /// A system for each label but one; labels that had one keep it.
-  void AssignLanes()
+  /// A system for each label but one; labels that had one keep it. labels: of the seeds.
+  void AssignLanes(const std::vector<Label>& labels)
   {
-    std::vector<Label> labels;
-    for (const WalkerSeed& seed : seeds)
-      labels.push_back(seed.label);
-    std::sort(labels.begin(), labels.end());
-    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     const auto used = [&](Label l) { return std::binary_search(labels.begin(), labels.end(), l); };
     if (!used(rest)) // all probabilities that were implied are lost
     {
@@ -236,8 +263,8 @@ struct RandomWalker::Internals
 };
 
 RandomWalker::RandomWalker(
-  std::shared_ptr<const VoxelGraph> graph, const ProgressFunction& progress)
-  : internals(std::make_unique<Internals>(std::move(graph), progress))
+  std::shared_ptr<const VoxelGraph> graph, const ProgressFunction& progress, std::size_t mostBytes)
+  : internals(std::make_unique<Internals>(std::move(graph), progress, mostBytes))
 {
 }
 
@@ -260,8 +287,11 @@ void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
       each.back() = seed;
     else
       each.push_back(seed);
+  const std::vector<Label> labels = LabelsOf(each);
+  // A lane that is free stays: at most one batch more than there are labels now for.
+  CheckBytes(*in.graph, std::max(labels.size(), in.laneLabels.size() + 1), in.mostBytes);
   in.seeds = std::move(each);
-  in.AssignLanes();
+  in.AssignLanes(labels);
   in.FindPieceLabels();
   std::vector<std::int32_t> fixed;
   fixed.reserve(in.seeds.size());
