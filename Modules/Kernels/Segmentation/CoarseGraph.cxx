@@ -124,8 +124,15 @@ CoarseGraph CoarsenRows(const Aggregates& aggregates, Links links)
                 row.emplace_back(aggregates.of[to], weight);
             });
         // By number alone and stable: sums come in the order of the children, whatever sorts.
-        std::stable_sort(
-          row.begin(), row.end(), [](const Link& p, const Link& q) { return p.first < q.first; });
+        // Rows are short.
+        for (std::size_t l = 1; l < row.size(); ++l)
+        {
+          const Link link = row[l];
+          std::size_t to = l;
+          for (; to > 0 && row[to - 1].first > link.first; --to)
+            row[to] = row[to - 1];
+          row[to] = link;
+        }
         const std::size_t before = rows.links.size();
         for (const Link& link : row)
           if (rows.links.size() > before && rows.links.back().first == link.first)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace hasp::walk
 {
@@ -13,7 +14,11 @@ namespace
 {
 
 constexpr std::int32_t coarsestNodes = 200;
-constexpr std::int64_t chunk = 8192; ///< nodes smoothed one behind another
+/// Blocks that are smoothed one beside the other: thick, so that few links leave them. Their number
+/// must not depend on the machine.
+constexpr std::int64_t blockCount = 64;
+constexpr std::int64_t leastBlock = 4096; ///< nodes
+constexpr std::int64_t chunk = 8192;      ///< nodes a thread takes at once
 
 double Inverse(double value)
 {
@@ -24,8 +29,14 @@ double Inverse(double value)
 
 struct CoarseLevels::Level
 {
+  struct Link
+  {
+    std::int32_t to;
+    float weight; ///< graph.weight less what is fixed
+  };
   CoarseGraph graph;                               ///< as it is with all voxels free
-  std::vector<float> weight;                       ///< graph.weight less what is fixed
+  std::vector<Link> links;                         ///< of graph: read together, kept together
+  std::int64_t block;                              ///< nodes smoothed one behind another
   std::vector<float> ground;                       ///< links to what is fixed
   std::vector<float> inverse;                      ///< of the diagonal; 0: nothing of it is free
   std::vector<std::int32_t> free;                  ///< free voxels in it
@@ -34,8 +45,13 @@ struct CoarseLevels::Level
   std::vector<Lanes> residual, correction, rest;   ///< of this level
   std::vector<Lanes> first, product, firstProduct; ///< of Refine
 
-  explicit Level(CoarseGraph g) : graph(std::move(g)), weight(graph.weight)
+  explicit Level(CoarseGraph g)
+    : graph(std::move(g)),
+      links(graph.to.size()),
+      block(std::max<std::int64_t>(graph.Nodes() / blockCount, leastBlock))
   {
+    for (std::size_t l = 0; l < links.size(); ++l)
+      links[l] = { graph.to[l], graph.weight[l] };
     const auto nodes = static_cast<std::size_t>(graph.Nodes());
     ground.resize(nodes);
     inverse.resize(nodes);
@@ -45,14 +61,20 @@ struct CoarseLevels::Level
     rest.resize(nodes);
   }
 
+  std::span<const Link> LinksOf(std::int64_t n) const
+  {
+    return { links.data() + graph.firstLink[n], links.data() + graph.firstLink[n + 1] };
+  }
+
   void Take(std::int32_t from, std::int32_t to, float amount)
   {
-    const auto first = graph.to.begin() + graph.firstLink[from];
-    const auto found = std::lower_bound(first, graph.to.begin() + graph.firstLink[from + 1], to);
-    const std::int64_t link = found - graph.to.begin();
-    if (weight[link] == graph.weight[link])
-      changed.push_back(link);
-    weight[link] = std::max(weight[link] - amount, 0.0F);
+    const std::span<const Link> row = LinksOf(from);
+    const auto found = std::lower_bound(
+      row.begin(), row.end(), to, [](const Link& link, std::int32_t n) { return link.to < n; });
+    const std::int64_t at = &*found - links.data();
+    if (links[at].weight == graph.weight[at])
+      changed.push_back(at);
+    links[at].weight = std::max(links[at].weight - amount, 0.0F);
   }
 
   void FindInverse()
@@ -63,8 +85,8 @@ struct CoarseLevels::Level
         for (std::int64_t n = first; n < last; ++n)
         {
           float sum = ground[n];
-          for (std::int64_t l = graph.firstLink[n]; l < graph.firstLink[n + 1]; ++l)
-            sum += weight[l];
+          for (const Link& link : LinksOf(n))
+            sum += link.weight;
           inverse[n] = free[n] > 0 && sum > 0.0F ? 1.0F / sum : 0.0F;
         }
       });
@@ -78,9 +100,10 @@ struct CoarseLevels::Level
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          Lanes sum = r[n] - ground[n] * x[n];
-          for (std::int64_t l = graph.firstLink[n]; l < graph.firstLink[n + 1]; ++l)
-            sum += weight[l] * (x[graph.to[l]] - x[n]);
+          const Lanes here = x[n];
+          Lanes sum = r[n] - ground[n] * here;
+          for (const Link& link : LinksOf(n))
+            sum += link.weight * (x[link.to] - here);
           out[n] = inverse[n] > 0.0F ? sum : Lanes{};
         }
       });
@@ -107,9 +130,10 @@ struct CoarseLevels::Level
         WideLanes dot{};
         for (std::int64_t n = begin; n < end; ++n)
         {
-          Lanes sum = ground[n] * x[n];
-          for (std::int64_t l = graph.firstLink[n]; l < graph.firstLink[n + 1]; ++l)
-            sum += weight[l] * (x[n] - x[graph.to[l]]);
+          const Lanes here = x[n];
+          Lanes sum = ground[n] * here;
+          for (const Link& link : LinksOf(n))
+            sum += link.weight * (here - x[link.to]);
           out[n] = inverse[n] > 0.0F ? sum : Lanes{};
           dot += Widen(x[n]) * Widen(out[n]);
         }
@@ -117,47 +141,45 @@ struct CoarseLevels::Level
       });
   }
 
-  /// x = (D + L)^-1 r, chunk by chunk.
+  /// x = (D + L)^-1 r, block by block.
   void SmoothForwards(const Lanes* r, Lanes* x) const
   {
-    ParallelFor(0, graph.Nodes(), chunk,
+    ParallelFor(0, graph.Nodes(), block,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
         {
           Lanes sum = r[n];
-          for (std::int64_t l = graph.firstLink[n]; l < graph.firstLink[n + 1]; ++l)
+          for (const Link& link : LinksOf(n))
           {
-            const std::int32_t to = graph.to[l];
-            if (to >= n)
+            if (link.to >= n)
               break;
-            if (to >= first)
-              sum += weight[l] * x[to];
+            if (link.to >= first)
+              sum += link.weight * x[link.to];
           }
           x[n] = inverse[n] * sum;
         }
       });
   }
 
-  /// x += (D + U)^-1 rest, chunk by chunk. Uses rest up.
-  void SmoothBackwards(Lanes* rest, Lanes* x) const
+  /// x = x + (D + U)^-1 (r - A x), block by block, of x as it is in `old`: one pass, that takes
+  /// what is new where it is there.
+  void SmoothBackwards(const Lanes* r, const Lanes* old, Lanes* x) const
   {
-    ParallelFor(0, graph.Nodes(), chunk,
+    ParallelFor(0, graph.Nodes(), block,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = last - 1; n >= first; --n)
         {
-          Lanes sum = rest[n];
-          for (std::int64_t l = graph.firstLink[n + 1] - 1; l >= graph.firstLink[n]; --l)
-          {
-            const std::int32_t to = graph.to[l];
-            if (to <= n)
-              break;
-            if (to < last)
-              sum += weight[l] * rest[to];
-          }
-          rest[n] = inverse[n] * sum;
-          x[n] += rest[n];
+          // What is new comes last, and the next node's last of all: it is what is waited for.
+          Lanes sum = r[n];
+          const Link* link = links.data() + graph.firstLink[n];
+          const Link* end = links.data() + graph.firstLink[n + 1];
+          for (; link != end && link->to < n; ++link)
+            sum += link->weight * old[link->to];
+          while (end-- != link)
+            sum += end->weight * (end->to < last ? x : old)[end->to];
+          x[n] = inverse[n] * sum;
         }
       });
   }
@@ -179,6 +201,8 @@ CoarseLevels::CoarseLevels(CoarseGraph finest)
     }
     levels.push_back(std::make_unique<Level>(Coarsen(level.graph, level.up)));
   }
+  for (const auto& level : levels)
+    std::vector<std::int32_t>().swap(level->graph.to); // the links have it
 }
 
 void CoarseLevels::Fix(const std::vector<FixedLink>& links, const std::vector<std::int32_t>& free)
@@ -189,7 +213,7 @@ void CoarseLevels::Fix(const std::vector<FixedLink>& links, const std::vector<st
   {
     Level& level = *levels[l];
     for (const std::int64_t link : level.changed)
-      level.weight[link] = level.graph.weight[link];
+      level.links[link].weight = level.graph.weight[link];
     level.changed.clear();
     std::fill(level.ground.begin(), level.ground.end(), 0.0F);
     for (const FixedLink& link : here)
@@ -230,8 +254,8 @@ void CoarseLevels::Factorise()
   factor.assign(n * n, 0.0);
   std::vector<double> ground(level.ground.begin(), level.ground.end());
   for (std::size_t i = 0; i < n; ++i)
-    for (std::int64_t l = level.graph.firstLink[i]; l < level.graph.firstLink[i + 1]; ++l)
-      factor[i * n + level.graph.to[l]] = level.weight[l];
+    for (const Level::Link& link : level.LinksOf(static_cast<std::int64_t>(i)))
+      factor[i * n + link.to] = link.weight;
   for (std::size_t k = 0; k < n; ++k)
   {
     double pivot = ground[k];
@@ -263,8 +287,8 @@ void CoarseLevels::SolveCoarsest(const Lanes* residual, Lanes* correction)
     level.SmoothForwards(residual, correction);
     for (int sweep = 0; sweep < 8; ++sweep)
     {
-      level.Rest(residual, correction, level.rest.data());
-      level.SmoothBackwards(level.rest.data(), correction);
+      std::copy_n(correction, n, level.rest.data());
+      level.SmoothBackwards(residual, level.rest.data(), correction);
     }
     return;
   }
@@ -313,11 +337,10 @@ void CoarseLevels::Cycle(std::size_t l, const Lanes* residual, Lanes* correction
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t n = begin; n < end; ++n)
-        if (level.inverse[n] > 0.0F)
-          correction[n] += next.correction[level.up.of[n]];
+        level.rest[n] =
+          level.inverse[n] > 0.0F ? correction[n] + next.correction[level.up.of[n]] : Lanes{};
     });
-  level.Rest(residual, correction, level.rest.data());
-  level.SmoothBackwards(level.rest.data(), correction);
+  level.SmoothBackwards(residual, level.rest.data(), correction);
 }
 
 /// A second cycle at a level, and of both the combination that comes nearest to the solution
@@ -337,8 +360,12 @@ void CoarseLevels::Refine(std::size_t l)
   Lanes step{};
   for (int lane = 0; lane < LaneCount; ++lane)
     step[lane] = static_cast<float>(gain1[lane] * Inverse(curvature1[lane]));
-  for (std::int64_t n = 0; n < nodes; ++n)
-    level.residual[n] -= step * level.firstProduct[n];
+  ParallelFor(0, nodes, chunk,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t n = begin; n < end; ++n)
+        level.residual[n] -= step * level.firstProduct[n];
+    });
 
   Cycle(l, level.residual.data(), level.correction.data());
   const WideLanes curvature2 = level.Multiply(level.correction.data(), level.product.data());
@@ -353,8 +380,12 @@ void CoarseLevels::Refine(std::size_t l)
     share2[lane] = static_cast<float>(second);
     share1[lane] = static_cast<float>((gain1[lane] - mixed[lane] * second) * inverse1);
   }
-  for (std::int64_t n = 0; n < nodes; ++n)
-    level.correction[n] = share1 * level.first[n] + share2 * level.correction[n];
+  ParallelFor(0, nodes, chunk,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t n = begin; n < end; ++n)
+        level.correction[n] = share1 * level.first[n] + share2 * level.correction[n];
+    });
 }
 
 void CoarseLevels::Precondition(const NodeValues& r, NodeValues& z)
@@ -372,7 +403,7 @@ std::size_t CoarseLevels::Bytes() const
   std::size_t bytes = factor.capacity() * sizeof(double);
   for (const auto& level : levels)
     bytes +=
-      level->graph.Bytes() + level->weight.capacity() * sizeof(float) +
+      level->graph.Bytes() + level->links.capacity() * sizeof(Level::Link) +
       static_cast<std::size_t>(level->graph.Nodes()) * (6 * sizeof(Lanes) + 3 * sizeof(float)) +
       (level->up.of.capacity() + level->up.children.capacity() + level->up.firstChild.capacity()) *
         sizeof(std::int32_t);

@@ -6,6 +6,7 @@ namespace hasp::walk
 CycleSums SumCycle(const NodeValues& z, const NodeValues& r, const NodeValues& product)
 {
   const std::int64_t nodes = z.Nodes();
+  const bool first = product.Nodes() == 0;
   std::vector<CycleSums> chunks(static_cast<std::size_t>(nodes / ValuesAChunk) + 1);
   ParallelFor(0, nodes, ValuesAChunk,
     [&](std::int64_t begin, std::int64_t end)
@@ -16,7 +17,8 @@ CycleSums SumCycle(const NodeValues& z, const NodeValues& r, const NodeValues& p
       {
         const Lanes at = z.data()[n];
         sums.gain += Widen(at) * Widen(r.data()[n]);
-        sums.overlap += Widen(at) * Widen(product.data()[n]);
+        if (!first)
+          sums.overlap += Widen(at) * Widen(product.data()[n]);
         largest = Max(largest, Abs(at));
       }
       for (int lane = 0; lane < LaneCount; ++lane)

@@ -26,13 +26,24 @@ WideLanes SumOverChunks(std::int64_t count, std::int64_t chunk, Sum sum)
   return all;
 }
 
-/// What one pass over a cycle's answer z says: z . r, z . product, and the largest |z|.
+/// What one pass over a cycle's answer z says: z . r, z . product (0 if that is empty), and the
+/// largest |z|.
 struct CycleSums
 {
   WideLanes gain, overlap;
   float largest = 0.0F;
 };
 CycleSums SumCycle(const NodeValues& z, const NodeValues& r, const NodeValues& product);
+
+/// The step to the least of each lane's parabola.
+inline Lanes StepAlong(const WideLanes& gain, const WideLanes& curvature)
+{
+  Lanes step{};
+  for (int lane = 0; lane < LaneCount; ++lane)
+    if (curvature[lane] > 0.0)
+      step[lane] = static_cast<float>(gain[lane] / curvature[lane]);
+  return step;
+}
 
 /// x += factor * y
 void AddScaled(NodeValues& x, Lanes factor, const NodeValues& y);
@@ -44,6 +55,13 @@ struct SolverRun
   int cycles = 0;     ///< calls of Precondition: iterations, and the step that ends them
   float error = 0.0F; ///< estimate of the largest error left in x
   bool converged = false;
+  bool left = false; ///< by leave
+};
+
+/// Never leaves.
+struct StayToTheEnd
+{
+  bool operator()(const NodeValues&) const { return false; }
 };
 
 /// A cycle sees at least about this share of an error: the estimate is its answer over that.
@@ -53,15 +71,26 @@ constexpr float SeenShare = 0.25F;
 ///
 /// system  Multiply(x, product) -> x . product, and Precondition(r, z).
 /// x       moves towards the solution.  r  its residual, kept up to date but for the last step.
+/// p       a first direction, or empty: then the first cycle gives it.
+/// leave   asked about each cycle's answer z: true ends the solve with the step that z leads to.
 /// Ends when no lane's error is estimated above tolerance, or after `most` cycles. Throws Cancelled
 /// between cycles; x is then as far as it came.
-template <typename System>
-SolverRun ConjugateGradients(System& system, NodeValues& x, NodeValues& r, double tolerance,
-  int most, const ProgressFunction& progress = {})
+template <typename System, typename Leave = StayToTheEnd>
+SolverRun ConjugateGradients(System& system, NodeValues& x, NodeValues& r, NodeValues p,
+  double tolerance, int most, const ProgressFunction& progress = {}, Leave leave = {})
 {
   const std::int64_t nodes = x.Nodes();
-  NodeValues z(nodes), p(nodes), product(nodes);
+  NodeValues product(p.Nodes()); // none before it is needed
   WideLanes curvature{};
+  if (p.Nodes() > 0)
+  {
+    curvature = system.Multiply(p, product);
+    const WideLanes gain = SumCycle(p, r, NodeValues()).gain;
+    const Lanes step = StepAlong(gain, curvature);
+    AddScaled(x, step, p);
+    AddScaled(r, -step, product);
+  }
+  NodeValues z(nodes);
   SolverRun run;
   float first = 0.0F;
   for (;;)
@@ -72,21 +101,27 @@ SolverRun ConjugateGradients(System& system, NodeValues& x, NodeValues& r, doubl
     run.error = sums.largest / SeenShare;
     first = run.cycles == 1 ? run.error : first;
     run.converged = run.error <= tolerance;
+    run.left = !run.converged && run.cycles < most && leave(z);
     if (run.converged || run.cycles == most)
     {
       AddScaled(x, Fill(1.0F), z); // never overshoots, and is there already
       return run;
     }
-    Lanes beta{}, alpha{};
+    if (p.Nodes() == 0)
+    {
+      p = NodeValues(nodes);
+      product = NodeValues(nodes);
+    }
+    Lanes beta{};
     for (int lane = 0; lane < LaneCount; ++lane)
       if (curvature[lane] > 0.0)
         beta[lane] = static_cast<float>(-sums.overlap[lane] / curvature[lane]);
     ScaleAndAdd(p, beta, z);
     curvature = system.Multiply(p, product);
-    for (int lane = 0; lane < LaneCount; ++lane)
-      if (curvature[lane] > 0.0)
-        alpha[lane] = static_cast<float>(sums.gain[lane] / curvature[lane]);
+    const Lanes alpha = StepAlong(sums.gain, curvature);
     AddScaled(x, alpha, p);
+    if (run.left)
+      return run;
     AddScaled(r, -alpha, product);
     const double way = std::log(first / tolerance);
     ReportProgress(

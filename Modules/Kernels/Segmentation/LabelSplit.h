@@ -30,9 +30,10 @@ public:
 
   /// Shares the voxels out among all strokes there are; where two mark a voxel the later one
   /// counts. A piece of bone that no stroke touches has the label that all had. Changes the map and
-  /// returns the change. Throws std::invalid_argument if a label is 0 or sizes differ, Cancelled;
-  /// the map is then as it was. The map need not be the one this was made from: only voxels of the
-  /// split are written, whatever they hold.
+  /// returns the change. Throws std::invalid_argument if a label is 0, sizes differ or there are
+  /// more labels than memory for them (RandomWalker.h), Cancelled; the map is then as it was. The
+  /// map need not be the one this was made from: only voxels of the split are written, whatever
+  /// they hold.
   LabelDelta Share(std::span<const SeedVoxels> strokes, GridView<Label> labels,
     const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
 

@@ -189,7 +189,7 @@ void Multigrid::SmoothForwards(const NodeValues& r, NodeValues& z) const
     });
 }
 
-void Multigrid::SmoothBackwards(NodeValues& rest, NodeValues& z) const
+void Multigrid::SmoothBackwards(const NodeValues& r, const NodeValues& before, NodeValues& z) const
 {
   const Weights weights(*graph);
   ParallelFor(0, static_cast<std::int64_t>(blocks.size()), 1,
@@ -198,22 +198,27 @@ void Multigrid::SmoothBackwards(NodeValues& rest, NodeValues& z) const
       const Block& block = blocks[b];
       const std::int64_t end =
         static_cast<std::size_t>(b) + 1 < blocks.size() ? blocks[b + 1].firstNode : graph->Nodes();
-      Lanes* step = rest.data();
+      const Lanes* old = before.data();
+      Lanes* out = z.data();
       for (std::int64_t s = block.endSpan; s-- > block.firstSpan;)
       {
         const VoxelGraph::Span& span = graph->Spans()[s];
-        std::int32_t on[2];
+        const Lanes* beyond[2]; // what is new already, but not what lies in another block
         for (int axis = 0; axis < 2; ++axis)
-          on[axis] = span.first + span.above[axis] < end ? span.above[axis] : 0;
-        Lanes last = span.first + span.count < end ? step[span.first + span.count] : Lanes{};
-        for (std::int32_t n = span.first + span.count - 1; n >= span.first; --n)
+          beyond[axis] = (span.first + span.above[axis] < end ? out : old) + span.above[axis];
+        const std::int32_t next = span.first + span.count;
+        Lanes last = (next < end ? out : old)[next];
+        for (std::int32_t n = next - 1; n >= span.first; --n)
         {
-          Lanes sum = step[n] + weights.along[0][n] * last;
+          Lanes sum = r.data()[n] + weights.along[0][n - 1] * old[n - 1];
           for (int axis = 0; axis < 2; ++axis)
-            if (on[axis] != 0)
-              sum += weights.along[axis + 1][n] * step[n + on[axis]];
-          step[n] = last = inverse[n] * sum;
-          z.data()[n] += last;
+          {
+            if (span.below[axis] != 0)
+              sum += weights.along[axis + 1][n + span.below[axis]] * old[n + span.below[axis]];
+            if (span.above[axis] != 0)
+              sum += weights.along[axis + 1][n] * beyond[axis][n];
+          }
+          out[n] = last = inverse[n] * (sum + weights.along[0][n] * last);
         }
       }
     });
@@ -234,53 +239,50 @@ void Multigrid::Restrict(const NodeValues& fine)
     });
 }
 
-void Multigrid::Prolong(NodeValues& z) const
+void Multigrid::Prolong(const NodeValues& from, NodeValues& to) const
 {
   ParallelFor(0, graph->Nodes(), ValuesAChunk,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
-        if (Free(n))
-          z.data()[n] += coarseCorrection.data()[aggregates.of[n]];
+        to.data()[n] =
+          Free(n) ? from.data()[n] + coarseCorrection.data()[aggregates.of[n]] : from.data()[n];
     });
 }
 
 void Multigrid::Precondition(const NodeValues& r, NodeValues& z)
 {
   const Weights weights(*graph);
-  const auto rest = [&]
-  {
-    ParallelFor(0, static_cast<std::int64_t>(blocks.size()), 1,
-      [&](std::int64_t b, std::int64_t)
-      {
-        for (std::int64_t s = blocks[b].firstSpan; s < blocks[b].endSpan; ++s)
-        {
-          const VoxelGraph::Span& span = graph->Spans()[s];
-          for (std::int64_t n = span.first; n < span.first + span.count; ++n)
-            scratch.data()[n] =
-              Free(n) ? r.data()[n] + InFlow<Lanes>(span, weights.along, z.data(), n, InSingle{})
-                      : Lanes{};
-        }
-      });
-  };
   SmoothForwards(r, z);
-  rest();
+  ParallelFor(0, static_cast<std::int64_t>(blocks.size()), 1,
+    [&](std::int64_t b, std::int64_t)
+    {
+      for (std::int64_t s = blocks[b].firstSpan; s < blocks[b].endSpan; ++s)
+      {
+        const VoxelGraph::Span& span = graph->Spans()[s];
+        for (std::int64_t n = span.first; n < span.first + span.count; ++n)
+          scratch.data()[n] =
+            Free(n) ? r.data()[n] + InFlow<Lanes>(span, weights.along, z.data(), n, InSingle{})
+                    : Lanes{};
+      }
+    });
   Restrict(scratch);
   coarse.Precondition(coarseResidual, coarseCorrection);
-  Prolong(z);
-  rest();
-  SmoothBackwards(scratch, z);
+  Prolong(z, scratch);
+  SmoothBackwards(r, scratch, z);
 }
 
-int Multigrid::AddCoarseSolution(const NodeValues& r, NodeValues& x, double tolerance)
+int Multigrid::SolveCoarse(const NodeValues& r, NodeValues& z, double tolerance)
 {
   constexpr int most = 50;
   Restrict(r);
   NodeValues residual = coarseResidual;
   NodeValues solution(aggregates.Count());
-  const SolverRun run = ConjugateGradients(coarse, solution, residual, tolerance, most);
+  const SolverRun run =
+    ConjugateGradients(coarse, solution, residual, NodeValues(), tolerance, most);
   std::copy_n(solution.data(), aggregates.Count(), coarseCorrection.data());
-  Prolong(x);
+  std::fill_n(z.data(), graph->Nodes(), Lanes{});
+  Prolong(z, z);
   return run.cycles;
 }
 

@@ -71,9 +71,9 @@ public:
   WideLanes Multiply(const NodeValues& x, NodeValues& product) const;
   /// z is about the inverse of L times r, 0 in fixed nodes as r must be.
   void Precondition(const NodeValues& r, NodeValues& z);
-  /// x += what the coarse levels alone make of r, solved until a step is below tolerance.
-  /// Returns its iterations.
-  int AddCoarseSolution(const NodeValues& r, NodeValues& x, double tolerance);
+  /// z is what the coarse levels alone make of r, solved until a step is below tolerance. Returns
+  /// its iterations.
+  int SolveCoarse(const NodeValues& r, NodeValues& z, double tolerance);
 
   bool Free(std::int64_t node) const { return inverse[node] > 0.0F; }
   std::size_t Bytes() const;
@@ -86,9 +86,11 @@ private:
     std::int32_t firstNode;
   };
   void Restrict(const NodeValues& fine);
-  void Prolong(NodeValues& z) const;
+  /// to = from, and the coarse correction in free nodes; may be one.
+  void Prolong(const NodeValues& from, NodeValues& to) const;
   void SmoothForwards(const NodeValues& r, NodeValues& z) const;
-  void SmoothBackwards(NodeValues& rest, NodeValues& z) const;
+  /// z: of what it was `before`.
+  void SmoothBackwards(const NodeValues& r, const NodeValues& before, NodeValues& z) const;
 
   std::shared_ptr<const VoxelGraph> graph;
   std::vector<Block> blocks;

@@ -2,10 +2,12 @@
 
 #include "Grid/ParallelFor.h"
 #include "Segmentation/ConjugateGradients.h"
+#include "Segmentation/LocalGraph.h"
 #include "Segmentation/Multigrid.h"
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +22,7 @@ namespace
 
 constexpr std::int32_t noLabel = -1; ///< no seed in this piece of the graph
 constexpr std::int32_t severalLabels = -2;
+constexpr double mostLocal = 0.1; ///< of all voxels: above, a part is not worth being cut out
 
 /// Pieces of the graph, by span.
 std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& pieces)
@@ -66,9 +69,40 @@ std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& piec
 
 } // namespace
 
+namespace
+{
+
+/// Hands `most` back. Throws std::invalid_argument if a solve takes more.
+std::size_t CheckBytes(const VoxelGraph& graph, std::size_t labels, std::size_t most)
+{
+  constexpr std::size_t ofSolver = 160; ///< a voxel, while it solves
+  const std::size_t batches = labels < 2 ? 0 : (labels - 1 + LaneCount - 1) / LaneCount;
+  const auto voxels = static_cast<std::size_t>(graph.Nodes());
+  const std::size_t bytes = voxels * (ofSolver + batches * sizeof(walk::Lanes));
+  if (bytes > most)
+    throw std::invalid_argument(
+      "sharing " + std::to_string(voxels) + " voxels out among " + std::to_string(labels) +
+      " labels takes " + std::to_string(bytes >> 20) + " MiB, may take " +
+      std::to_string(most >> 20) + "; use fewer labels, or split in parts");
+  return most;
+}
+
+std::vector<Label> LabelsOf(const std::vector<WalkerSeed>& seeds)
+{
+  std::vector<Label> labels;
+  for (const WalkerSeed& seed : seeds)
+    labels.push_back(seed.label);
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
+}
+
+} // namespace
+
 struct RandomWalker::Internals
 {
   std::shared_ptr<const VoxelGraph> graph;
+  std::size_t mostBytes;
   walk::Multigrid multigrid;
   std::vector<std::int32_t> pieceOfSpan;
   std::vector<std::int32_t> pieceLabel; ///< the label of all its seeds, noLabel or severalLabels
@@ -77,8 +111,9 @@ struct RandomWalker::Internals
   std::vector<Label> laneLabels;        ///< of the systems; 0: free
   std::vector<NodeValues> batches;      ///< probabilities, four labels each
 
-  Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress)
+  Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress, std::size_t most)
     : graph(std::move(g)),
+      mostBytes(CheckBytes(*graph, 2, most)),
       multigrid(graph, progress)
   {
     std::int32_t pieces = 0;
@@ -93,14 +128,9 @@ struct RandomWalker::Internals
     return static_cast<std::size_t>(after - graph->Spans().begin()) - 1;
   }
 
-  /// A system for each label but one; labels that had one keep it.
-  void AssignLanes()
+  /// A system for each label but one; labels that had one keep it. labels: of the seeds.
+  void AssignLanes(const std::vector<Label>& labels)
   {
-    std::vector<Label> labels;
-    for (const WalkerSeed& seed : seeds)
-      labels.push_back(seed.label);
-    std::sort(labels.begin(), labels.end());
-    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     const auto used = [&](Label l) { return std::binary_search(labels.begin(), labels.end(), l); };
     if (!used(rest)) // all probabilities that were implied are lost
     {
@@ -181,6 +211,30 @@ struct RandomWalker::Internals
     }
   }
 
+  /// Solves on where cells are marked; elsewhere x is as it is to be, and holds. An error there is
+  /// no larger than at the rim, but for what is left to solve: harmonic functions have no peaks.
+  walk::SolverRun SolveLocally(const walk::MarkedCells& cells, NodeValues& x, double tolerance,
+    int most, const ProgressFunction& progress) const
+  {
+    const walk::LocalGraph local(*graph, cells);
+    walk::Multigrid system(local.graph, {});
+    std::vector<std::int32_t> fixed = local.rim;
+    for (const walk::LocalGraph::Piece& piece : local.pieces)
+      for (std::int32_t n = 0; n < piece.count; ++n)
+        if (!multigrid.Free(piece.whole + n))
+          fixed.push_back(piece.local + n);
+    std::sort(fixed.begin(), fixed.end());
+    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+    system.Fix(fixed);
+    NodeValues part = local.Take(x);
+    NodeValues residual(part.Nodes());
+    system.Residual(part, residual);
+    const walk::SolverRun run =
+      walk::ConjugateGradients(system, part, residual, NodeValues(), tolerance, most, progress);
+    local.Put(part, x);
+    return run;
+  }
+
   /// The most likely label of a node whose piece has several.
   Label Best(std::int64_t node) const
   {
@@ -209,8 +263,8 @@ struct RandomWalker::Internals
 };
 
 RandomWalker::RandomWalker(
-  std::shared_ptr<const VoxelGraph> graph, const ProgressFunction& progress)
-  : internals(std::make_unique<Internals>(std::move(graph), progress))
+  std::shared_ptr<const VoxelGraph> graph, const ProgressFunction& progress, std::size_t mostBytes)
+  : internals(std::make_unique<Internals>(std::move(graph), progress, mostBytes))
 {
 }
 
@@ -233,8 +287,11 @@ void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
       each.back() = seed;
     else
       each.push_back(seed);
+  const std::vector<Label> labels = LabelsOf(each);
+  // A lane that is free stays: at most one batch more than there are labels now for.
+  CheckBytes(*in.graph, std::max(labels.size(), in.laneLabels.size() + 1), in.mostBytes);
   in.seeds = std::move(each);
-  in.AssignLanes();
+  in.AssignLanes(labels);
   in.FindPieceLabels();
   std::vector<std::int32_t> fixed;
   fixed.reserve(in.seeds.size());
@@ -260,17 +317,39 @@ RandomWalkerRun RandomWalker::Solve(
   {
     NodeValues& x = in.batches[b];
     in.multigrid.Residual(x, residual);
+    NodeValues start;
     if (settings.coarseStart)
     {
+      start = NodeValues(in.graph->Nodes());
       all.coarseIterations = std::max(
-        all.coarseIterations, in.multigrid.AddCoarseSolution(residual, x, settings.tolerance));
-      in.multigrid.Residual(x, residual);
+        all.coarseIterations, in.multigrid.SolveCoarse(residual, start, settings.tolerance));
     }
-    const walk::SolverRun run = walk::ConjugateGradients(in.multigrid, x, residual,
-      settings.tolerance, settings.mostIterations,
-      [&](double share)
-      { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); });
+    const auto report = [&](double share)
+    { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); };
+    std::optional<walk::MarkedCells> cells;
+    walk::SolverRun run = walk::ConjugateGradients(in.multigrid, x, residual, std::move(start),
+      settings.tolerance, settings.mostIterations, report,
+      [&](const NodeValues& z)
+      {
+        if (!settings.localEnd)
+          return false;
+        cells.emplace(*in.graph, z, static_cast<float>(settings.tolerance) * walk::SeenShare);
+        return static_cast<double>(cells->Nodes()) <=
+               mostLocal * static_cast<double>(in.graph->Nodes());
+      });
+    double work = run.cycles;
+    if (run.left)
+    {
+      const int before = run.cycles;
+      run =
+        in.SolveLocally(*cells, x, settings.tolerance, settings.mostIterations - before, report);
+      work +=
+        run.cycles * static_cast<double>(cells->Nodes()) / static_cast<double>(in.graph->Nodes());
+      run.error = std::max(run.error, cells->LargestOutside() / walk::SeenShare);
+      run.cycles += before;
+    }
     all.iterations = std::max(all.iterations, run.cycles);
+    all.work = std::max(all.work, work);
     all.error = std::max<double>(all.error, run.error);
     all.converged = all.converged && run.converged;
   }

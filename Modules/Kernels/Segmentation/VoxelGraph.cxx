@@ -183,6 +183,40 @@ VoxelGraph::VoxelGraph(const GridGeometry& box, const std::vector<std::array<flo
     }
 }
 
+VoxelGraph::VoxelGraph(
+  const VoxelGraph& whole, std::vector<Run> part, std::vector<std::int32_t> partRows)
+  : geometry(whole.geometry),
+    runs(std::move(part)),
+    rowRuns(std::move(partRows))
+{
+  std::vector<std::int32_t> from;
+  from.reserve(runs.size());
+  for (Run& run : runs)
+  {
+    from.push_back(run.first);
+    run.first = static_cast<std::int32_t>(nodes);
+    nodes += run.count;
+  }
+  FindSpans();
+  for (std::vector<float>& weights : along)
+    weights.assign(static_cast<std::size_t>(nodes) + 2, 0.0F);
+  std::size_t r = 0;
+  for (const Span& span : spans)
+  {
+    while (span.first >= runs[r].first + runs[r].count)
+      ++r;
+    const std::int32_t way = from[r] - runs[r].first;
+    const auto copy = [&](int axis, std::int32_t count) {
+      std::copy_n(
+        whole.Along(axis) + span.first + way, count, along[axis].begin() + 1 + span.first);
+    };
+    copy(0, span.count - 1 + span.joined);
+    for (int axis = 1; axis < 3; ++axis)
+      if (span.above[axis - 1] != 0)
+        copy(axis, span.count);
+  }
+}
+
 /// Rows are counted first and filled then, both on all cores.
 void VoxelGraph::FindRuns(
   GridView<const Label> labels, Label label, const ProgressFunction& progress)

@@ -58,6 +58,11 @@ public:
   /// A graph of given weights on a full box: for tests. weights: 3 a voxel, along x, y, z.
   VoxelGraph(const GridGeometry& geometry, const std::vector<std::array<float, 3>>& weights);
 
+  /// A part of a graph: the nodes of `part`, runs of `whole` or pieces of them, in order, each
+  /// `first` a node of `whole`; rowRuns as below. Numbers its nodes anew. Links to what is left out
+  /// are gone.
+  VoxelGraph(const VoxelGraph& whole, std::vector<Run> part, std::vector<std::int32_t> rowRuns);
+
   const GridGeometry& Geometry() const { return geometry; }
   std::int64_t Nodes() const { return nodes; }
   const std::vector<Span>& Spans() const { return spans; }

@@ -154,6 +154,36 @@ TEST(RandomWalker, TheEstimateOfTheErrorIsNotBelowATenthOfIt)
   }
 }
 
+/// The second solve is a stroke more. The truth: all voxels to the end, far below the tolerance.
+TEST(RandomWalker, ALocalEndIsAsGoodAsAWholeOneForLessWork)
+{
+  const RandomBone bone({ 64, 60, 60 }, glm::dvec3(1.0), 0.95, 31);
+  const auto graph = bone.Graph();
+  const auto nodes = static_cast<std::int32_t>(graph->Nodes());
+  std::vector<WalkerSeed> seeds{ { 10, 2 }, { nodes / 2, 3 }, { nodes - 9, 4 } };
+  RandomWalker truth(graph), local(graph), whole(graph);
+  for (int stroke = 0; stroke < 2; ++stroke)
+  {
+    for (RandomWalker* walker : { &truth, &local, &whole })
+      walker->SetSeeds(seeds);
+    truth.Solve({ .tolerance = 1e-6, .localEnd = false });
+    const RandomWalkerRun run = local.Solve({ .tolerance = 2e-3 });
+    const RandomWalkerRun wholeRun = whole.Solve({ .tolerance = 2e-3, .localEnd = false });
+    EXPECT_TRUE(run.converged);
+    EXPECT_LE(run.error, 2e-3);
+    EXPECT_LT(run.work, run.iterations - 0.5); // some were local
+    EXPECT_LT(run.work, wholeRun.work);
+    EXPECT_EQ(wholeRun.work, wholeRun.iterations);
+    double worst = 0.0;
+    for (std::int32_t n = 0; n < nodes; ++n)
+      for (const Label label : { Label{ 2 }, Label{ 3 }, Label{ 4 } })
+        worst =
+          std::max(worst, std::abs(local.Probability(n, label) - truth.Probability(n, label)));
+    EXPECT_LE(worst, 10.0 * run.error);
+    seeds.push_back({ nodes / 3, 4 });
+  }
+}
+
 TEST(RandomWalker, SixtyLabelsAreSolvedInBatches)
 {
   const RandomBone bone({ 16, 16, 16 }, glm::dvec3(1.0), 1.0, 24);
@@ -262,6 +292,28 @@ TEST(RandomWalker, NonsenseIsRefused)
   hasp::GridGeometry geometry;
   geometry.dims = { 10, 1, 1 };
   EXPECT_THROW(walker.WriteLabels({ small.data(), geometry }), std::invalid_argument);
+}
+
+TEST(RandomWalker, MemoryIsRefusedBeforeItIsTaken)
+{
+  const RandomBone bone({ 20, 20, 20 }, glm::dvec3(1.0), 1.0, 32);
+  const auto graph = bone.Graph();
+  EXPECT_THROW(RandomWalker(graph, {}, 100 * 8000), std::invalid_argument);
+  RandomWalker walker(graph, {}, 200 * 8000); // for two batches
+  std::vector<WalkerSeed> seeds;
+  for (int label = 1; label <= 9; ++label)
+    seeds.push_back({ 100 * label, static_cast<Label>(label) });
+  walker.SetSeeds(seeds);
+  walker.Solve();
+  const std::size_t bytes = walker.Bytes();
+  EXPECT_LE(bytes, 200 * 8000);
+  const double before = walker.Probability(1000, 3);
+  seeds.push_back({ 5000, 10 });
+  EXPECT_THROW(walker.SetSeeds(seeds), std::invalid_argument);
+  EXPECT_EQ(walker.Bytes(), bytes);
+  EXPECT_EQ(walker.Probability(1000, 3), before);
+  seeds.erase(seeds.begin()); // nine again, of which one is new: its system is free
+  walker.SetSeeds(seeds);
 }
 
 TEST(RandomWalker, ACancelledSolveCanGoOn)

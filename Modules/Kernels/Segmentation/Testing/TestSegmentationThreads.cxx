@@ -19,6 +19,7 @@ TEST(SegmentationThreads, WalksAreTheSameToTheLastBit)
     const auto graph = bone.Graph();
     hasp::RandomWalker walker(graph);
     walker.SetSeeds({ { 100, 2 }, { 50000, 3 }, { 90000, 4 } });
+    EXPECT_LT(walker.Solve({ .tolerance = 5e-3 }).work, 5.0); // ends locally
     walker.Solve({ .tolerance = 1e-4 });
     std::vector<double> all;
     for (std::int32_t n = 0; n < graph->Nodes(); n += 7)
