@@ -22,6 +22,8 @@ namespace
 
 constexpr std::int32_t noLabel = -1; ///< no seed in this piece of the graph
 constexpr std::int32_t severalLabels = -2;
+/// Of the coarse start: what its constants are off by themselves is more.
+constexpr double coarseTolerance = 2e-2;
 constexpr double mostLocal = 0.1; ///< of all voxels: above, a part is not worth being cut out
 
 /// Pieces of the graph, by span.
@@ -321,8 +323,8 @@ RandomWalkerRun RandomWalker::Solve(
     if (settings.coarseStart)
     {
       start = NodeValues(in.graph->Nodes());
-      all.coarseIterations = std::max(
-        all.coarseIterations, in.multigrid.SolveCoarse(residual, start, settings.tolerance));
+      all.coarseIterations = std::max(all.coarseIterations,
+        in.multigrid.SolveCoarse(residual, start, std::max(settings.tolerance, coarseTolerance)));
     }
     const auto report = [&](double share)
     { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); };
