@@ -166,7 +166,8 @@ public:
 
   /// Labels of samples low to high, clamped, have been changed in place: drops the models of those
   /// whose voxels are others than before, and returns them, ascending; all others stay as they are.
-  /// Cells stay, too, and get their labels anew when they are asked for. O(samples in the box).
+  /// Cells stay, too; those at the box get their labels anew when they are asked for. O(samples in
+  /// the box), and of the cells a copy.
   std::vector<std::uint16_t> LabelsChanged(const glm::ivec3& low, const glm::ivec3& high);
 
   /// Gives up what this holds; who shares a model keeps it. No such label: nothing.
