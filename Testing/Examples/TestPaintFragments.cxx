@@ -15,31 +15,37 @@ TEST_F(PaintFragments, AFolderThatIsNotThereIsAFailure)
   EXPECT_EQ(this->Run("PaintFragments no/such/folder.png"), 1) << this->said;
 }
 
-// The drag goes straight across the forehead: a red bar, as wide as the brush, on white bone.
-TEST_F(PaintFragments, ADragColoursTheBoneThatItPasses)
+// One drag right of the break in front of the jaw's angle, one on the chin: both sides of it get
+// the colour of their drag, far beyond what the brush has touched; what is above, apart, gets
+// neither.
+TEST_F(PaintFragments, TwoDragsPartTheJawAtItsBreak)
 {
   ASSERT_EQ(this->Run("PaintFragments picture.png"), 0) << this->said;
   const hasp::RGBPicture picture = hasp::ReadPNG(this->Path("picture.png"));
-  int red = 0, left = picture.width, right = -1, bottom = picture.height, top = -1;
+  struct Seen
+  {
+    int pixels = 0, left = 1 << 20, right = -1, top = -1;
+  };
+  Seen of[2]; // red is label 2, the palette's next is 3
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
     {
       const std::uint8_t* p = picture.At(x, y);
-      if (p[0] < 2 * p[1] || p[0] < 40)
+      const int most = std::max({ p[0], p[1], p[2] }), least = std::min({ p[0], p[1], p[2] });
+      if (most < 40 || most < 2 * least)
         continue;
-      ++red;
-      left = std::min(left, x);
-      right = std::max(right, x);
-      bottom = std::min(bottom, y);
-      top = std::max(top, y);
+      Seen& seen = of[p[0] == most && p[0] > 2 * p[2] && p[0] > 2 * p[1] ? 0 : 1];
+      ++seen.pixels;
+      seen.left = std::min(seen.left, x);
+      seen.right = std::max(seen.right, x);
+      seen.top = std::max(seen.top, y);
     }
-  EXPECT_GT(red, 800);
-  // 100 pixels, and the brush on either side; the middle is the pointer's row.
-  EXPECT_LT(left, 280);
-  EXPECT_GT(right, 380);
-  EXPECT_NEAR(0.5 * (left + right), 330.0, 8.0);
-  EXPECT_NEAR(0.5 * (bottom + top), 420.0, 8.0);
-  EXPECT_LT(top - bottom, 60);
+  EXPECT_GT(of[0].pixels, 2000);
+  EXPECT_GT(of[1].pixels, 4000);
+  EXPECT_LT(of[0].left, 150);
+  EXPECT_LT(of[0].right, of[1].right);
+  EXPECT_GT(of[1].right, 380);
+  EXPECT_NEAR(of[0].right, of[1].left, 60) << "they meet at the break";
 }
 
 } // namespace

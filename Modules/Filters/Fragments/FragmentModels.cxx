@@ -149,12 +149,16 @@ std::shared_ptr<const ClusteredCells> FragmentModels::Cells(const ProgressFuncti
 {
   FragmentTable& table = *this->Inside->table;
   this->Prepare({}, { .cells = true }, progress);
-  const auto [bare, labelled] = table.FindCells();
-  if (labelled)
-    return bare;
+  const FragmentTable::Cells there = table.FindCells();
+  if (there.labelled)
+    return there.cells;
   const Stopwatch time;
-  const auto cells = std::make_shared<ClusteredCells>(*bare); // somebody may draw the old ones
-  AddLabels(*cells, GridView<const std::uint16_t>(this->Inside->scan.labels));
+  const auto cells = std::make_shared<ClusteredCells>(*there.cells); // somebody may draw the old
+  const GridView<const std::uint16_t> labels(this->Inside->scan.labels);
+  if (cells->labels.size() == cells->Count())
+    UpdateLabels(*cells, labels, there.low, there.high);
+  else
+    AddLabels(*cells, labels);
   table.PutLabelled(cells, time.Milliseconds());
   return cells;
 }
@@ -235,7 +239,7 @@ std::vector<std::uint16_t> FragmentModels::LabelsChanged(
     const std::lock_guard lock(in.guard);
     changed = in.blocks.Update(in.scan.labels, low, high);
   }
-  in.table->Change(changed);
+  in.table->Change(changed, low, high);
   return changed;
 }
 

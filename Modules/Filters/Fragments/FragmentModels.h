@@ -124,7 +124,9 @@ private:
 /// Cost: a pass over the labels to begin with, O(samples of the box) after an edit; CPU time a
 /// sample of a fragment's grid: a map about 0.2 us, a shell 0.5, a mesh 2 (bin/BenchFragments
 /// prints it); a DistanceMap is asked for 16 spacings around, the others for 5. Memory: about 50
-/// bytes for each label in each 32^3 samples, and what was asked for.
+/// bytes for each label in each 32^3 samples, and what was asked for. While it is made: 25 bytes a
+/// sample of the grid, and for a mesh what SharpContour works with, some 25 times the mesh: 193 MiB
+/// for one of 8 MiB of 96^3 samples (bin/BenchFragments 96 1).
 class VTKHASPFILTERSFRAGMENTS_EXPORT FragmentModels
 {
 public:
@@ -166,7 +168,8 @@ public:
 
   /// Labels of samples low to high, clamped, have been changed in place: drops the models of those
   /// whose voxels are others than before, and returns them, ascending; all others stay as they are.
-  /// Cells stay, too, and get their labels anew when they are asked for. O(samples in the box).
+  /// Cells stay, too; those at the box get their labels anew when they are asked for. O(samples in
+  /// the box), and of the cells a copy.
   std::vector<std::uint16_t> LabelsChanged(const glm::ivec3& low, const glm::ivec3& high);
 
   /// Gives up what this holds; who shares a model keeps it. No such label: nothing.

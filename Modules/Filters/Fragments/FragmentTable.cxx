@@ -94,7 +94,8 @@ void FragmentTable::Release(std::uint16_t label, const FragmentWants& what)
     Drop(at->second, what, Released);
 }
 
-void FragmentTable::Change(std::span<const std::uint16_t> labels)
+void FragmentTable::Change(
+  std::span<const std::uint16_t> labels, const glm::ivec3& low, const glm::ivec3& high)
 {
   const std::lock_guard lock(this->Guard);
   for (const std::uint16_t label : labels)
@@ -103,7 +104,11 @@ void FragmentTable::Change(std::span<const std::uint16_t> labels)
     ++entry.version;
     Drop(entry, AllOfFragment, Outdated);
   }
-  this->Kept.labelled = this->Kept.labelled && labels.empty();
+  if (labels.empty())
+    return;
+  this->Kept.labelled = false;
+  this->Kept.low = glm::min(this->Kept.low, low);
+  this->Kept.high = glm::max(this->Kept.high, high);
 }
 
 FragmentTable::Cells FragmentTable::FindCells() const

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,14 +28,16 @@ public:
   /// Takes what is not there yet. False: the label is of another version, and nothing was taken.
   bool Put(std::uint16_t label, std::uint64_t version, BakedFragment baked);
   void Release(std::uint16_t label, const FragmentWants& what);
-  /// Their voxels are others.
-  void Change(std::span<const std::uint16_t> labels);
+  /// Their voxels are others, within samples low to high alone.
+  void Change(std::span<const std::uint16_t> labels, const glm::ivec3& low, const glm::ivec3& high);
 
-  /// Cells, and whether their labels are those of the map.
+  /// Cells, and whether their labels are those of the map. Where they are not, but were: the
+  /// samples outside of which they still are.
   struct Cells
   {
     std::shared_ptr<const ClusteredCells> cells;
     bool labelled = false;
+    glm::ivec3 low{ std::numeric_limits<int>::max() }, high{ std::numeric_limits<int>::min() };
   };
   Cells FindCells() const;
   /// Without labels; keeps those that there are.

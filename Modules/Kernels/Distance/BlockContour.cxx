@@ -48,6 +48,15 @@ void BlockContour::Contour(const glm::ivec3& first, int size)
       this->Contour(first + CellCorner(c) * (size / 2), size / 2);
 }
 
+void BlockContour::FreeWork()
+{
+  this->Vertices = {};
+  this->EdgeList = {};
+  this->VertexAt = {};
+  this->EdgeBetween = {};
+  this->FaceBetween = {};
+}
+
 bool BlockContour::Before(std::uint32_t a, std::uint32_t b) const
 {
   const glm::dvec3 &p = this->Vertices[a].index, &q = this->Vertices[b].index;

@@ -176,6 +176,7 @@ TriangleMesh SharpContour(const ImplicitSolid& solid, const GridGeometry& grid,
           first % blocks.x, first / blocks.x % blocks.y, first / (blocks.x * blocks.y));
         auto contour = std::make_unique<BlockContour>(bounded, grid, limits);
         contour->Contour(at * BlockCells, BlockCells);
+        contour->FreeWork();
         if (contour->Cells > 0)
           contours[std::size_t(first - begin)] = std::move(contour);
       });

@@ -1,8 +1,11 @@
 #include "Isosurface/CellAttributes.h"
 #include "Grid/ParallelFor.h"
 
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -87,6 +90,36 @@ void ForEachCell(const CellCluster& cluster, const F& f)
     }
 }
 
+/// Of the active cells of these clusters, one after the other.
+std::vector<std::uint16_t> LabelsOfClusters(
+  const ClusteredCells& cells, const AnyGridView& labels, std::span<const std::uint32_t> clusters)
+{
+  std::vector<std::size_t> first{ 0 }; // of each, in the result
+  for (const std::uint32_t c : clusters)
+    first.push_back(first.back() + cells.clusters[c].CellCount());
+  std::vector<std::uint16_t> result(first.back());
+  const auto label = [&]<typename T>(const GridView<const T>& view)
+  {
+    if constexpr (std::is_same_v<T, float>)
+      throw std::invalid_argument(
+        "AddLabels: labels are floats; cast them to whole numbers, 0 to 65535");
+    else
+      ParallelFor(0, static_cast<std::int64_t>(clusters.size()), Grain,
+        [&](std::int64_t from, std::int64_t to)
+        {
+          for (std::int64_t c = from; c < to; ++c)
+          {
+            const CellCluster& cluster = cells.clusters[clusters[c]];
+            std::size_t n = first[c];
+            ForEachCell(cluster, [&](const glm::ivec3& cell)
+              { result[n++] = LabelOfCell(cells, view, cluster, cell); });
+          }
+        });
+  };
+  std::visit(label, labels);
+  return result;
+}
+
 /// f(corner in the cluster, 0..8 each) for each stored one, in their order.
 template <typename F>
 void ForEachStoredCorner(const CellCluster& cluster, const F& f)
@@ -155,27 +188,39 @@ void SetColors(
 void AddLabels(ClusteredCells& cells, const AnyGridView& labels)
 {
   CheckGeometry(cells, GeometryOf(labels), "AddLabels", "labels");
-  std::vector<std::uint16_t> result(cells.Count());
-  const auto label = [&]<typename T>(const GridView<const T>& view)
+  std::vector<std::uint32_t> all(cells.clusters.size());
+  std::iota(all.begin(), all.end(), 0U);
+  cells.labels = LabelsOfClusters(cells, labels, all);
+}
+
+CellRange UpdateLabels(
+  ClusteredCells& cells, const AnyGridView& labels, const glm::ivec3& low, const glm::ivec3& high)
+{
+  CheckGeometry(cells, GeometryOf(labels), "UpdateLabels", "labels");
+  if (cells.labels.size() != cells.Count())
+    throw std::invalid_argument("UpdateLabels: the cells have no labels yet: AddLabels first");
+  std::vector<std::uint32_t> touched;
+  for (std::size_t c = 0; c < cells.clusters.size(); ++c)
   {
-    if constexpr (std::is_same_v<T, float>)
-      throw std::invalid_argument(
-        "AddLabels: labels are floats; cast them to whole numbers, 0 to 65535");
-    else
-      ParallelFor(0, static_cast<std::int64_t>(cells.clusters.size()), Grain,
-        [&](std::int64_t from, std::int64_t to)
-        {
-          for (std::int64_t c = from; c < to; ++c)
-          {
-            const CellCluster& cluster = cells.clusters[c];
-            std::size_t n = cluster.firstCell;
-            ForEachCell(cluster, [&](const glm::ivec3& cell)
-              { result[n++] = LabelOfCell(cells, view, cluster, cell); });
-          }
-        });
-  };
-  std::visit(label, labels);
-  cells.labels = std::move(result);
+    const glm::ivec3 first = cells.clusters[c].Origin(), last = first + 8; // samples
+    if (glm::all(glm::lessThanEqual(first, high)) && glm::all(glm::greaterThanEqual(last, low)))
+      touched.push_back(static_cast<std::uint32_t>(c));
+  }
+  const std::vector<std::uint16_t> now = LabelsOfClusters(cells, labels, touched);
+  CellRange changed{ cells.Count(), 0 };
+  std::size_t n = 0;
+  for (const std::uint32_t c : touched)
+  {
+    const std::size_t from = cells.clusters[c].firstCell;
+    const std::size_t end = from + cells.clusters[c].CellCount();
+    for (std::size_t cell = from; cell < end; ++cell, ++n)
+      if (std::exchange(cells.labels[cell], now[n]) != now[n])
+      {
+        changed.first = std::min(changed.first, cell);
+        changed.end = cell + 1;
+      }
+  }
+  return changed.Empty() ? CellRange{} : changed;
 }
 
 std::vector<std::int64_t> SamplesOfCorners(const ClusteredCells& cells)

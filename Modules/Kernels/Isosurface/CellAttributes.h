@@ -16,6 +16,21 @@ namespace hasp
 /// bytes a cell. O(cells), all threads, the same bytes whatever their number.
 void AddLabels(ClusteredCells& cells, const AnyGridView& labels);
 
+/// Some of the active cells: [first, end), by their numbers.
+struct CellRange
+{
+  std::size_t first = 0, end = 0;
+  bool Empty() const { return first >= end; }
+};
+
+/// The same after labels of samples low to high (both included; clamped) have changed, of cells
+/// that have labels: reads the clusters alone that touch these samples. Returns a range that holds
+/// every cell whose label is another than before, as short as it can be. Errors as AddLabels';
+/// std::invalid_argument, too, if the cells have no labels. O(clusters + cells of those clusters),
+/// all threads.
+CellRange UpdateLabels(
+  ClusteredCells& cells, const AnyGridView& labels, const glm::ivec3& low, const glm::ivec3& high);
+
 /// The sample, x fastest in the cells' grid, that each stored corner is: cluster by cluster, in the
 /// order of ClusteredCells::corners and ::colors. O(corners), all threads.
 std::vector<std::int64_t> SamplesOfCorners(const ClusteredCells& cells);

@@ -5,12 +5,14 @@
 #include "CellColoring.h"
 #include "CellLabels.h"
 #include "Grid/Stopwatch.h"
+#include "Isosurface/CellAttributes.h"
 #include "vtkHaspClusteredCellMapper.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
+#include <limits>
 #include <string>
 
 namespace hasp
@@ -29,6 +31,12 @@ struct vtkHaspClusteredCellMapper::Attributes
   double LabelsMilliseconds = 0.0;
   vtkMTimeType LabelledCells = 0; ///< time of the cells that were labelled last,
   std::string LabelArray;         ///< and by which array
+
+  glm::ivec3 MarkedLow{ std::numeric_limits<int>::max() }; ///< samples whose labels are marked,
+  glm::ivec3 MarkedHigh{ std::numeric_limits<int>::min() };
+  bool Marked() const { return this->MarkedLow.x <= this->MarkedHigh.x; } ///< if any are
+  vtkMTimeType EditedSince = 0, EditedTime = 0; ///< Time before and after the last edit of labels,
+  hasp::CellRange EditedCells;                  ///< and what that was
 
   hasp::CellColoring Coloring;
   vtkWeakPointer<vtkAbstractArray> ColorArray; ///< null if it is the volume itself

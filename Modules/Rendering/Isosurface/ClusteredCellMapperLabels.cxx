@@ -104,11 +104,53 @@ vtkMTimeType vtkHaspClusteredCellMapper::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->Attribute->LabelsTime.GetMTime());
 }
 
+/// Of the name that was given; throws if there is none.
+vtkDataArray* vtkHaspClusteredCellMapper::LabelArrayOf(vtkImageData* image) const
+{
+  vtkPointData* data = image->GetPointData();
+  vtkDataArray* labels = data->GetArray(this->LabelArrayName.c_str());
+  if (!labels)
+    throw std::invalid_argument("the image has no point array " + this->LabelArrayName +
+                                " for labels; it has: " + hasp::PointArrayNames(data));
+  return labels;
+}
+
+bool vtkHaspClusteredCellMapper::GetLastLabelEdit(
+  vtkMTimeType since, std::size_t& first, std::size_t& end) const
+{
+  const Attributes& own = *this->Attribute;
+  first = own.EditedCells.first;
+  end = own.EditedCells.end;
+  return own.EditedTime != 0 && own.EditedTime == own.Time.GetMTime() && since == own.EditedSince &&
+         this->GetCellsTime() < own.EditedTime;
+}
+
 void vtkHaspClusteredCellMapper::UpdateLabels(hasp::ClusteredCells& cells, vtkImageData* image)
 {
   Attributes& own = *this->Attribute;
-  if (own.LabelledCells == this->GetCellsTime() && own.LabelArray == this->LabelArrayName)
+  const bool same =
+    own.LabelledCells == this->GetCellsTime() && own.LabelArray == this->LabelArrayName;
+  const glm::ivec3 low = own.MarkedLow, high = own.MarkedHigh;
+  const bool edit = same && own.Marked() && !cells.labels.empty();
+  own.MarkedLow = glm::ivec3(std::numeric_limits<int>::max());
+  own.MarkedHigh = glm::ivec3(std::numeric_limits<int>::min());
+  if (same && !edit)
     return;
+  if (edit)
+  {
+    const hasp::Stopwatch watch;
+    const hasp::CellRange changed =
+      hasp::UpdateLabels(cells, hasp::ViewPointArray(image, this->LabelArrayOf(image)), low, high);
+    if (!changed.Empty())
+    {
+      own.EditedSince = std::max(this->GetCellsTime(), own.Time.GetMTime());
+      own.Time.Modified();
+      own.EditedTime = own.Time.GetMTime();
+      own.EditedCells = changed;
+    }
+    own.LabelsMilliseconds = watch.Milliseconds();
+    return;
+  }
   if (!cells.labels.empty())
     own.Time.Modified();
   cells.labels = {};
@@ -116,12 +158,7 @@ void vtkHaspClusteredCellMapper::UpdateLabels(hasp::ClusteredCells& cells, vtkIm
   if (!this->LabelArrayName.empty())
   {
     const hasp::Stopwatch watch;
-    vtkPointData* data = image->GetPointData();
-    vtkDataArray* labels = data->GetArray(this->LabelArrayName.c_str());
-    if (!labels)
-      throw std::invalid_argument("the image has no point array " + this->LabelArrayName +
-                                  " for labels; it has: " + hasp::PointArrayNames(data));
-    hasp::AddLabels(cells, hasp::ViewPointArray(image, labels));
+    hasp::AddLabels(cells, hasp::ViewPointArray(image, this->LabelArrayOf(image)));
     own.Time.Modified();
     own.LabelsMilliseconds = watch.Milliseconds();
   }

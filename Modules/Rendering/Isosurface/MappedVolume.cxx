@@ -27,6 +27,12 @@ bool MappedVolume::Update(vtkImageData* image)
 
 bool MappedVolume::Mark(vtkImageData* image, const int extent[6])
 {
+  return this->MarkOther(image, extent, this->Low, this->High);
+}
+
+bool MappedVolume::MarkOther(
+  vtkImageData* image, const int extent[6], glm::ivec3& low, glm::ivec3& high)
+{
   if (!image || image != this->Image || PlaceOf(image) != this->ImagePlace)
     return false; // it is read in whole
   const int* whole = image->GetExtent();
@@ -34,10 +40,8 @@ bool MappedVolume::Mark(vtkImageData* image, const int extent[6])
   {
     // Clamped before they are moved: a mark may reach as far as integers do.
     const int first = whole[2 * a], last = whole[2 * a + 1];
-    const int low = std::clamp(extent[2 * a], first, last + 1) - first;
-    const int high = std::clamp(extent[2 * a + 1], first - 1, last) - first;
-    this->Low[a] = std::min(this->Low[a], low);
-    this->High[a] = std::max(this->High[a], high);
+    low[a] = std::min(low[a], std::clamp(extent[2 * a], first, last + 1) - first);
+    high[a] = std::max(high[a], std::clamp(extent[2 * a + 1], first - 1, last) - first);
   }
   this->ImageTime = image->GetMTime();
   return true;

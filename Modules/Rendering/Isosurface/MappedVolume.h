@@ -24,6 +24,9 @@ public:
 
   /// MarkModified of the mappers. False if nothing is kept that could be stale.
   bool Mark(vtkImageData* image, const int extent[6]);
+  /// The same where another array than the samples has changed. Joins the extent to a box of
+  /// samples, low to high.
+  bool MarkOther(vtkImageData* image, const int extent[6], glm::ivec3& low, glm::ivec3& high);
   bool Changed() const { return this->Low.x <= this->High.x; }
   void ForgetChanges();
   /// First and last sample that has changed, if any has.

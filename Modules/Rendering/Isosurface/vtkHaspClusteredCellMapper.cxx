@@ -205,6 +205,13 @@ void vtkHaspClusteredCellMapper::MarkModified(const int extent[6])
     this->Modified();
 }
 
+void vtkHaspClusteredCellMapper::MarkLabelsModified(const int extent[6])
+{
+  Attributes& own = *this->Attribute;
+  if (this->Internal->Volume.MarkOther(this->GetImage(), extent, own.MarkedLow, own.MarkedHigh))
+    own.LabelsTime.Modified();
+}
+
 const hasp::ClusteredCells& vtkHaspClusteredCellMapper::GetCells() const
 {
   const Internals& in = *this->Internal;

@@ -194,6 +194,11 @@ public:
   /// is called at all. Several boxes before an update become the box around them.
   void MarkModified(const int extent[6]);
 
+  /// The same of labels: values of the label array have been changed in place in this box, and no
+  /// samples. Only the clusters that touch it get their labels anew, and only what differs goes to
+  /// the GPU. Call it after Modified() of the array if that is called at all.
+  void MarkLabelsModified(const int extent[6]);
+
   /// The active cells as of the last update; never null, perhaps empty.
   const hasp::ClusteredCells& GetCells() const;
 
@@ -262,6 +267,9 @@ protected:
   vtkMTimeType GetLastEdit(int low[3], int high[3]) const;
   /// The same of the cells' labels and colours.
   vtkMTimeType GetAttributesTime() const;
+  /// Whether all that has changed of the cells since `since`, what was then the later of both
+  /// times, are the labels of cells [first, end).
+  bool GetLastLabelEdit(vtkMTimeType since, std::size_t& first, std::size_t& end) const;
   /// Counts changes of what is said of labels.
   vtkMTimeType GetLabelsTime() const;
   /// How they are coloured by scalars, as of the last update.
@@ -279,6 +287,7 @@ private:
   vtkHaspClusteredCellMapper(const vtkHaspClusteredCellMapper&) = delete;
   void operator=(const vtkHaspClusteredCellMapper&) = delete;
 
+  vtkDataArray* LabelArrayOf(vtkImageData* image) const;
   void UpdateLabels(hasp::ClusteredCells& cells, vtkImageData* image);
   void UpdateColors(hasp::ClusteredCells& cells, vtkImageData* image);
   void UseColorsOf(const hasp::ClusteredCells& finished);

@@ -33,15 +33,19 @@ void UploadAll(StorageBuffer& buffer, const std::vector<T>& values, const char* 
 } // namespace
 
 void AttributeBuffers::Update(const hasp::ClusteredCells& cells, const hasp::CellColoring& coloring,
-  const hasp::CellLabels& labels, bool colored, const Times& times)
+  const hasp::CellLabels& labels, bool colored, const Times& times, const LabelEdit& edit)
 {
   const bool labelled = !cells.labels.empty() && !labels.empty();
-  const bool newCells =
-    times.cells != this->Then.cells || colored != this->ColoredThen || labelled != this->Labelled();
+  const bool same = colored == this->ColoredThen && labelled == this->Labelled();
+  const bool newCells = !same || (times.cells != this->Then.cells && !edit);
+  LabelEdit changed = times.cells != this->Then.cells ? edit : hasp::CellRange{};
   if (newCells)
+  {
     this->Release();
-  if (labelled && (newCells || times.labels != this->Then.labels))
-    this->UpdateLabels(cells, labels, newCells);
+    changed = std::nullopt;
+  }
+  if (labelled && (times.cells != this->Then.cells || times.labels != this->Then.labels))
+    this->UpdateLabels(cells, labels, changed);
   if (newCells && colored && !cells.colors.empty())
   {
     UploadAll(this->FirstColors, cells.firstColors, "colours");
@@ -52,21 +56,25 @@ void AttributeBuffers::Update(const hasp::ClusteredCells& cells, const hasp::Cel
   this->ColoredThen = colored;
 }
 
+/// changed  whose labels are others than on the GPU; nothing: all are new
 void AttributeBuffers::UpdateLabels(
-  const hasp::ClusteredCells& cells, const hasp::CellLabels& labels, bool newCells)
+  const hasp::ClusteredCells& cells, const hasp::CellLabels& labels, const LabelEdit& changed)
 {
-  if (newCells)
+  if (!changed)
   {
     std::vector<std::uint16_t> whole = cells.labels; // words
     whole.resize((whole.size() + 1) / 2 * 2);
     UploadAll(this->Labels, whole, "labels");
   }
+  else if (!changed->Empty())
+    this->Labels.Replace(changed->first * sizeof(std::uint16_t), &cells.labels[changed->first],
+      (changed->end - changed->first) * sizeof(std::uint16_t));
   const std::vector<std::uint32_t> before = this->Frames.moveOfLabel;
   this->Frames = LabelFrames(labels, cells.geometry);
   UploadAll(this->LabelTable, this->Frames.table, "what is said of labels");
   if (!this->Frames.Moved())
     this->Clusters = {};
-  else if (newCells || this->Frames.moveOfLabel != before)
+  else if (!changed || !changed->Empty() || this->Frames.moveOfLabel != before)
     this->Clusters =
       hasp::MovedClusters(cells, this->Frames.moveOfLabel, this->Frames.moves.size());
 }

@@ -3,11 +3,14 @@
 
 #include "CellColoring.h"
 #include "CellLabels.h"
+#include "Isosurface/CellAttributes.h"
 #include "Isosurface/MovedClusters.h"
 #include "LabelFrames.h"
 #include "StorageBuffer.h"
 
 #include "vtkType.h"
+
+#include <optional>
 
 struct CellScene;
 class vtkShaderProgram;
@@ -23,10 +26,14 @@ public:
     vtkMTimeType cells = 0;  ///< cells, their labels, their colours
     vtkMTimeType labels = 0; ///< what is said of labels
   };
+  /// The only cells that have changed since what is on the GPU, and of these the labels alone.
+  using LabelEdit = std::optional<hasp::CellRange>;
   /// Brings what is asked for up to date and releases what is not. Throws std::runtime_error if the
   /// GPU has no room.
   void Update(const hasp::ClusteredCells& cells, const hasp::CellColoring& coloring,
-    const hasp::CellLabels& labels, bool colored, const Times& times);
+    const hasp::CellLabels& labels, bool colored, const Times& times, const LabelEdit& edit);
+  /// When the cells were as they are on the GPU.
+  vtkMTimeType CellsTime() const { return this->Then.cells; }
   /// The frames of the labels' poses for this view; once a frame, if Labelled.
   void UpdateFrames(const CellScene& scene);
   /// Binds what belongs to clusters [first, end) of the cells, and sets their uniforms.
@@ -49,7 +56,7 @@ public:
 
 private:
   void UpdateLabels(
-    const hasp::ClusteredCells& cells, const hasp::CellLabels& labels, bool newCells);
+    const hasp::ClusteredCells& cells, const hasp::CellLabels& labels, const LabelEdit& changed);
 
   StorageBuffer Labels, LabelTable, FrameData;
   StorageBuffer FirstColors, Colors, ColorTable;

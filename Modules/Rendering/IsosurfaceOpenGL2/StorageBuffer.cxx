@@ -25,6 +25,14 @@ void StorageBuffer::Upload(const void* data, std::size_t bytes, const char* what
     "the GPU has no room for " + std::to_string(bytes >> 10) + " KiB of " + what);
 }
 
+void StorageBuffer::Replace(std::size_t from, const void* data, std::size_t bytes)
+{
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Name);
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(from), static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
 void StorageBuffer::Release()
 {
   if (this->Name)

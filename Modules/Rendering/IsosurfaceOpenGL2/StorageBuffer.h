@@ -10,6 +10,8 @@ class StorageBuffer
 public:
   /// Replaces what was there. Throws std::runtime_error, naming `what`, if the GPU has no room.
   void Upload(const void* data, std::size_t bytes, const char* what);
+  /// Bytes [from, from + bytes) of what is there.
+  void Replace(std::size_t from, const void* data, std::size_t bytes);
   void Release();
   std::size_t Bytes() const { return this->ByteCount; }
   /// Bytes [from, to), or all.

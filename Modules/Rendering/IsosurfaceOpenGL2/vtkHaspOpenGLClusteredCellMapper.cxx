@@ -286,9 +286,12 @@ void vtkHaspOpenGLClusteredCellMapper::DrawRasterized(
   AttributeBuffers& attributes = context.Attributes;
   this->GL->Switch.Start();
   context.Upload(this->GetCells(), this->GetCellsTime(), this->GetStorageBlockBytes());
+  hasp::CellRange edited;
+  const bool edit = this->GetLastLabelEdit(attributes.CellsTime(), edited.first, edited.end);
   attributes.Update(this->GetCells(), this->GetColoring(), this->GetLabels(),
     this->ScalarVisibility,
-    { std::max(this->GetCellsTime(), this->GetAttributesTime()), this->GetLabelsTime() });
+    { std::max(this->GetCellsTime(), this->GetAttributesTime()), this->GetLabelsTime() },
+    edit ? std::optional(edited) : std::nullopt);
   if (!this->OcclusionCulling || attributes.Moved())
     context.Culling.Release();
   if (!this->BlendNormals)

@@ -80,6 +80,47 @@ TEST(CellAttributes, TheLabelIsTheMostFrequentOfTheInsideCorners)
   }
 }
 
+// Against labels of all cells anew: boxes within a cluster, across some, beyond the grid, of one
+// sample at a cluster's border, which belongs to cells of eight clusters.
+TEST(CellAttributes, LabelsOfABoxAreThoseThatAllWouldHave)
+{
+  Volume v;
+  AddLabels(v.cells, v.Labels());
+  const std::pair<glm::ivec3, glm::ivec3> boxes[] = { { { 3, 4, 5 }, { 5, 6, 6 } },
+    { { 16, 8, 16 }, { 16, 8, 16 } }, { { 7, 7, 7 }, { 20, 9, 24 } },
+    { { -5, -1, 20 }, { 99, 99, 99 } }, { { 0, 0, 0 }, { 36, 21, 28 } } };
+  std::uint16_t paint = 100;
+  int changes = 0;
+  for (const auto& [low, high] : boxes)
+  {
+    ++paint;
+    const glm::ivec3 from = glm::max(low, 0), to = glm::min(high, v.geometry.dims - 1);
+    for (int k = from.z; k <= to.z; ++k)
+      for (int j = from.y; j <= to.y; ++j)
+        for (int i = from.x; i <= to.x; ++i)
+          v.labels[v.Labels().Offset(i, j, k)] = paint;
+    hasp::ClusteredCells truth = v.cells;
+    AddLabels(truth, v.Labels());
+    std::size_t first = truth.Count(), end = 0;
+    for (std::size_t n = 0; n < truth.Count(); ++n)
+      if (truth.labels[n] != v.cells.labels[n])
+      {
+        first = std::min(first, n);
+        end = n + 1;
+      }
+    const hasp::CellRange range = UpdateLabels(v.cells, v.Labels(), low, high);
+    EXPECT_EQ(v.cells.labels, truth.labels);
+    EXPECT_EQ(range.Empty(), first > end); // samples that are not inside do not count
+    EXPECT_EQ(range.first, first < end ? first : 0);
+    EXPECT_EQ(range.end, end);
+    changes += first < end;
+    EXPECT_TRUE(UpdateLabels(v.cells, v.Labels(), low, high).Empty()) << "nothing changed since";
+  }
+  EXPECT_GE(changes, 3);
+  EXPECT_TRUE(UpdateLabels(v.cells, v.Labels(), glm::ivec3(40), glm::ivec3(50)).Empty());
+  EXPECT_TRUE(UpdateLabels(v.cells, v.Labels(), glm::ivec3(5), glm::ivec3(4)).Empty());
+}
+
 TEST(CellAttributes, EachStoredCornerHasItsSamplesColour)
 {
   Volume v;
@@ -162,6 +203,19 @@ TEST(CellAttributes, WhatDoesNotFitIsRefusedAndChangesNothing)
   }
   const std::vector<float> floats(v.geometry.Size(), 1.0F);
   refused([&] { AddLabels(v.cells, hasp::GridView<const float>{ floats.data(), v.geometry }); });
+  refused(
+    [&]
+    {
+      UpdateLabels(v.cells, hasp::GridView<const float>{ floats.data(), v.geometry }, glm::ivec3(0),
+        glm::ivec3(9));
+    });
+  refused(
+    [&]
+    {
+      hasp::ClusteredCells bare = v.cells;
+      bare.labels.clear();
+      UpdateLabels(bare, v.Labels(), glm::ivec3(0), glm::ivec3(9));
+    });
   const std::vector<std::int16_t> negative(v.geometry.Size(), -1);
   refused(
     [&] {

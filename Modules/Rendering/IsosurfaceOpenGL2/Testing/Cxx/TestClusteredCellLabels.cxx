@@ -5,6 +5,7 @@
 #include "ErrorCounter.h"
 #include "Isosurface/CellAttributes.h"
 #include "vtkHaspPickedCell.h"
+#include "vtkHaspVolumeView.h"
 
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
@@ -72,6 +73,53 @@ TEST_F(CellLabels, HaveColours)
   s.Mapper->SetLabelColor(2, 0, 0, 1);
   EXPECT_EQ(s.ColorAt({ 7, -13, 0 }), (Color{ 0, 0, 255 }));
   EXPECT_EQ(s.ColorAt({ -7, -13, 0 }), (Color{ 255, 0, 0 }));
+}
+
+TEST_F(CellLabels, AreReadAgainInABoxThatIsMarked)
+{
+  AttributeScene s;
+  s.Actor->GetProperty()->SetColor(0, 1, 1);
+  s.Mapper->SetLabelArrayName("label");
+  s.Mapper->SetLabelColor(1, 1, 0, 0);
+  s.Mapper->SetLabelColor(2, 0, 0, 1);
+  EXPECT_EQ(s.ColorAt({ 7, -13, 0 }), (Color{ 0, 0, 255 }));
+  const void* extracted = s.Mapper->GetCells().corners.data();
+  vtkImageData* image = s.Mapper->GetImage();
+  auto* label = vtkUnsignedShortArray::SafeDownCast(image->GetPointData()->GetArray("label"));
+  const auto paint = [&](int value, const glm::ivec3& low, const glm::ivec3& high)
+  {
+    for (int k = low.z; k <= high.z; ++k)
+      for (int j = low.y; j <= high.y; ++j)
+        for (int i = low.x; i <= high.x; ++i)
+          label->SetValue((k * 41 + j) * 41 + i, static_cast<unsigned short>(value));
+    label->Modified();
+    const int box[6] = { low.x, high.x, low.y, high.y, low.z, high.z };
+    s.Mapper->MarkLabelsModified(box);
+  };
+  // Samples at the place (7, -13, 0) mm.
+  paint(1, { 25, 4, 18 }, { 29, 9, 22 });
+  EXPECT_EQ(s.ColorAt({ 7, -13, 0 }), (Color{ 255, 0, 0 }));
+  EXPECT_EQ(s.ColorAt({ 7, -11, 7 }), (Color{ 0, 0, 255 }));
+  EXPECT_EQ(s.ColorAt({ -7, -13, 0 }), (Color{ 255, 0, 0 }));
+  paint(2, { 25, 4, 18 }, { 29, 9, 22 }); // two boxes before a picture
+  paint(3, { 11, 4, 18 }, { 15, 9, 22 });
+  EXPECT_EQ(s.ColorAt({ 7, -13, 0 }), (Color{ 0, 0, 255 }));
+  EXPECT_EQ(s.ColorAt({ -7, -13, 0 }), (Color{ 0, 255, 255 })) << "nothing was said of label 3";
+  ASSERT_TRUE(s.Mapper->UpdateCells());
+  EXPECT_EQ(s.Mapper->GetCells().corners.data(), extracted) << "no samples were read";
+  hasp::ClusteredCells truth = s.Mapper->GetCells();
+  hasp::AddLabels(truth, hasp::ViewPointArray(image, label));
+  EXPECT_EQ(s.Mapper->GetCells().labels, truth.labels);
+  // An edit of samples behind one of labels: all is as if it had been there from the start.
+  paint(2, { 11, 4, 18 }, { 15, 9, 22 });
+  auto* samples = static_cast<short*>(image->GetScalarPointer(27, 7, 20));
+  *samples = static_cast<short>(-*samples - 50);
+  const int one[6] = { 27, 27, 7, 7, 20, 20 };
+  s.Mapper->MarkModified(one);
+  EXPECT_EQ(s.ColorAt({ -7, -13, 0 }), (Color{ 0, 0, 255 }));
+  truth = s.Mapper->GetCells();
+  hasp::AddLabels(truth, hasp::ViewPointArray(image, label));
+  EXPECT_EQ(s.Mapper->GetCells().labels, truth.labels);
 }
 
 TEST_F(CellLabels, CanBeHidden)
