@@ -106,6 +106,12 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
       ->check(Within(0.0, 1e12))
       ->capture_default_str()
       ->needs(seeds);
+  CLI::Option* crack = verb
+                         .add_option("--crack", choices.crack,
+                           "How deep a dark line parts them, of bone's grey; 0: none does")
+                         ->check(Within(0.0, 1.0))
+                         ->capture_default_str()
+                         ->needs(seeds);
   CLI::Option* components = verb
                               .add_option("--components", choices.leastMm3,
                                 "Make fragments of bone's pieces of at least so many mm3")
@@ -127,8 +133,8 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
       ->check(Within(-1e6, 1e6))
       ->capture_default_str()
       ->needs(coneBeam);
-  for (CLI::Option* option : { threshold, preset, seeds, radius, beta, components, gaussian, median,
-         coneBeam, field, inside })
+  for (CLI::Option* option : { threshold, preset, seeds, radius, beta, crack, components, gaussian,
+         median, coneBeam, field, inside })
     recipe->excludes(option);
 }
 
@@ -148,7 +154,7 @@ ChosenSegmentation ChooseSegmentation(
     if (seeds.notPlaced > 0)
       SayWarning(session,
         std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
-    split = { 1, std::move(seeds.strokes), choices.beta };
+    split = { 1, std::move(seeds.strokes), choices.beta, choices.crack };
     chosen.recipe.names = std::move(seeds.names);
   }
   chosen.recipe.steps = FiltersOf(choices);

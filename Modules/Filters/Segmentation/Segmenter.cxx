@@ -188,8 +188,8 @@ struct Segmenter::Internals
     std::vector<SeedVoxels> voxels;
     for (const BrushStroke& stroke : step.strokes)
       voxels.push_back({ stroke.label, this->Voxels(stroke, {}) });
-    this->split = std::make_unique<LabelSplit>(
-      ViewImage(this->image), bone, step.label, EdgeWeightSettings{ .beta = step.beta }, progress);
+    this->split = std::make_unique<LabelSplit>(ViewImage(this->image), bone, step.label,
+      EdgeWeightSettings{ .beta = step.beta, .crack = step.crack }, progress);
     this->strokes = std::move(voxels);
   }
 

@@ -43,7 +43,7 @@ struct StepWriter
     Json strokes = Json::array();
     for (const BrushStroke& stroke : s.strokes)
       strokes.push_back(StrokeToJson(stroke));
-    return { { "step", "split" }, { "label", s.label }, { "beta", s.beta },
+    return { { "step", "split" }, { "label", s.label }, { "beta", s.beta }, { "crack", s.crack },
       { "strokes", std::move(strokes) } };
   }
   Json operator()(const PaintStep& s) const
@@ -115,8 +115,8 @@ SegmentationStep ReadThreshold(const StepText& text)
 
 SegmentationStep ReadSplit(const StepText& text)
 {
-  const StrictJson read = text.Read({ "step", "label", "beta", "strokes" });
-  SplitStep step{ ReadLabel(read, "label"), {}, read.Number("beta") };
+  const StrictJson read = text.Read({ "step", "label", "beta", "crack", "strokes" });
+  SplitStep step{ ReadLabel(read, "label"), {}, read.Number("beta"), read.Number("crack") };
   for (const Json& stroke : read.List("strokes", MostStrokes))
     step.strokes.push_back(StrokeFromJson(
       stroke, text.subject, text.name + "." + ListKey("strokes", step.strokes.size())));

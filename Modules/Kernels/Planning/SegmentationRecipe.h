@@ -76,8 +76,8 @@ struct SplitStep
 {
   std::uint16_t label = 1;          ///< whose voxels; [1, 65535]
   std::vector<BrushStroke> strokes; ///< labels in [1, 65535]; at most MostStrokes
-  double beta =
-    90.0; ///< how much an edge of the image holds a walk back, [0, 1e12]; RandomWalker.h
+  double beta = 90.0; ///< how much an edge of the image holds a walk back, [0, 1e12]; VoxelGraph.h
+  double crack = 0.1; ///< a crack that is so deep holds it back to 1/e, [0, 1]; 0: none does
   bool operator==(const SplitStep&) const noexcept = default;
 };
 

@@ -1,6 +1,7 @@
 #include "Segmentation/VoxelGraph.h"
 
 #include "Grid/ParallelFor.h"
+#include "Segmentation/CrackDepth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,9 @@ void Check(const EdgeWeightSettings& settings)
   if (!(settings.beta >= 0.0 && settings.beta <= 1e12))
     throw std::invalid_argument(
       "beta is " + std::to_string(settings.beta) + ", must be in [0, 1e12]");
+  if (!(settings.crack >= 0.0 && settings.crack <= 1.0))
+    throw std::invalid_argument(
+      "crack is " + std::to_string(settings.crack) + ", must be in [0, 1]");
   if (!(settings.floor > 0.0 && settings.floor <= 1.0))
     throw std::invalid_argument(
       "the least weight is " + std::to_string(settings.floor) + ", must be in (0, 1]");
@@ -117,7 +121,7 @@ VoxelGraph::VoxelGraph(const AnyGridView& grid, GridView<const Label> labels, La
           const bool inRun = n + 1 < span.first + span.count || span.joined != 0;
           const std::int32_t on = axis > 0 ? span.above[axis - 1] : (inRun ? 1 : 0);
           if (on != 0)
-            visit(axis, n, std::abs(samples[n + on] - samples[n]));
+            visit(axis, n, n + on);
         }
     }
   };
@@ -130,9 +134,9 @@ VoxelGraph::VoxelGraph(const AnyGridView& grid, GridView<const Label> labels, La
     {
       const auto piece = static_cast<std::size_t>(first / spansAPiece);
       forEachLink(first, last,
-        [&](int, std::int32_t, float difference)
+        [&](int, std::int32_t n, std::int32_t m)
         {
-          scales[piece].Add(difference);
+          scales[piece].Add(std::abs(samples[m] - samples[n]));
           ++links[piece];
         });
     });
@@ -143,18 +147,25 @@ VoxelGraph::VoxelGraph(const AnyGridView& grid, GridView<const Label> labels, La
     all.Add(scales[piece]);
     allLinks += links[piece];
   }
-  ReportProgress(progress, 0.8);
+  ReportProgress(progress, 0.7);
   const double scale = all.Quantile(0.999, allLinks);
+  std::vector<float> depths;
+  if (settings.crack > 0.0)
+    depths = CrackDepths(*this, grid, samples);
+  ReportProgress(progress, 0.9);
   const glm::dvec3 conductances = Conductances(geometry.spacing);
   ParallelFor(0, count, spansAPiece,
     [&](std::int64_t first, std::int64_t last)
     {
       forEachLink(first, last,
-        [&](int axis, std::int32_t n, float difference)
+        [&](int axis, std::int32_t n, std::int32_t m)
         {
-          const double step = difference / scale;
+          const double step = std::abs(samples[m] - samples[n]) / scale;
+          const double depth =
+            depths.empty() ? 0.0 : std::max(depths[n], depths[m]) / settings.crack;
           const double weight =
-            settings.floor + (1.0 - settings.floor) * std::exp(-settings.beta * step * step);
+            settings.floor +
+            (1.0 - settings.floor) * std::exp(-settings.beta * step * step - depth * depth);
           along[axis][n + 1] = static_cast<float>(weight * conductances[axis]);
         });
     });

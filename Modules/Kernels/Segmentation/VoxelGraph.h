@@ -11,7 +11,8 @@ namespace hasp
 /// How strongly neighbouring voxels of bone belong together.
 struct EdgeWeightSettings
 {
-  double beta = 90.0;  ///< how much an edge of the image holds a walk back, [0, 1e12]
+  double beta = 90.0; ///< how much an edge of the image holds a walk back, [0, 1e12]
+  double crack = 0.1; ///< a crack so deep (CrackDepth.h) holds it back to 1/e, [0, 1]; 0: none does
   double floor = 1e-6; ///< least weight, of the largest, (0, 1]
 };
 
@@ -23,12 +24,15 @@ struct EdgeWeightSettings
 /// straight lines; there is no list of neighbours.
 ///
 /// weights   Of the link from a voxel to the next along each axis, as conductances:
-///           w = (floor + (1 - floor) exp(-beta (difference / scale)^2)) * area / length,
+///           w = (floor + (1 - floor) exp(-beta (difference / scale)^2 - (depth / crack)^2))
+///               * area / length,
 ///           the face's area over the way between centres, divided by the largest of the three.
-///           `scale` is what one of a thousand differences of neighbours exceeds.
+///           `scale` is what one of a thousand differences of neighbours exceeds; `depth` is the
+///           greater of the two voxels' CrackDepths.
 /// Deviates from Grady 2006 and BoneSplit: differences are scaled by that quantile and not by the
 /// largest, which a metal crown would set; links know the voxel's shape, so that the answer does
-/// not depend on how finely an axis is sampled.
+/// not depend on how finely an axis is sampled; cracks hold a walk back by what they are and not by
+/// their edges alone: the edge of marrow is as steep as theirs, and a hairline dips by a third.
 /// Memory: 12 bytes a voxel of bone, and 28 a span (a span is 5 to 10 voxels in bone of CT).
 /// Immutable once made; any thread.
 class VoxelGraph

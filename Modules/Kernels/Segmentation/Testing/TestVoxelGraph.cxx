@@ -81,7 +81,7 @@ TEST(VoxelGraph, WeightsFollowTheFormula)
   RandomBone bone({ 6, 5, 4 }, { 0.5, 1.0, 2.0 }, 1.0, 3);
   std::fill(bone.samples.begin(), bone.samples.end(), 100.0F);
   bone.samples[0] = 228.0F; // a difference of 128 on three links: the largest, and the scale
-  const auto graph = bone.Graph({ .beta = 2.0, .floor = 1e-3 });
+  const auto graph = bone.Graph({ .beta = 2.0, .crack = 0.0, .floor = 1e-3 });
   // 128 is the lower end of its bin; the scale is the upper one.
   const double step = 128.0 / 144.0;
   const double steep = 1e-3 + (1.0 - 1e-3) * std::exp(-2.0 * step * step);
@@ -96,10 +96,11 @@ TEST(VoxelGraph, WeightsFollowTheFormula)
 TEST(VoxelGraph, ExtremesOfBetaStayWithinTheFloor)
 {
   const RandomBone bone({ 8, 8, 8 }, glm::dvec3(1.0), 0.8, 4);
-  for (const hasp::testing::GraphLink& link : hasp::testing::LinksOf(*bone.Graph({ .beta = 0.0 })))
+  for (const hasp::testing::GraphLink& link :
+    hasp::testing::LinksOf(*bone.Graph({ .beta = 0.0, .crack = 0.0 })))
     EXPECT_EQ(link.weight, 1.0F);
   for (const hasp::testing::GraphLink& link :
-    hasp::testing::LinksOf(*bone.Graph({ .beta = 1e12, .floor = 1e-12 })))
+    hasp::testing::LinksOf(*bone.Graph({ .beta = 1e12, .crack = 0.0, .floor = 1e-12 })))
   {
     EXPECT_GE(link.weight, 0.99e-12F);
     EXPECT_LE(link.weight, 1.0F);
@@ -110,6 +111,8 @@ TEST(VoxelGraph, NonsenseIsRefused)
 {
   RandomBone bone({ 4, 4, 4 }, glm::dvec3(1.0), 0.8, 5);
   EXPECT_THROW(bone.Graph({ .beta = -1.0 }), std::invalid_argument);
+  EXPECT_THROW(bone.Graph({ .crack = -0.1 }), std::invalid_argument);
+  EXPECT_THROW(bone.Graph({ .crack = std::nan("") }), std::invalid_argument);
   EXPECT_THROW(bone.Graph({ .beta = std::nan("") }), std::invalid_argument);
   EXPECT_THROW(bone.Graph({ .floor = 0.0 }), std::invalid_argument);
   EXPECT_THROW(bone.Graph({ .floor = 1.5 }), std::invalid_argument);
