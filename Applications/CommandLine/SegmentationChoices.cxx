@@ -58,9 +58,10 @@ std::optional<ThresholdStep> Threshold(
   if (!choices.preset.empty())
   {
     const ThresholdPreset& preset = PresetOf(choices.preset);
-    if (!passport.hounsfield)
+    if (!passport.hounsfield || choices.coneBeam)
       SayWarning(session, "--preset is a range of HU, and the file does not say that its values "
-                          "are: leave it out, and a threshold is proposed");
+                          "are, or --cone-beam changed them: leave it out, and a threshold is "
+                          "proposed");
     return ThresholdStep{ preset.lowest, preset.highest };
   }
   if (passport.hounsfield && !choices.coneBeam)

@@ -133,7 +133,8 @@ void Print(const nlohmann::ordered_json& json)
       label["volume_mm3"].get<double>(), label["voxels"].get<long long>());
 }
 
-void Run(const SegmentOptions& options, Session& session)
+/// Throws Failure: WrongUse if a file that is written is one that is read.
+void RequireFreshFiles(const SegmentOptions& options)
 {
   RequireWritable(options.output, { ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
   if (!options.writeRecipe.empty())
@@ -141,6 +142,24 @@ void Run(const SegmentOptions& options, Session& session)
     RequireWritable(options.writeRecipe, { ".json" });
     RequireDifferent(options.writeRecipe, options.output, "--write-recipe and --output");
   }
+  const auto check = [&](const std::string& input, const std::string& name)
+  {
+    if (input.empty())
+      return;
+    RequireDifferent(options.output, input, "--output and " + name);
+    if (!options.writeRecipe.empty())
+      RequireDifferent(options.writeRecipe, input, "--write-recipe and " + name);
+  };
+  check(options.volume.input, "IN");
+  check(options.labels, "--labels");
+  check(options.segmentation.recipe, "--recipe");
+  for (const std::string& seeds : options.segmentation.seeds)
+    check(seeds, "--seeds");
+}
+
+void Run(const SegmentOptions& options, Session& session)
+{
+  RequireFreshFiles(options);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
   ChosenSegmentation chosen = ChooseSegmentation(options.segmentation, volume.passport, session);
@@ -179,7 +198,9 @@ void AddSegmentVerb(CLI::App& app, Session& session)
       "The .seg.nrrd file for 3D Slicer, or .nrrd, .mha, .nii, .vti without names")
     ->required();
   verb->add_option("--write-recipe", options->writeRecipe,
-    "Write what was done to this .json file: --recipe makes the same labels");
+    "Write what was done to this .json file: --recipe makes the same labels, with the same "
+    "--labels\n"
+    "and --tolerance");
   verb->add_option("--tolerance", options->tolerance, "Of the walker's probabilities")
     ->check(Within(1e-6, 0.1))
     ->capture_default_str();

@@ -116,6 +116,12 @@ TEST_F(HaspSegment, BadInputIsTwoWrongUseIsOneAndNothingIsLeft)
   ExpectFailure(this->Segment({ "--recipe", this->Path("bad.json") }), 2, "is");
   ExpectFailure(this->Segment({ "--seeds", this->Path("far.json") }, "x.stl"), 1, ".nrrd");
   ExpectFailure(this->Segment({ "--labels", this->Path("bad.json") }), 2, "");
+  const std::string scan = ReadBytes(this->Path("jaw.mha"));
+  ExpectFailure(this->Segment({}, "jaw.mha"), 1, "--output and IN");
+  EXPECT_EQ(ReadBytes(this->Path("jaw.mha")), scan);
+  ExpectFailure(
+    this->Segment({ "--seeds", this->Path("far.json"), "--write-recipe", this->Path("far.json") }),
+    1, "--write-recipe and --seeds");
   EXPECT_EQ(this->Names(), before);
   const HaspRun beside = this->Segment({ "--seeds", this->Path("far.json") });
   EXPECT_EQ(beside.exitCode, 0) << beside.err;

@@ -3,6 +3,8 @@
 #include "Segmentation/ConeBeam.h"
 #include "vtkHaspVolumeView.h"
 
+#include "Grid/ParallelFor.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
@@ -129,6 +131,7 @@ vtkSmartPointer<vtkImageData> Filtered(vtkImageData* image, const AnyGridView& v
   ReportProgress(progress, 0.0);
   filter->SetInputData(UprightFloat(view, image->GetPointData()->GetScalars()));
   filter->SetEnableSMP(false); // progress would come from threads of the pool
+  filter->SetNumberOfThreads(std::clamp(ParallelThreads(), 1, VTK_MAX_THREADS));
   {
     const Listener listener(filter, progress);
     filter->Update();

@@ -233,19 +233,32 @@ struct Segmenter::Internals
     found.unreached = this->split->Unreached();
   }
 
-  /// Keeps what was done.
-  void Keep(Entry entry, const LabelDelta& delta)
+  /// Runs what keeps a change that was made; takes the change back if there is no memory for it.
+  template <typename Keeping>
+  void Keep(const LabelDelta& delta, const Keeping& keeping)
   {
-    entry.change = PackDelta(delta, this->ReadOnlyMap());
-    this->done.push_back(std::move(entry));
-    this->Find(delta);
+    try
+    {
+      SegmentationFinding found{ .changed = delta.Voxels() };
+      this->FindSplit(found);
+      keeping();
+      this->finding = std::move(found);
+      this->Changed();
+    }
+    catch (...)
+    {
+      RevertDelta(delta, this->Map());
+      throw;
+    }
   }
-
-  void Find(const LabelDelta& delta)
+  void KeepEntry(Entry entry, const LabelDelta& delta)
   {
-    this->Changed();
-    this->finding = { .changed = delta.Voxels() };
-    this->FindSplit(this->finding);
+    this->Keep(delta,
+      [&]
+      {
+        entry.change = PackDelta(delta, this->ReadOnlyMap());
+        this->done.push_back(std::move(entry));
+      });
   }
 
   bool IsSettled() const { return this->done.empty() || this->done.back().isSettled; }
@@ -283,11 +296,15 @@ LabelDelta Segmenter::Apply(const SegmentationStep& step, const ProgressFunction
     throw std::invalid_argument(
       name + ": a recipe has at most " + std::to_string(MostSegmentationSteps) + " steps");
   const bool wasSettled = in.IsSettled();
-  this->Settle(PartOf(progress, 0.0, wasSettled ? 0.0 : 0.5));
+  const LabelDelta settled = this->Settle(PartOf(progress, 0.0, wasSettled ? 0.0 : 0.5));
 
+  // What takes memory comes before what is done, so that both are there or neither.
+  SegmentationStep copy = step;
+  steps.reserve(steps.size() + 1);
   Internals::Entry entry;
+  const vtkSmartPointer<vtkImageData> image = in.image;
   if (IsImageFilter(step))
-    entry.imageBefore = in.image;
+    entry.imageBefore = image;
   // A split's solver is the largest thing there is; its step is not the last one any more.
   in.Close();
   const LabelDelta delta = Named(name,
@@ -297,9 +314,17 @@ LabelDelta Segmenter::Apply(const SegmentationStep& step, const ProgressFunction
         { return in.Do(kind, PartOf(progress, wasSettled ? 0.0 : 0.5, 1.0)); },
         step);
     });
-  steps.push_back(step);
-  in.Keep(std::move(entry), delta);
-  return delta;
+  try
+  {
+    in.KeepEntry(std::move(entry), delta);
+  }
+  catch (...)
+  {
+    in.image = image;
+    throw;
+  }
+  steps.push_back(std::move(copy));
+  return settled.Empty() ? delta : JoinDeltas(settled, delta);
 }
 
 LabelDelta Segmenter::AddStroke(const BrushStroke& stroke, const ProgressFunction& progress)
@@ -315,7 +340,10 @@ LabelDelta Segmenter::AddStroke(const BrushStroke& stroke, const ProgressFunctio
   if (strokes.size() >= MostStrokes)
     throw std::invalid_argument(
       name + ": a split has at most " + std::to_string(MostStrokes) + " strokes");
-  const LabelDelta delta = Named(name,
+  BrushStroke copy = stroke;
+  strokes.reserve(strokes.size() + 1);
+  LabelDelta delta;
+  Named(name,
     [&]
     {
       SeedVoxels voxels{ stroke.label, in.Voxels(stroke, {}) };
@@ -323,7 +351,8 @@ LabelDelta Segmenter::AddStroke(const BrushStroke& stroke, const ProgressFunctio
       in.strokes.push_back(std::move(voxels));
       try
       {
-        return in.Share(PartOf(progress, 0.3, 1.0));
+        delta = in.Share(PartOf(progress, 0.3, 1.0));
+        in.KeepEntry({ .isStroke = true, .isSettled = false }, delta);
       }
       catch (...)
       {
@@ -331,8 +360,7 @@ LabelDelta Segmenter::AddStroke(const BrushStroke& stroke, const ProgressFunctio
         throw;
       }
     });
-  strokes.push_back(stroke);
-  in.Keep({ .isStroke = true, .isSettled = false }, delta);
+  strokes.push_back(std::move(copy));
   return delta;
 }
 
@@ -345,11 +373,14 @@ LabelDelta Segmenter::Settle(const ProgressFunction& progress)
   in.split->Forget(); // so that the way here leaves no trace
   const LabelDelta delta = in.Share(PartOf(progress, 0.3, 1.0));
   Internals::Entry& last = in.done.back();
-  // Label 0 is in the same places before and after: a split moves no border of bone.
-  last.change =
-    PackDelta(JoinDeltas(UnpackDelta(last.change, in.ReadOnlyMap()), delta), in.ReadOnlyMap());
-  last.isSettled = true;
-  in.Find(delta);
+  in.Keep(delta,
+    [&]
+    {
+      // Label 0 is in the same places before and after: a split moves no border of bone.
+      last.change =
+        PackDelta(JoinDeltas(UnpackDelta(last.change, in.ReadOnlyMap()), delta), in.ReadOnlyMap());
+      last.isSettled = true;
+    });
   return delta;
 }
 

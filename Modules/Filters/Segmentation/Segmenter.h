@@ -48,9 +48,10 @@ public:
   void SetWalkerSettings(const RandomWalkerSettings& settings);
 
   /// Does a step behind those that are done, and settles the split before it. Returns the change of
-  /// the labels, none of a filter. Throws std::invalid_argument ("steps[3]: …": the step, or a
-  /// filter behind a step that is none), std::runtime_error (no memory for it), Cancelled; image,
-  /// labels and recipe are then as they were, but that the split before may be settled.
+  /// the labels, the settling's with it; none of a filter. Throws std::invalid_argument
+  /// ("steps[3]: …": the step, or a filter behind a step that is none), std::runtime_error (a
+  /// filter of VTK's failed), std::bad_alloc, Cancelled; image, labels and recipe are then as they
+  /// were, but that the split before may be settled.
   LabelDelta Apply(const SegmentationStep& step, const ProgressFunction& progress = {});
 
   /// One more stroke of the last step, which must be a SplitStep. Begins where the strokes before

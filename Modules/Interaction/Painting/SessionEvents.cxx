@@ -236,6 +236,7 @@ bool vtkHaspSegmentationSession::Internals::Handle(unsigned long event, void* da
 
 void vtkHaspSegmentationSession::Internals::Working()
 {
+  ++this->requests;
   this->BeginTimer(); // whether or not it is done by now: somebody must see what came of it
   if (!std::exchange(this->working, true))
     this->session->InvokeEvent(WorkStartedEvent);

@@ -63,7 +63,8 @@ struct vtkHaspSegmentationSession::Internals
   vtkNew<vtkCallbackCommand> strokes; ///< follows the painter
   vtkNew<vtkCallbackCommand> command; ///< follows the interactor
   int timerId = 0;
-  bool working = false; ///< as was said last
+  bool working = false;       ///< as was said last
+  std::uint64_t requests = 0; ///< so many in all
 };
 
 #endif

@@ -148,17 +148,23 @@ bool vtkHaspSegmentationSession::Update()
   if (!self.work)
     return false;
   const bool idle = self.work->Idle(); // before what there is: nothing is left behind then
+  const std::uint64_t requests = self.requests;
   const bool changed = self.Take(self.work->TakeOutcomes());
-  if (idle)
+  if (idle && self.requests == requests) // nobody who heard of it asked for more
     self.Rested();
   return changed;
 }
 
 bool vtkHaspSegmentationSession::Finish()
 {
-  if (this->Self->work)
-    this->Self->work->Wait();
-  return this->Update();
+  bool changed = false;
+  do // who hears of what is done may ask for more
+  {
+    if (this->Self->work)
+      this->Self->work->Wait();
+    changed = this->Update() || changed;
+  } while (this->IsWorking());
+  return changed;
 }
 
 bool vtkHaspSegmentationSession::Settle()

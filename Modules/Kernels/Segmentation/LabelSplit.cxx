@@ -88,10 +88,13 @@ std::uint64_t LabelSplit::WriteShares(GridView<Label> labels) const
 
 bool LabelSplit::Touches(const SeedVoxels& stroke) const
 {
-  bool touches = false;
-  for (const VoxelRun& voxels : stroke.voxels)
-    ForNodes(Graph(), voxels, [&](std::int32_t) { touches = true; });
-  return touches;
+  return std::any_of(stroke.voxels.begin(), stroke.voxels.end(),
+    [&](const VoxelRun& voxels)
+    {
+      bool touches = false;
+      ForNodes(Graph(), voxels, [&](std::int32_t) { touches = true; });
+      return touches;
+    });
 }
 
 } // namespace hasp

@@ -38,7 +38,7 @@ public:
     const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
 
   /// Forgets what was solved: the next Share gives what it would if it were the first.
-  void Forget() { walker.Reset(); }
+  void Forget() { walker.SetSeeds({}); }
 
   /// What the last Share cost, and how good it is.
   const RandomWalkerRun& LastRun() const { return run; }

@@ -135,30 +135,38 @@ struct RandomWalker::Internals
   {
     const auto used = [&](Label l) { return std::binary_search(labels.begin(), labels.end(), l); };
     if (!used(rest)) // all probabilities that were implied are lost
-    {
-      rest = labels.empty() ? Label{ 0 } : labels.front();
-      laneLabels.clear();
-      batches.clear();
-    }
-    for (std::size_t lane = 0; lane < laneLabels.size(); ++lane)
-      if (laneLabels[lane] != 0 && !used(laneLabels[lane]))
-      {
-        laneLabels[lane] = 0;
-        FillLane(lane, 0.0F);
-      }
+      ForgetLanes();
+    const Label first = labels.empty() ? Label{ 0 } : labels.front();
+    const Label without = rest == 0 ? first : rest;
+    std::vector<Label> lanes = laneLabels;
+    for (Label& lane : lanes)
+      if (!used(lane))
+        lane = 0;
     for (const Label label : labels)
-      if (label != rest &&
-          std::find(laneLabels.begin(), laneLabels.end(), label) == laneLabels.end())
+      if (label != without && std::find(lanes.begin(), lanes.end(), label) == lanes.end())
       {
-        const auto free = std::find(laneLabels.begin(), laneLabels.end(), Label{ 0 });
-        if (free != laneLabels.end())
+        const auto free = std::find(lanes.begin(), lanes.end(), Label{ 0 });
+        if (free != lanes.end())
           *free = label;
         else
-          laneLabels.push_back(label);
+          lanes.push_back(label);
       }
-    const std::size_t needed = (laneLabels.size() + LaneCount - 1) / LaneCount;
+    // What memory is needed is taken before anything says that it is there.
+    const std::size_t needed = (lanes.size() + LaneCount - 1) / LaneCount;
     while (batches.size() < needed)
       batches.emplace_back(graph->Nodes());
+    for (std::size_t lane = 0; lane < laneLabels.size(); ++lane)
+      if (laneLabels[lane] != 0 && laneLabels[lane] != lanes[lane])
+        FillLane(lane, 0.0F);
+    laneLabels = std::move(lanes);
+    rest = without;
+  }
+
+  void ForgetLanes()
+  {
+    rest = 0;
+    laneLabels.clear();
+    batches.clear();
   }
 
   void FillLane(std::size_t lane, float value)
@@ -292,8 +300,8 @@ void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
   const std::vector<Label> labels = LabelsOf(each);
   // A lane that is free stays: at most one batch more than there are labels now for.
   CheckBytes(*in.graph, std::max(labels.size(), in.laneLabels.size() + 1), in.mostBytes);
-  in.seeds = std::move(each);
   in.AssignLanes(labels);
+  in.seeds = std::move(each);
   in.FindPieceLabels();
   std::vector<std::int32_t> fixed;
   fixed.reserve(in.seeds.size());
@@ -361,8 +369,9 @@ RandomWalkerRun RandomWalker::Solve(
 
 void RandomWalker::Reset()
 {
-  for (NodeValues& batch : internals->batches)
-    std::fill_n(batch.data(), internals->graph->Nodes(), walk::Lanes{});
+  // Which label has which system must not depend on what was before, either.
+  internals->ForgetLanes();
+  internals->AssignLanes(LabelsOf(internals->seeds));
 }
 
 void RandomWalker::WriteLabels(GridView<Label> labels, Label unreached) const

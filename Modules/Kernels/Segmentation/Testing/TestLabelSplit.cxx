@@ -73,6 +73,29 @@ TEST(LabelSplit, EachStrokeIsTakenBackBySmallChanges)
   EXPECT_EQ(blocks.bone.labels, start);
 }
 
+TEST(LabelSplit, WhatIsForgottenLeavesNoTrace)
+{
+  // Labels that come in falling order, and one that goes again, once had other systems to solve.
+  hasp::testing::RandomBone bone({ 30, 24, 20 }, { 0.5, 0.5, 0.8 }, 0.9, 3);
+  const auto stroke = [&](int x, Label label) -> SeedVoxels
+  {
+    const std::vector<glm::dvec3> points{ bone.geometry.IndexToWorld({ x, 12, 10 }) };
+    return { label, hasp::RasterizeStroke(bone.geometry, points, 1.0) };
+  };
+  const std::vector<SeedVoxels> all{ stroke(4, 7), stroke(12, 5), stroke(20, 3), stroke(27, 2),
+    stroke(16, 9), stroke(8, 4) };
+  std::vector<Label> fresh = bone.labels, warm = bone.labels;
+  LabelSplit once(bone.Samples(), bone.Labels(), 1);
+  const std::size_t left = 5; // the last stroke is taken back
+  once.Share({ all.data(), left }, { fresh.data(), bone.geometry });
+  LabelSplit often(bone.Samples(), bone.Labels(), 1);
+  for (std::size_t n = 1; n <= all.size(); ++n)
+    often.Share({ all.data(), n }, { warm.data(), bone.geometry });
+  often.Forget();
+  often.Share({ all.data(), left }, { warm.data(), bone.geometry });
+  EXPECT_EQ(warm, fresh);
+}
+
 TEST(LabelSplit, TheLaterOfTwoStrokesCountsAndWhatIsNoBoneDoesNot)
 {
   TwoBlocks blocks;

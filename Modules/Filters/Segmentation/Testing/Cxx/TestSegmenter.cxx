@@ -124,6 +124,24 @@ TEST(Segmenter, StrokesThatAreAddedSettleToWhatTheRecipeMakes)
   EXPECT_EQ(HashOf(segmenter.Labels()), HashOf(SegmentScan(scan, BonesRecipe()).labels));
 }
 
+TEST(Segmenter, AStepBehindAddedStrokesGivesBackAllThatChanged)
+{
+  const auto scan = TwoBones();
+  Segmenter segmenter(scan);
+  segmenter.Apply(ThresholdStep{});
+  segmenter.Apply(SplitStep{ 1, { StrokeAt(22, 5) } });
+  segmenter.AddStroke(StrokeAt(8, 3));
+  segmenter.AddStroke(StrokeAt(32, 2));
+  vtkNew<vtkImageData> mirror; // what a scene shows
+  mirror->DeepCopy(segmenter.Labels());
+  auto* shown = static_cast<Label*>(mirror->GetScalarPointer());
+  const LabelDelta delta = segmenter.Apply(MergeStep{ 2, 1 });
+  ApplyDelta(delta, { shown, ImageGeometry(mirror) });
+  EXPECT_EQ(HashOf(mirror), HashOf(segmenter.Labels()));
+  SegmentationRecipe recipe = segmenter.Recipe();
+  EXPECT_EQ(HashOf(mirror), HashOf(SegmentScan(scan, recipe).labels));
+}
+
 TEST(Segmenter, GivesTheSameLabelsWithAnyNumberOfThreads)
 {
   const auto scan = TwoBones();
