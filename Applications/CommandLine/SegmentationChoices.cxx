@@ -76,10 +76,12 @@ ThresholdStep ProposeThresholdStep(vtkImageData* image, Session& session)
   session.progress.Step("proposing a threshold");
   const ThresholdProposal proposal =
     Try(ExitCode::BadInput, "", [&] { return ProposeThreshold(ViewImage(image)); });
-  SayWarning(session, Line("the threshold is proposed from the histogram, since the values are not "
-                           "HU: %.6g; bone and soft tissue are %.1f deviations apart%s",
-                        proposal.threshold, proposal.separation,
-                        proposal.separation < 2.0 ? ", which no threshold parts well" : ""));
+  SayWarning(session,
+    Line("the threshold is proposed from the histogram, since nothing says that the values are HU: "
+         "%.6g; bone and soft tissue are %.1f deviations apart%s",
+      proposal.threshold, proposal.separation,
+      proposal.separation < 2.0 ? ", which no threshold parts well" : "") +
+      "; thin bone may be lost: look at it, and give --threshold (226 where the values are HU)");
   return { proposal.threshold };
 }
 
@@ -96,7 +98,9 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
                           ->check(CLI::IsMember(presets))
                           ->excludes(threshold);
   CLI::Option* seeds = verb.add_option("--seeds", choices.seeds,
-    "Strokes of each fragment: a .json file, or .mrk.json files of 3D Slicer");
+    "Strokes of each fragment: a .json file, or a .mrk.json file of 3D Slicer; more: --seeds "
+    "again");
+  seeds->allow_extra_args(false); // what stands behind it is IN
   CLI::Option* radius =
     verb.add_option("--seed-radius", choices.seedRadiusMm, "Of strokes whose file says none, mm")
       ->check(Within(0.01, 50.0))

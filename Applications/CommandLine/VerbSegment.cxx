@@ -55,6 +55,16 @@ vtkSmartPointer<vtkImageData> ReadLabels(
     [&] { return LoadLabels(OpenVolume(options.labels), ImageGeometry(scan)).image; });
 }
 
+/// Throws Failure: BadInput if a split has strokes and none of them is on bone: no user means that.
+void RequireSeeds(const SegmentationStep& step, const SegmentationFinding& found, std::size_t n)
+{
+  const auto* split = std::get_if<SplitStep>(&step);
+  if (split && !split->strokes.empty() && found.besideBone.size() == split->strokes.size())
+    throw Failure(ExitCode::BadInput,
+      "steps[" + std::to_string(n) + "]: no stroke touches a voxel of label " +
+        std::to_string(split->label) + ": points are LPS in mm, and of this scan");
+}
+
 /// Does all steps, and fills in a threshold that is open.
 SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
   const LoadedVolume& volume, Session& session)
@@ -79,6 +89,7 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
     session.resources.push_back({ StepLabel(step), segmenter.UndoBytes() - before,
       MillisecondsSince(start), "a step; the bytes are those that would take it back" });
     made.findings.push_back(segmenter.Finding());
+    RequireSeeds(step, segmenter.Finding(), n);
     for (const std::string& warning : WarningsOf(step, segmenter.Finding(), VoxelMm3(volume.image)))
       SayWarning(session, "steps[" + std::to_string(n) + "]: " + warning);
   }
@@ -136,7 +147,7 @@ void Print(const nlohmann::ordered_json& json)
 /// Throws Failure: WrongUse if a file that is written is one that is read.
 void RequireFreshFiles(const SegmentOptions& options)
 {
-  RequireWritable(options.output, { ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
+  RequireWritable(options.output, { ".seg.nrrd", ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
   if (!options.writeRecipe.empty())
   {
     RequireWritable(options.writeRecipe, { ".json" });
@@ -167,8 +178,9 @@ void Run(const SegmentOptions& options, Session& session)
     Try(ExitCode::BadInput, "", [&] { return Segment(options, chosen, volume, session); });
   const nlohmann::ordered_json described = Describe(chosen, made);
   if (described["labels"].empty())
-    throw Failure(ExitCode::BadInput,
-      "no voxel has a label: the threshold finds no bone; hasp info shows the range of values");
+    throw Failure(ExitCode::BadInput, "no voxel has a label: the threshold finds no bone, or a "
+                                      "step leaves none; hasp info shows the "
+                                      "range of values");
   session.progress.Step("writing the labels");
   Try(ExitCode::WrongUse, "",
     [&]
@@ -192,7 +204,10 @@ void AddSegmentVerb(CLI::App& app, Session& session)
   CLI::App* verb = app.add_subcommand("segment", "Make labels of a CT: bone, and its fragments");
   AddVolumeOptions(*verb, options->volume);
   AddSegmentationOptions(*verb, options->segmentation);
-  verb->add_option("--labels", options->labels, "Labels of the same grid to begin with");
+  verb
+    ->add_option("--labels", options->labels,
+      "Labels of the same grid that the recipe's steps begin with; a threshold forgets them")
+    ->needs(verb->get_option("--recipe"));
   verb
     ->add_option("--output", options->output,
       "The .seg.nrrd file for 3D Slicer, or .nrrd, .mha, .nii, .vti without names")
