@@ -1,18 +1,16 @@
 #include "Segmenter.h"
 
 #include "ImageSteps.h"
+#include "LabelImage.h"
 #include "Segmentation/Components.h"
 #include "Segmentation/LabelEdits.h"
 #include "Segmentation/LabelMorphology.h"
 #include "Segmentation/LabelSplit.h"
 #include "Segmentation/PackedDelta.h"
-#include "vtkHaspLabelTable.h"
 #include "vtkHaspVolumeView.h"
 
-#include "Grid/LabelGrid.h"
 #include "Grid/ProgressPart.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -25,33 +23,6 @@ namespace hasp
 {
 namespace
 {
-
-/// Labels on the grid of a scan: 0, or a copy of those given.
-vtkSmartPointer<vtkImageData> MakeLabels(vtkImageData* scan, vtkImageData* given)
-{
-  vtkNew<vtkUnsignedShortArray> labels;
-  labels->SetName("Labels");
-  labels->SetNumberOfValues(scan->GetNumberOfPoints());
-  Label* values = labels->GetPointer(0);
-  if (given)
-  {
-    CheckLabelGrid("labels", ImageGeometry(scan), ImageGeometry(given));
-    const auto copy = [&]<typename T>(const GridView<const T>& from)
-    {
-      if constexpr (std::is_same_v<T, std::uint8_t> || std::is_same_v<T, Label>)
-        std::copy_n(from.data, from.geometry.Size(), values);
-      else
-        throw std::invalid_argument("labels: must be unsigned char or unsigned short");
-    };
-    std::visit(copy, ViewImage(given));
-  }
-  else
-    std::fill_n(values, scan->GetNumberOfPoints(), Label(0));
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->CopyStructure(scan);
-  image->GetPointData()->SetScalars(labels);
-  return image;
-}
 
 /// What the work returns; what it throws begins with `name`.
 template <typename Work>
@@ -93,7 +64,9 @@ struct Segmenter::Internals
     PackedDelta change;
   };
 
-  Internals(vtkImageData* scan, vtkImageData* given) : image(scan), labels(MakeLabels(scan, given))
+  Internals(vtkImageData* scan, vtkImageData* given)
+    : image(scan),
+      labels(MakeLabelImage(scan, given))
   {
     ViewImage(scan); // what kernels cannot read is refused before anything is done
   }
@@ -448,15 +421,6 @@ vtkImageData* Segmenter::Image() const
 vtkImageData* Segmenter::Labels() const
 {
   return this->Inside->labels;
-}
-
-void NameLabels(vtkImageData* labels, const std::vector<LabelName>& names)
-{
-  LabelTable table;
-  for (const LabelName& name : names)
-    table.push_back({ name.label, name.name, name.colour });
-  SetLabelTable(labels, WithUnnamedLabels(std::move(table),
-                          LabelsOf(std::get<GridView<const Label>>(ViewImage(labels)))));
 }
 
 SegmentedScan SegmentScan(vtkImageData* scan, const SegmentationRecipe& recipe,

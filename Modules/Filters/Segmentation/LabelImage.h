@@ -1,0 +1,13 @@
+#pragma once
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+
+namespace hasp
+{
+
+/// "Labels", unsigned short, on the grid of a scan: 0 everywhere, or a copy of those given. Throws
+/// std::invalid_argument if those are of another grid or type. Private to this module.
+vtkSmartPointer<vtkImageData> MakeLabelImage(vtkImageData* scan, vtkImageData* given);
+
+} // namespace hasp
