@@ -88,6 +88,7 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
       });
     session.resources.push_back({ StepLabel(step), segmenter.UndoBytes() - before,
       MillisecondsSince(start), "a step; the bytes are those that would take it back" });
+    segmenter.ForgetUndo(); // nobody will
     made.findings.push_back(segmenter.Finding());
     RequireSeeds(step, segmenter.Finding(), n);
     for (const std::string& warning : WarningsOf(step, segmenter.Finding(), VoxelMm3(volume.image)))

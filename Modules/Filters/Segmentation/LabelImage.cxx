@@ -1,7 +1,6 @@
 #include "LabelImage.h"
 
-#include "Segmenter.h"
-#include "vtkHaspLabelTable.h"
+#include "Segmentation/LabelMap.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/LabelGrid.h"
@@ -41,15 +40,6 @@ vtkSmartPointer<vtkImageData> MakeLabelImage(vtkImageData* scan, vtkImageData* g
   image->CopyStructure(scan);
   image->GetPointData()->SetScalars(labels);
   return image;
-}
-
-void NameLabels(vtkImageData* labels, const std::vector<LabelName>& names)
-{
-  LabelTable table;
-  for (const LabelName& name : names)
-    table.push_back({ name.label, name.name, name.colour });
-  SetLabelTable(labels, WithUnnamedLabels(std::move(table),
-                          LabelsOf(std::get<GridView<const Label>>(ViewImage(labels)))));
 }
 
 } // namespace hasp

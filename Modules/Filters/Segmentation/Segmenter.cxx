@@ -182,6 +182,8 @@ struct Segmenter::Internals
   {
     if (this->split)
       return;
+    if (this->done.empty())
+      throw std::logic_error("what the split began with was forgotten");
     const GridView<const Label> now = this->ReadOnlyMap();
     std::vector<Label> before(now.data, now.data + now.geometry.Size());
     for (auto entry = this->done.rbegin();; ++entry)
@@ -212,7 +214,8 @@ struct Segmenter::Internals
   {
     try
     {
-      SegmentationFinding found{ .changed = delta.Voxels() };
+      SegmentationFinding found;
+      found.changed = delta.Voxels();
       this->FindSplit(found);
       keeping();
       this->finding = std::move(found);
@@ -325,7 +328,10 @@ LabelDelta Segmenter::AddStroke(const BrushStroke& stroke, const ProgressFunctio
       try
       {
         delta = in.Share(PartOf(progress, 0.3, 1.0));
-        in.KeepEntry({ .isStroke = true, .isSettled = false }, delta);
+        Internals::Entry entry;
+        entry.isStroke = true;
+        entry.isSettled = false;
+        in.KeepEntry(std::move(entry), delta);
       }
       catch (...)
       {
@@ -390,6 +396,15 @@ LabelDelta Segmenter::Undo()
   return delta;
 }
 
+void Segmenter::ForgetUndo()
+{
+  std::vector<Internals::Entry>& done = this->Inside->done;
+  const auto step = std::find_if(
+    done.rbegin(), done.rend(), [](const Internals::Entry& entry) { return !entry.isStroke; });
+  if (step != done.rend())
+    done.erase(done.begin(), std::prev(step.base()));
+}
+
 bool Segmenter::CanUndo() const
 {
   return !this->Inside->done.empty();
@@ -421,25 +436,6 @@ vtkImageData* Segmenter::Image() const
 vtkImageData* Segmenter::Labels() const
 {
   return this->Inside->labels;
-}
-
-SegmentedScan SegmentScan(vtkImageData* scan, const SegmentationRecipe& recipe,
-  vtkImageData* labels, const RandomWalkerSettings& settings, const ProgressFunction& progress)
-{
-  ValidateSegmentationRecipe(recipe);
-  Segmenter segmenter(scan, labels);
-  segmenter.SetWalkerSettings(settings);
-  SegmentedScan result;
-  const double part = 1.0 / std::max<std::size_t>(recipe.steps.size(), 1);
-  for (std::size_t n = 0; n < recipe.steps.size(); ++n)
-  {
-    segmenter.Apply(recipe.steps[n], PartOf(progress, part * n, part * (n + 1)));
-    result.findings.push_back(segmenter.Finding());
-    segmenter.Inside->done.clear(); // nobody will take it back
-  }
-  result.labels = segmenter.Labels();
-  NameLabels(result.labels, recipe.names);
-  return result;
 }
 
 } // namespace hasp

@@ -67,6 +67,10 @@ public:
   /// nothing is done. O(voxels that change), and of a split's stroke one pass over the labels.
   LabelDelta Undo();
   bool CanUndo() const;
+  /// Frees what would take back the steps before the last one: they stay done. Undo then ends
+  /// there, and a stroke cannot be added to a split whose step is the last one again by Undo:
+  /// std::logic_error.
+  void ForgetUndo();
   /// Of all that can be taken back, but for images.
   std::size_t UndoBytes() const;
 
@@ -83,8 +87,6 @@ public:
 private:
   struct Internals;
   std::unique_ptr<Internals> Inside;
-  friend struct SegmentedScan SegmentScan(vtkImageData*, const SegmentationRecipe&, vtkImageData*,
-    const RandomWalkerSettings&, const ProgressFunction&);
 };
 
 struct SegmentedScan

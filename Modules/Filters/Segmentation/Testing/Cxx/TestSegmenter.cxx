@@ -213,6 +213,28 @@ TEST(Segmenter, AThousandEditsAreTakenBackToTheSameLabels)
   EXPECT_THROW(segmenter.Undo(), std::logic_error);
 }
 
+TEST(Segmenter, WhatIsForgottenStaysDoneAndCostsNothing)
+{
+  const auto scan = TwoBones();
+  Segmenter segmenter(scan);
+  Do(segmenter, BonesRecipe());
+  const std::uint64_t hash = HashOf(segmenter.Labels());
+  const std::size_t bytes = segmenter.UndoBytes();
+  segmenter.ForgetUndo();
+  EXPECT_LT(segmenter.UndoBytes(), bytes);
+  EXPECT_EQ(HashOf(segmenter.Labels()), hash);
+  segmenter.AddStroke(StrokeAt(20, 2)); // the last step can be gone on with, and taken back
+  segmenter.Undo();
+  EXPECT_EQ(HashOf(segmenter.Labels()), hash);
+  segmenter.Apply(FillStep{ 2 });
+  segmenter.ForgetUndo();
+  segmenter.Undo();
+  EXPECT_FALSE(segmenter.CanUndo());
+  EXPECT_THROW(segmenter.AddStroke(StrokeAt(20, 2)), std::logic_error);
+  EXPECT_EQ(HashOf(segmenter.Labels()), hash);
+  EXPECT_THROW(segmenter.Undo(), std::logic_error);
+}
+
 TEST(Segmenter, AFilterIsTakenBackToTheScanItself)
 {
   const auto scan = TwoBones();
