@@ -117,6 +117,13 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
                          ->check(Within(0.0, 1.0))
                          ->capture_default_str()
                          ->needs(seeds);
+  CLI::Option* norm =
+    verb
+      .add_option("--norm", choices.norm,
+        "1: borders keep to edges and cracks (least cut); 2: to the middle, too (random walk)")
+      ->check(Within(1.0, 2.0))
+      ->capture_default_str()
+      ->needs(seeds);
   CLI::Option* components = verb
                               .add_option("--components", choices.leastMm3,
                                 "Make fragments of bone's pieces of at least so many mm3")
@@ -138,8 +145,8 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
       ->check(Within(-1e6, 1e6))
       ->capture_default_str()
       ->needs(coneBeam);
-  for (CLI::Option* option : { threshold, preset, seeds, radius, beta, crack, components, gaussian,
-         median, coneBeam, field, inside })
+  for (CLI::Option* option : { threshold, preset, seeds, radius, beta, crack, norm, components,
+         gaussian, median, coneBeam, field, inside })
     recipe->excludes(option);
 }
 
@@ -159,7 +166,7 @@ ChosenSegmentation ChooseSegmentation(
     if (seeds.notPlaced > 0)
       SayWarning(session,
         std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
-    split = { 1, std::move(seeds.strokes), choices.beta, choices.crack };
+    split = { 1, std::move(seeds.strokes), choices.beta, choices.crack, choices.norm };
     chosen.recipe.names = std::move(seeds.names);
   }
   chosen.recipe.steps = FiltersOf(choices);

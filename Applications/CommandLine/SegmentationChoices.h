@@ -24,7 +24,7 @@ struct SegmentationChoices
   std::optional<double> threshold;
   std::string preset;
   std::vector<std::string> seeds;
-  double seedRadiusMm = 2.0, beta = 90.0, crack = 0.1;
+  double seedRadiusMm = 2.0, beta = 90.0, crack = 0.1, norm = 1.0;
   double gaussianMm = 0.0, medianMm = 0.0; ///< 0: none
   bool coneBeam = false;
   double fieldMm = 60.0, insideAbove = 0.0;

@@ -41,7 +41,7 @@ protected:
   static json Split(double lowerZ)
   {
     return { { { "step", "threshold" }, { "lowest", 226 }, { "highest", 1e6 } },
-      { { "step", "split" }, { "label", 1 }, { "beta", 0 }, { "crack", 0 },
+      { { "step", "split" }, { "label", 1 }, { "beta", 0 }, { "crack", 0 }, { "norm", 2 },
         { "strokes", { Stroke(2, 0, lowerZ), Stroke(3, 80, 0), Stroke(3, 0, 100) } } } };
   }
   static json Segmentation(const json& steps, const std::string& labels = "")

@@ -162,7 +162,7 @@ struct Segmenter::Internals
     for (const BrushStroke& stroke : step.strokes)
       voxels.push_back({ stroke.label, this->Voxels(stroke, {}) });
     this->split = std::make_unique<LabelSplit>(ViewImage(this->image), bone, step.label,
-      EdgeWeightSettings{ .beta = step.beta, .crack = step.crack }, progress);
+      SplitSettings{ { .beta = step.beta, .crack = step.crack }, step.norm }, progress);
     this->strokes = std::move(voxels);
   }
 
@@ -330,7 +330,7 @@ LabelDelta Segmenter::AddStroke(const BrushStroke& stroke, const ProgressFunctio
         delta = in.Share(PartOf(progress, 0.3, 1.0));
         Internals::Entry entry;
         entry.isStroke = true;
-        entry.isSettled = false;
+        entry.isSettled = !in.split->Remembers();
         in.KeepEntry(std::move(entry), delta);
       }
       catch (...)

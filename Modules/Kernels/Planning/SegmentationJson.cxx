@@ -44,7 +44,7 @@ struct StepWriter
     for (const BrushStroke& stroke : s.strokes)
       strokes.push_back(StrokeToJson(stroke));
     return { { "step", "split" }, { "label", s.label }, { "beta", s.beta }, { "crack", s.crack },
-      { "strokes", std::move(strokes) } };
+      { "norm", s.norm }, { "strokes", std::move(strokes) } };
   }
   Json operator()(const PaintStep& s) const
   {
@@ -115,8 +115,9 @@ SegmentationStep ReadThreshold(const StepText& text)
 
 SegmentationStep ReadSplit(const StepText& text)
 {
-  const StrictJson read = text.Read({ "step", "label", "beta", "crack", "strokes" });
-  SplitStep step{ ReadLabel(read, "label"), {}, read.Number("beta"), read.Number("crack") };
+  const StrictJson read = text.Read({ "step", "label", "beta", "crack", "norm", "strokes" });
+  SplitStep step{ ReadLabel(read, "label"), {}, read.Number("beta"), read.Number("crack"),
+    read.Number("norm") };
   for (const Json& stroke : read.List("strokes", MostStrokes))
     step.strokes.push_back(StrokeFromJson(
       stroke, text.subject, text.name + "." + ListKey("strokes", step.strokes.size())));

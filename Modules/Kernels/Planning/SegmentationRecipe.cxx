@@ -51,6 +51,7 @@ struct CheckStep
     this->Label("label", step.label);
     this->check.Closed("beta", step.beta, 0.0, 1e12);
     this->check.Closed("crack", step.crack, 0.0, 1.0);
+    this->check.Closed("norm", step.norm, 1.0, 2.0);
     this->check.Closed(
       "the number of strokes", double(step.strokes.size()), 0.0, double(MostStrokes));
     for (std::size_t n = 0; n < step.strokes.size(); ++n)

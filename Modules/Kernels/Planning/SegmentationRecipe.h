@@ -69,15 +69,17 @@ struct BrushStroke
   bool operator==(const BrushStroke&) const noexcept = default;
 };
 
-/// The voxels of a label are shared out among the labels of strokes that touch it: each goes to
-/// the stroke that a random walk from it meets first, most likely (Grady 2006; BoneSplit). What no
-/// stroke is connected to keeps its label.
+/// The voxels of a label are shared out among the labels of strokes that touch it. With norm 2 each
+/// goes to the stroke that a random walk from it meets first, most likely (Grady 2006; BoneSplit);
+/// with a smaller norm borders keep more to edges and cracks, up to the least cut with norm 1
+/// (Sinop and Grady 2007). What no stroke is connected to keeps its label.
 struct SplitStep
 {
   std::uint16_t label = 1;          ///< whose voxels; [1, 65535]
   std::vector<BrushStroke> strokes; ///< labels in [1, 65535]; at most MostStrokes
   double beta = 90.0; ///< how much an edge of the image holds a walk back, [0, 1e12]; VoxelGraph.h
   double crack = 0.1; ///< a crack that is so deep holds it back to 1/e, [0, 1]; 0: none does
+  double norm = 1.0;  ///< of differences of probabilities that is least, [1, 2]; SharpWalker.h
   bool operator==(const SplitStep&) const noexcept = default;
 };
 

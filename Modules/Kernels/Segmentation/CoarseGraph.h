@@ -11,6 +11,8 @@
 namespace hasp::walk
 {
 
+constexpr std::int64_t nodesAPass = 8192; ///< that a thread takes at once
+
 /// Which coarse node each node belongs to, and the other way round.
 struct Aggregates
 {

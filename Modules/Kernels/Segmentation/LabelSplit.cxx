@@ -29,11 +29,24 @@ void ForNodes(const VoxelGraph& graph, const VoxelRun& run, const Visit& visit)
 } // namespace
 
 LabelSplit::LabelSplit(const AnyGridView& grid, GridView<const Label> labels, Label l,
-  const EdgeWeightSettings& weights, const ProgressFunction& progress)
+  const SplitSettings& settings, const ProgressFunction& progress)
   : label(l),
-    walker(std::make_shared<const VoxelGraph>(grid, labels, l, weights, PartOf(progress, 0.0, 0.5)),
-      PartOf(progress, 0.5, 1.0))
+    norm(settings.norm)
 {
+  if (!(norm >= 1.0 && norm <= 2.0))
+    throw std::invalid_argument("norm is " + std::to_string(norm) + ", must be in [1, 2]");
+  graph = std::make_shared<const VoxelGraph>(
+    grid, labels, label, settings.weights, PartOf(progress, 0.0, 0.5));
+  if (norm < 2.0)
+    sharp.emplace(graph, PartOf(progress, 0.5, 1.0));
+  else
+    walker.emplace(graph, PartOf(progress, 0.5, 1.0));
+}
+
+void LabelSplit::Forget()
+{
+  if (walker)
+    walker->SetSeeds({});
 }
 
 LabelDelta LabelSplit::Share(std::span<const SeedVoxels> strokes, GridView<Label> labels,
@@ -48,12 +61,9 @@ LabelDelta LabelSplit::Share(std::span<const SeedVoxels> strokes, GridView<Label
         [&](std::int32_t node) {
           seeds.push_back({ node, stroke.label });
         });
-  walker.SetSeeds(std::move(seeds));
-  run = walker.Solve(settings, PartOf(progress, 0.0, 0.95));
-
   const std::size_t size = labels.geometry.Size();
   std::vector<Label> after(labels.data, labels.data + size);
-  unreached = WriteShares({ after.data(), labels.geometry });
+  Solve(std::move(seeds), { after.data(), labels.geometry }, settings, PartOf(progress, 0.0, 0.95));
   const GridView<const Label> view{ after.data(), labels.geometry };
   LabelDelta delta = DifferenceOf(
     { labels.data, labels.geometry }, view, VoxelBox{ glm::ivec3(0), labels.geometry.dims });
@@ -62,28 +72,49 @@ LabelDelta LabelSplit::Share(std::span<const SeedVoxels> strokes, GridView<Label
   return delta;
 }
 
-std::uint64_t LabelSplit::WriteShares(GridView<Label> labels) const
+/// Writes the labels of all voxels of the split.
+void LabelSplit::Solve(std::vector<WalkerSeed> seeds, GridView<Label> labels,
+  const RandomWalkerSettings& settings, const ProgressFunction& progress)
 {
+  std::vector<Label> shares; // of nodes; none where the walker writes them itself
+  if (sharp)
+  {
+    SharpWalker::Shares solved = sharp->Solve(std::move(seeds), norm, settings, progress);
+    shares = std::move(solved.labels);
+    run = solved.run;
+  }
+  else
+  {
+    walker->SetSeeds(std::move(seeds));
+    run = walker->Solve(settings, progress);
+  }
   const auto forRuns = [&](const auto& visit)
   {
     for (std::size_t row = 0; row + 1 < Graph().RowRuns().size(); ++row)
       for (std::int32_t n = Graph().RowRuns()[row]; n < Graph().RowRuns()[row + 1]; ++n)
       {
-        const VoxelGraph::Run& run = Graph().Runs()[std::size_t(n)];
-        Label* first = labels.data + row * std::size_t(labels.geometry.dims.x) + run.x;
-        visit(first, first + run.count);
+        const VoxelGraph::Run& part = Graph().Runs()[std::size_t(n)];
+        Label* first = labels.data + row * std::size_t(labels.geometry.dims.x) + part.x;
+        visit(part, first, first + part.count);
       }
   };
-  forRuns([](Label* first, Label* last) { std::fill(first, last, Label(0)); });
-  walker.WriteLabels(labels); // what no seed is connected to keeps its 0
-  std::uint64_t count = 0;
   forRuns(
-    [&](Label* first, Label* last)
+    [&](const VoxelGraph::Run& part, Label* first, Label* last)
     {
-      count += static_cast<std::uint64_t>(std::count(first, last, Label(0)));
+      if (sharp)
+        std::copy_n(shares.begin() + part.first, part.count, first);
+      else
+        std::fill(first, last, Label(0));
+    });
+  if (walker)
+    walker->WriteLabels(labels); // what no seed is connected to keeps its 0
+  unreached = 0;
+  forRuns(
+    [&](const VoxelGraph::Run&, Label* first, Label* last)
+    {
+      unreached += static_cast<std::uint64_t>(std::count(first, last, Label(0)));
       std::replace(first, last, Label(0), label);
     });
-  return count;
 }
 
 bool LabelSplit::Touches(const SeedVoxels& stroke) const

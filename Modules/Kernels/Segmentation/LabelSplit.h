@@ -2,8 +2,10 @@
 #include "Segmentation/Brush.h"
 #include "Segmentation/LabelDelta.h"
 #include "Segmentation/RandomWalker.h"
+#include "Segmentation/SharpWalker.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace hasp
@@ -16,17 +18,26 @@ struct SeedVoxels
   VoxelRuns voxels; ///< those outside the bone that is split mark nothing
 };
 
+struct SplitSettings
+{
+  EdgeWeightSettings weights;
+  double norm = 1.0; ///< [1, 2]; 2: the random walk (RandomWalker.h); else SharpWalker.h
+};
+
 /// The voxels of one label while they are shared out among strokes: made once, asked after each
-/// stroke. Keeps the graph and what was solved, so that one more stroke takes a few cycles.
+/// stroke. Keeps the graph, and with norm 2 what was solved, so that one more stroke takes a few
+/// cycles.
 ///
-/// WORKER threads: one caller at a time. Memory as RandomWalker.h and VoxelGraph.h say.
+/// WORKER threads: one caller at a time. Memory as RandomWalker.h, SharpWalker.h and VoxelGraph.h
+/// say.
 class LabelSplit
 {
 public:
   /// The voxels that have `label` in `labels`, tied to each other by the samples of `grid`. Keeps
-  /// neither. Throws as VoxelGraph's constructor does.
+  /// neither. Throws std::invalid_argument if norm is out of its range, and as VoxelGraph's
+  /// constructor does.
   LabelSplit(const AnyGridView& grid, GridView<const Label> labels, Label label,
-    const EdgeWeightSettings& weights = {}, const ProgressFunction& progress = {});
+    const SplitSettings& settings = {}, const ProgressFunction& progress = {});
 
   /// Shares the voxels out among all strokes there are; where two mark a voxel the later one
   /// counts. A piece of bone that no stroke touches has the label that all had. Changes the map and
@@ -38,7 +49,10 @@ public:
     const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});
 
   /// Forgets what was solved: the next Share gives what it would if it were the first.
-  void Forget() { walker.SetSeeds({}); }
+  void Forget();
+  /// Whether what was solved is where the next Share starts: its labels then depend on it, within
+  /// the tolerance. Not with a norm below 2.
+  bool Remembers() const { return walker.has_value(); }
 
   /// What the last Share cost, and how good it is.
   const RandomWalkerRun& LastRun() const { return run; }
@@ -46,14 +60,18 @@ public:
   std::uint64_t Unreached() const { return unreached; }
   /// Whether a stroke marks any voxel of the split.
   bool Touches(const SeedVoxels& stroke) const;
-  const VoxelGraph& Graph() const { return walker.Graph(); }
-  std::size_t Bytes() const { return walker.Graph().Bytes() + walker.Bytes(); }
+  const VoxelGraph& Graph() const { return *graph; }
+  std::size_t Bytes() const { return graph->Bytes() + (walker ? walker->Bytes() : sharp->Bytes()); }
 
 private:
-  std::uint64_t WriteShares(GridView<Label> labels) const;
+  void Solve(std::vector<WalkerSeed> seeds, GridView<Label> labels,
+    const RandomWalkerSettings& settings, const ProgressFunction& progress);
 
   Label label;
-  RandomWalker walker;
+  double norm;
+  std::shared_ptr<const VoxelGraph> graph;
+  std::optional<RandomWalker> walker; ///< the one that the norm asks for
+  std::optional<SharpWalker> sharp;
   RandomWalkerRun run;
   std::uint64_t unreached = 0;
 };

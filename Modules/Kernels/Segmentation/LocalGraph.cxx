@@ -129,18 +129,47 @@ LocalGraph::LocalGraph(const VoxelGraph& whole, const MarkedCells& cells)
             });
         });
     });
+  std::vector<VoxelGraph::Run> runs;
+  for (const std::vector<VoxelGraph::Run>& layer : layers)
+    runs.insert(runs.end(), layer.begin(), layer.end());
+  Cut(whole, std::move(runs), std::move(rowRuns));
+}
+
+LocalGraph::LocalGraph(const VoxelGraph& whole, const std::vector<std::uint8_t>& in)
+{
+  std::vector<VoxelGraph::Run> runs;
+  std::vector<std::int32_t> rowRuns(whole.RowRuns().size());
+  for (std::size_t row = 0; row + 1 < rowRuns.size(); ++row)
+    for (std::int32_t r = whole.RowRuns()[row]; r < whole.RowRuns()[row + 1]; ++r)
+    {
+      const VoxelGraph::Run& run = whole.Runs()[r];
+      const auto end = in.begin() + run.first + run.count;
+      for (auto at = in.begin() + run.first;;)
+      {
+        const auto first = std::find_if(at, end, [](std::uint8_t v) { return v != 0; });
+        if (first == end)
+          break;
+        at = std::find(first, end, std::uint8_t{ 0 });
+        const auto node = static_cast<std::int32_t>(first - in.begin());
+        runs.push_back({ node, static_cast<std::int32_t>(at - first), run.x + node - run.first });
+        ++rowRuns[row + 1];
+      }
+    }
+  Cut(whole, std::move(runs), std::move(rowRuns));
+}
+
+/// rowRuns: how many runs each row has, one place on.
+void LocalGraph::Cut(
+  const VoxelGraph& whole, std::vector<VoxelGraph::Run> runs, std::vector<std::int32_t> rowRuns)
+{
   for (std::size_t row = 1; row < rowRuns.size(); ++row)
     rowRuns[row] += rowRuns[row - 1];
-  std::vector<VoxelGraph::Run> runs;
-  runs.reserve(static_cast<std::size_t>(rowRuns.back()));
   std::int32_t nodes = 0;
-  for (const std::vector<VoxelGraph::Run>& layer : layers)
-    for (const VoxelGraph::Run& run : layer)
-    {
-      runs.push_back(run);
-      pieces.push_back({ run.first, nodes, run.count });
-      nodes += run.count;
-    }
+  for (const VoxelGraph::Run& run : runs)
+  {
+    pieces.push_back({ run.first, nodes, run.count });
+    nodes += run.count;
+  }
   graph = std::make_shared<const VoxelGraph>(whole, std::move(runs), std::move(rowRuns));
 
   std::vector<std::uint8_t> inside(static_cast<std::size_t>(whole.Nodes()) + 2);

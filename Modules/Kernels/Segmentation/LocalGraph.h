@@ -49,9 +49,15 @@ struct LocalGraph
 
   /// The nodes in marked cells.
   LocalGraph(const VoxelGraph& whole, const MarkedCells& cells);
+  /// The nodes n with in[n] != 0; one value a node.
+  LocalGraph(const VoxelGraph& whole, const std::vector<std::uint8_t>& in);
 
   NodeValues Take(const NodeValues& whole) const;
   void Put(const NodeValues& local, NodeValues& whole) const;
+
+private:
+  void Cut(
+    const VoxelGraph& whole, std::vector<VoxelGraph::Run> runs, std::vector<std::int32_t> rowRuns);
 };
 
 } // namespace hasp::walk

@@ -4,6 +4,7 @@
 #include "Segmentation/ConjugateGradients.h"
 #include "Segmentation/LocalGraph.h"
 #include "Segmentation/Multigrid.h"
+#include "Segmentation/WalkerSystems.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,12 +17,12 @@ namespace hasp
 
 using walk::LaneCount;
 using walk::NodeValues;
+using walk::noLabel;
+using walk::severalLabels;
 
 namespace
 {
 
-constexpr std::int32_t noLabel = -1; ///< no seed in this piece of the graph
-constexpr std::int32_t severalLabels = -2;
 /// Of the coarse start: what its constants are off by themselves is more.
 constexpr double coarseTolerance = 2e-2;
 constexpr double mostLocal = 0.1; ///< of all voxels: above, a part is not worth being cut out
@@ -71,36 +72,6 @@ std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& piec
 
 } // namespace
 
-namespace
-{
-
-/// Hands `most` back. Throws std::invalid_argument if a solve takes more.
-std::size_t CheckBytes(const VoxelGraph& graph, std::size_t labels, std::size_t most)
-{
-  constexpr std::size_t ofSolver = 160; ///< a voxel, while it solves
-  const std::size_t batches = labels < 2 ? 0 : (labels - 1 + LaneCount - 1) / LaneCount;
-  const auto voxels = static_cast<std::size_t>(graph.Nodes());
-  const std::size_t bytes = voxels * (ofSolver + batches * sizeof(walk::Lanes));
-  if (bytes > most)
-    throw std::invalid_argument(
-      "sharing " + std::to_string(voxels) + " voxels out among " + std::to_string(labels) +
-      " labels takes " + std::to_string(bytes >> 20) + " MiB, may take " +
-      std::to_string(most >> 20) + "; use fewer labels, or split in parts");
-  return most;
-}
-
-std::vector<Label> LabelsOf(const std::vector<WalkerSeed>& seeds)
-{
-  std::vector<Label> labels;
-  for (const WalkerSeed& seed : seeds)
-    labels.push_back(seed.label);
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  return labels;
-}
-
-} // namespace
-
 struct RandomWalker::Internals
 {
   std::shared_ptr<const VoxelGraph> graph;
@@ -109,13 +80,12 @@ struct RandomWalker::Internals
   std::vector<std::int32_t> pieceOfSpan;
   std::vector<std::int32_t> pieceLabel; ///< the label of all its seeds, noLabel or severalLabels
   std::vector<WalkerSeed> seeds;        ///< ascending nodes
-  Label rest = 0;                       ///< the label without a system of its own
-  std::vector<Label> laneLabels;        ///< of the systems; 0: free
-  std::vector<NodeValues> batches;      ///< probabilities, four labels each
+  walk::Systems systems;
+  std::vector<NodeValues> batches; ///< probabilities, four labels each
 
   Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress, std::size_t most)
     : graph(std::move(g)),
-      mostBytes(CheckBytes(*graph, 2, most)),
+      mostBytes(walk::CheckBytes(*graph, 2, most)),
       multigrid(graph, progress)
   {
     std::int32_t pieces = 0;
@@ -134,11 +104,11 @@ struct RandomWalker::Internals
   void AssignLanes(const std::vector<Label>& labels)
   {
     const auto used = [&](Label l) { return std::binary_search(labels.begin(), labels.end(), l); };
-    if (!used(rest)) // all probabilities that were implied are lost
+    if (!used(systems.rest)) // all probabilities that were implied are lost
       ForgetLanes();
     const Label first = labels.empty() ? Label{ 0 } : labels.front();
-    const Label without = rest == 0 ? first : rest;
-    std::vector<Label> lanes = laneLabels;
+    const Label without = systems.rest == 0 ? first : systems.rest;
+    std::vector<Label> lanes = systems.lanes;
     for (Label& lane : lanes)
       if (!used(lane))
         lane = 0;
@@ -155,17 +125,17 @@ struct RandomWalker::Internals
     const std::size_t needed = (lanes.size() + LaneCount - 1) / LaneCount;
     while (batches.size() < needed)
       batches.emplace_back(graph->Nodes());
-    for (std::size_t lane = 0; lane < laneLabels.size(); ++lane)
-      if (laneLabels[lane] != 0 && laneLabels[lane] != lanes[lane])
+    for (std::size_t lane = 0; lane < systems.lanes.size(); ++lane)
+      if (systems.lanes[lane] != 0 && systems.lanes[lane] != lanes[lane])
         FillLane(lane, 0.0F);
-    laneLabels = std::move(lanes);
-    rest = without;
+    systems.lanes = std::move(lanes);
+    systems.rest = without;
   }
 
   void ForgetLanes()
   {
-    rest = 0;
-    laneLabels.clear();
+    systems.rest = 0;
+    systems.lanes.clear();
     batches.clear();
   }
 
@@ -176,26 +146,13 @@ struct RandomWalker::Internals
       batch.data()[n][lane % LaneCount] = value;
   }
 
-  /// 1 in the system of the label, 0 in all others.
-  walk::Lanes Known(std::size_t batch, std::int32_t label) const
-  {
-    walk::Lanes value{};
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      const std::size_t at = batch * LaneCount + static_cast<std::size_t>(lane);
-      if (at < laneLabels.size() && laneLabels[at] != 0 && laneLabels[at] == label)
-        value[lane] = 1.0F;
-    }
-    return value;
-  }
-
   void FindPieceLabels()
   {
     std::fill(pieceLabel.begin(), pieceLabel.end(), noLabel);
     for (const WalkerSeed& seed : seeds)
     {
       std::int32_t& label = pieceLabel[pieceOfSpan[SpanOf(seed.node)]];
-      label = label == noLabel || label == seed.label ? seed.label : severalLabels;
+      label = walk::WithSeed(label, seed.label);
     }
   }
 
@@ -213,11 +170,11 @@ struct RandomWalker::Internals
             const std::int32_t label = pieceLabel[pieceOfSpan[s]];
             const VoxelGraph::Span& span = graph->Spans()[s];
             if (label != severalLabels)
-              std::fill_n(x + span.first, span.count, Known(b, label));
+              std::fill_n(x + span.first, span.count, systems.Known(b, label));
           }
         });
       for (const WalkerSeed& seed : seeds)
-        x[seed.node] = Known(b, seed.label);
+        x[seed.node] = systems.Known(b, seed.label);
     }
   }
 
@@ -244,32 +201,6 @@ struct RandomWalker::Internals
     local.Put(part, x);
     return run;
   }
-
-  /// The most likely label of a node whose piece has several.
-  Label Best(std::int64_t node) const
-  {
-    float sum = 0.0F;
-    float most = -1.0F;
-    Label best = 0;
-    const auto take = [&](Label label, float probability)
-    {
-      if (probability > most || (probability == most && label < best))
-      {
-        most = probability;
-        best = label;
-      }
-    };
-    for (std::size_t lane = 0; lane < laneLabels.size(); ++lane)
-      if (laneLabels[lane] != 0)
-      {
-        const float probability =
-          batches[lane / LaneCount].data()[node][static_cast<int>(lane % LaneCount)];
-        sum += probability;
-        take(laneLabels[lane], probability);
-      }
-    take(rest, 1.0F - sum);
-    return best;
-  }
 };
 
 RandomWalker::RandomWalker(
@@ -283,23 +214,10 @@ RandomWalker::~RandomWalker() = default;
 void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
 {
   Internals& in = *internals;
-  for (const WalkerSeed& seed : seeds)
-    if (seed.node < 0 || seed.node >= in.graph->Nodes() || seed.label == 0)
-      throw std::invalid_argument(
-        "a seed is at node " + std::to_string(seed.node) + " with label " +
-        std::to_string(seed.label) + ", must be at a node in [0, " +
-        std::to_string(in.graph->Nodes()) + ") with a label in [1, 65535]");
-  std::stable_sort(seeds.begin(), seeds.end(),
-    [](const WalkerSeed& a, const WalkerSeed& b) { return a.node < b.node; });
-  std::vector<WalkerSeed> each;
-  for (const WalkerSeed& seed : seeds)
-    if (!each.empty() && each.back().node == seed.node)
-      each.back() = seed;
-    else
-      each.push_back(seed);
-  const std::vector<Label> labels = LabelsOf(each);
+  std::vector<WalkerSeed> each = walk::OrderSeeds(*in.graph, std::move(seeds));
+  const std::vector<Label> labels = walk::LabelsOf(each);
   // A lane that is free stays: at most one batch more than there are labels now for.
-  CheckBytes(*in.graph, std::max(labels.size(), in.laneLabels.size() + 1), in.mostBytes);
+  walk::CheckBytes(*in.graph, std::max(labels.size(), in.systems.lanes.size() + 1), in.mostBytes);
   in.AssignLanes(labels);
   in.seeds = std::move(each);
   in.FindPieceLabels();
@@ -313,12 +231,7 @@ void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
 RandomWalkerRun RandomWalker::Solve(
   const RandomWalkerSettings& settings, const ProgressFunction& progress)
 {
-  if (!(settings.tolerance > 0.0 && settings.tolerance <= 0.1))
-    throw std::invalid_argument(
-      "tolerance is " + std::to_string(settings.tolerance) + ", must be in (0, 0.1]");
-  if (settings.mostIterations < 1 || settings.mostIterations > 100000)
-    throw std::invalid_argument(
-      "mostIterations is " + std::to_string(settings.mostIterations) + ", must be in [1, 100000]");
+  walk::CheckSettings(settings);
   Internals& in = *internals;
   in.SetKnown();
   RandomWalkerRun all;
@@ -371,7 +284,7 @@ void RandomWalker::Reset()
 {
   // Which label has which system must not depend on what was before, either.
   internals->ForgetLanes();
-  internals->AssignLanes(LabelsOf(internals->seeds));
+  internals->AssignLanes(walk::LabelsOf(internals->seeds));
 }
 
 void RandomWalker::WriteLabels(GridView<Label> labels, Label unreached) const
@@ -398,7 +311,8 @@ void RandomWalker::WriteLabels(GridView<Label> labels, Label unreached) const
             if (label == 0)
               continue;
             for (std::int32_t n = spans[s].first; n < spans[s].first + spans[s].count; ++n)
-              voxel[n] = label == severalLabels ? in.Best(n) : static_cast<Label>(label);
+              voxel[n] =
+                label == severalLabels ? in.systems.Best(in.batches, n) : static_cast<Label>(label);
           }
         }
     });
@@ -413,15 +327,15 @@ double RandomWalker::Probability(std::int32_t node, Label label) const
   if (known != severalLabels)
     return known == label ? 1.0 : 0.0;
   double sum = 0.0;
-  for (std::size_t lane = 0; lane < in.laneLabels.size(); ++lane)
+  for (std::size_t lane = 0; lane < in.systems.lanes.size(); ++lane)
   {
     const double probability =
       in.batches[lane / LaneCount].data()[node][static_cast<int>(lane % LaneCount)];
-    if (in.laneLabels[lane] == label && label != 0)
+    if (in.systems.lanes[lane] == label && label != 0)
       return probability;
     sum += probability;
   }
-  return label == in.rest ? 1.0 - sum : 0.0;
+  return label == in.systems.rest ? 1.0 - sum : 0.0;
 }
 
 const VoxelGraph& RandomWalker::Graph() const

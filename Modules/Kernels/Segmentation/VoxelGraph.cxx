@@ -228,6 +228,22 @@ VoxelGraph::VoxelGraph(
   }
 }
 
+VoxelGraph::VoxelGraph(const VoxelGraph& like, const std::array<std::vector<float>, 3>& weights)
+  : geometry(like.geometry),
+    nodes(like.nodes),
+    runs(like.runs),
+    rowRuns(like.rowRuns),
+    spans(like.spans)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (weights[axis].size() != static_cast<std::size_t>(nodes))
+      throw std::invalid_argument("a weight a voxel and axis is needed");
+    along[axis].assign(static_cast<std::size_t>(nodes) + 2, 0.0F);
+    std::copy(weights[axis].begin(), weights[axis].end(), along[axis].begin() + 1);
+  }
+}
+
 /// Rows are counted first and filled then, both on all cores.
 void VoxelGraph::FindRuns(
   GridView<const Label> labels, Label label, const ProgressFunction& progress)

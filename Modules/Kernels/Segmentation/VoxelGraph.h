@@ -67,6 +67,9 @@ public:
   /// are gone.
   VoxelGraph(const VoxelGraph& whole, std::vector<Run> part, std::vector<std::int32_t> rowRuns);
 
+  /// The same links with other weights: of each axis, Nodes() values, 0 where there is no link.
+  VoxelGraph(const VoxelGraph& like, const std::array<std::vector<float>, 3>& weights);
+
   const GridGeometry& Geometry() const { return geometry; }
   std::int64_t Nodes() const { return nodes; }
   const std::vector<Span>& Spans() const { return spans; }

@@ -36,7 +36,7 @@ TEST(PlanEditsFile, StepsAndStrokesAreWrittenByHand)
   const std::string begin = R"({"format":"hasp-edits-4","edits":[)";
   const std::vector<PlanEdit> edits = ParseEdits(
     begin +
-    R"({"addStep":2,"step":{"step":"split","label":1,"beta":90,"crack":0.1,"strokes":[]}},
+    R"({"addStep":2,"step":{"step":"split","label":1,"beta":90,"crack":0.1,"norm":1,"strokes":[]}},
        {"addStroke":2,"stroke":{"label":3,"radiusMm":1.5,"points":[[1,2,3]]}}]})");
   ASSERT_EQ(edits.size(), 2U);
   EXPECT_EQ(edits[0], PlanEdit(AddSegmentationStep{ 2, SplitStep{} }));

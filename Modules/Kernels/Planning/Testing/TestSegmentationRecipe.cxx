@@ -97,6 +97,8 @@ TEST(SegmentationRecipe, EveryNumberOfAStepOutOfItsRangeIsNamed)
     begin + "5]: beta is -1, must be in [0, 1e+12]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.crack = 1.5; }),
     begin + "5]: crack is 1.5, must be in [0, 1]");
+  EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.norm = 2.5; }),
+    begin + "5]: norm is 2.5, must be in [1, 2]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.strokes[1].label = 0; }),
     begin + "5].strokes[1]: label is 0, must be in [1, 65535]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.strokes[1].radiusMm = 51; }),
@@ -285,7 +287,7 @@ TEST(SegmentationRecipe, MoreThanThereIsRoomForIsRefusedBeforeItIsRead)
     points += ",1";
   const std::string begin = "segmentation recipe: ";
   EXPECT_EQ(fault(steps), begin + "steps has 10001 entries, at most 10000 are read");
-  EXPECT_EQ(fault(R"({"step":"split","label":1,"beta":1,"crack":0,"strokes":[)" + steps + "]}"),
+  EXPECT_EQ(fault(R"({"step":"split","label":1,"beta":1,"crack":0,"norm":1,"strokes":[)" + steps + "]}"),
     begin + "steps[0].strokes has 10001 entries, at most 10000 are read");
   EXPECT_EQ(fault(R"({"step":"paint","only":0,"stroke":{"label":1,"radiusMm":1,"points":[)" +
                   points + "]}}"),
