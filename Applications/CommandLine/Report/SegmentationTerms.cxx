@@ -13,8 +13,10 @@ std::vector<ReportTerm> SegmentationTerms()
     { "segmentation.surface",
       "share of the worst fragment's surface, and of the truth's, that lies within one voxel (its "
       "largest spacing) of the other; the same cases" },
-    { "segmentation.first", "from the mask to labels, the first time" },
-    { "segmentation.resolve", "labels after one more stroke" },
+    { "segmentation.first",
+      "from the mask to labels, the first time; walk: by norm 2, the random walk, else by norm 1" },
+    { "segmentation.resolve",
+      "labels after one more stroke; walk: by norm 2, which starts from what was solved" },
     { "segmentation.memory", "bytes for each voxel of bone" },
     { "segmentation.warm",
       "cycles of one more stroke / of the same from nothing; coarse: / of the same from coarse "

@@ -11,9 +11,11 @@ namespace hasp
 void TryConeBeam(ReportContext& context, const RealSkull& skull)
 {
   constexpr int Strokes = 15;
-  // Grey values are no HU: bone begins where the histogram says.
-  const std::string how =
-    "simulated cone beam, threshold proposed from the histogram, at most 15 strokes";
+  // Grey values are no HU: bone begins where the histogram says. Spongy bone is as dark as noise
+  // in soft tissue: what the threshold leaves out of it is closed.
+  constexpr double CloseMm = 1.0;
+  const std::string how = "simulated cone beam, threshold proposed from the histogram, closed by "
+                          "1 mm and filled, at most 15 strokes";
   DiceRows corrected(".cbct", how + ", corrected"), plain(".cbct.uncorrected", how);
   TrialScanSettings settings = ScanSettings(context);
   settings.coneBeam = true;
@@ -30,7 +32,7 @@ void TryConeBeam(ReportContext& context, const RealSkull& skull)
       for (const bool with : { true, false })
       {
         const AnyGridView& used = with ? even : grey;
-        const TrialBone bone(used, ProposeThreshold(used).threshold);
+        const TrialBone bone(used, ProposeThreshold(used).threshold, CloseMm);
         (with ? corrected : plain)
           .Add(context, scan, TryUser(bone, scan, Strokes, context.settings.seed));
       }
@@ -38,7 +40,8 @@ void TryConeBeam(ReportContext& context, const RealSkull& skull)
   for (DiceRows* rows : { &corrected, &plain })
     if (skull.samples.empty())
       rows->AddAbsent(context, "cranium", skull.absent);
-  corrected.AddWorst(context, 0.95, 0.95, 0.97);
+  const double bar = context.settings.quick ? 0.0 : 0.95; // as without a cone beam
+  corrected.AddWorst(context, bar, bar, 0.97);
   plain.AddWorst(context, 0.0, 0.0, 0.0);
 }
 

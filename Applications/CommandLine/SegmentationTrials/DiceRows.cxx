@@ -36,7 +36,6 @@ void DiceRows::Put(ReportContext& context, const std::string& id, const Worst& f
 
 void DiceRows::Add(ReportContext& context, const TrialScan& scan, const TrialResult& result)
 {
-  ++this->Cases;
   char voxel[80];
   std::snprintf(
     voxel, sizeof voxel, "; one voxel: %.3g mm, the largest", OneVoxelMm(scan.scan.geometry));
@@ -48,6 +47,9 @@ void DiceRows::Add(ReportContext& context, const TrialScan& scan, const TrialRes
     context, "segmentation.dice" + this->At + "." + scan.key, volume, "Dice", data, 0.0, fragments);
   this->Put(context, "segmentation.surface" + this->At + "." + scan.key, surface, "surface Dice",
     data + voxel, 0.0, fragments);
+  if (!scan.isBarred)
+    return;
+  ++this->Cases;
   if (volume.dice < this->Volume.dice)
     this->Volume = volume;
   if (surface.dice < this->Surface.dice)
@@ -63,8 +65,10 @@ void DiceRows::AddAbsent(
 
 void DiceRows::AddWorst(ReportContext& context, double diceBar, double surfaceBar, double aim) const
 {
-  char text[60];
-  std::snprintf(text, sizeof text, "; %s; aim %.2f", this->Strokes.c_str(), aim);
+  char of[20] = "";
+  if (aim > 0.0)
+    std::snprintf(of, sizeof of, "; aim %.2f", aim);
+  const std::string text = "; " + this->Strokes + of;
   const auto words = [&](const Worst& worst) { return "worst of all, " + worst.of + text; };
   this->Put(context, "segmentation.dice" + this->At, this->Volume, "Dice", words(this->Volume),
     diceBar, this->Cases);

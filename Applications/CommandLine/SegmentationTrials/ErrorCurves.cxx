@@ -32,9 +32,10 @@ struct Line
   }
 };
 
-Line WalkerLine(const TrialScan& scan, const TrialBone& bone, const std::vector<SeedVoxels>& seeds)
+Line WalkerLine(const std::string& method, double norm, const TrialScan& scan,
+  const TrialBone& bone, const std::vector<SeedVoxels>& seeds)
 {
-  Line line{ "random walker, tolerance 0.1 to 1e-4" };
+  Line line{ method + ", tolerance 0.1 to 1e-4" };
   for (const double tolerance : { 0.1, 2e-2, 5e-3, 1e-3, 1e-4 })
   {
     RandomWalkerSettings settings;
@@ -44,7 +45,7 @@ Line WalkerLine(const TrialScan& scan, const TrialBone& bone, const std::vector<
       [&]
       {
         labels.assign(bone.View().data, bone.View().data + scan.scan.geometry.Size());
-        LabelSplit split(bone.Grey(), bone.View(), 1);
+        LabelSplit split(bone.Grey(), bone.View(), 1, { {}, norm });
         split.Share(seeds, { labels.data(), scan.scan.geometry }, settings);
       });
     line.Add(seconds, CompareWithTruth(scan, labels, LabelPairing::SameNumber));
@@ -78,7 +79,8 @@ void DrawErrorCurves(ReportContext& context, const TrialScan& scan, const TrialB
   const std::vector<BrushStroke>& strokes)
 {
   const std::vector<SeedVoxels> seeds = bone.Seeds(strokes);
-  std::vector<Line> lines{ WalkerLine(scan, bone, seeds), ComponentsLine(scan) };
+  std::vector<Line> lines{ WalkerLine("least cut, norm 1", 1.0, scan, bone, seeds),
+    WalkerLine("random walker, norm 2", 2.0, scan, bone, seeds), ComponentsLine(scan) };
   const SplitInput input{ scan.Samples(), bone.View(), seeds };
   for (const SplitRival& rival : WatershedRivals())
     if (rival.absent.empty())

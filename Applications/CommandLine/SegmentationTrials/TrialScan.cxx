@@ -5,6 +5,8 @@
 
 #include "Grid/Stopwatch.h"
 #include "Segmentation/Brush.h"
+#include "Segmentation/Components.h"
+#include "Segmentation/LabelMorphology.h"
 #include "Studies/FractureCases.h"
 
 #include <algorithm>
@@ -14,6 +16,8 @@ namespace hasp
 {
 namespace
 {
+
+constexpr double KerfMm = 1.0; ///< of a saw
 
 std::string SizeText(const GridGeometry& grid)
 {
@@ -61,21 +65,33 @@ void ForEachTrialScan(const TrialScanSettings& settings, const RealSkull& skull,
     return;
   const GridView<const std::int16_t> intact{ skull.samples.data(), skull.geometry };
   const std::vector<std::uint8_t> named = LargestBone(intact, FractureSettings{}.boneHU);
-  const FractureSettings cuts = PlantedCuts(intact, named, broken);
-  TrialScan scan{ "cranium", {}, BreakScan(intact, cuts, named) };
-  char crack[80];
-  std::snprintf(crack, sizeof crack, ", %zu planted pieces, cracks of %.1f mm", cuts.pieces.size(),
-    cuts.crackMm);
-  scan.data = skull.data + ", " + SizeText(skull.geometry) + crack;
-  visit(scan);
+  const auto plant = [&](const std::string& key, double widthMm, bool isTrial)
+  {
+    broken.crackMm = widthMm;
+    const FractureSettings cuts = PlantedCuts(intact, named, broken);
+    TrialScan scan{ key, {}, BreakScan(intact, cuts, named), isTrial };
+    char text[80];
+    std::snprintf(
+      text, sizeof text, ", %zu planted pieces, cuts of %.1f mm", cuts.pieces.size(), widthMm);
+    scan.data = skull.data + ", " + SizeText(skull.geometry) + text;
+    visit(scan);
+  };
+  plant("cranium", KerfMm, true);
+  plant("cranium_hairline", FractureCaseSettings{}.crackMm, false);
 }
 
-TrialBone::TrialBone(const AnyGridView& grey, double threshold)
+TrialBone::TrialBone(const AnyGridView& grey, double threshold, double closeMm)
   : Samples(grey),
     Geometry(GeometryOf(grey)),
     Mask(GeometryOf(grey).Size())
 {
-  ThresholdLabels(grey, threshold, 1e6, { this->Mask.data(), this->Geometry });
+  const GridView<Label> mask{ this->Mask.data(), this->Geometry };
+  ThresholdLabels(grey, threshold, 1e6, mask);
+  if (closeMm > 0.0)
+  {
+    CloseLabel(mask, 1, closeMm);
+    FillCavities(mask, 1);
+  }
 }
 
 std::vector<SeedVoxels> TrialBone::Seeds(const std::vector<BrushStroke>& strokes) const

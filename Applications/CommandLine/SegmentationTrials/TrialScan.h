@@ -19,6 +19,8 @@ struct TrialScan
   std::string key;  ///< "head": of rows' ids
   std::string data; ///< what rows say of it
   FracturedScan scan;
+  /// Whether bars hold for it. A hairline of a third of a voxel in noisy CT is no more to be seen.
+  bool isBarred = true;
 
   GridView<const std::int16_t> Samples() const
   {
@@ -38,8 +40,9 @@ struct TrialScanSettings
 /// The smaller ones of quick reports.
 TrialScanSettings ScanSettings(const ReportContext& context);
 
-/// One after the other, since a scan holds some hundred MB: head, mandible, and the skull if there
-/// is one. A minute for a head of 0.6 mm.
+/// One after the other, since a scan holds some hundred MB: head and mandible with hairlines, and
+/// the skull, if there is one, with a saw's kerfs and then with hairlines. A minute for a head of
+/// 0.6 mm.
 void ForEachTrialScan(const TrialScanSettings& settings, const RealSkull& skull,
   const std::function<void(const TrialScan&)>& visit);
 
@@ -48,7 +51,8 @@ class TrialBone
 {
 public:
   /// grey   of the scan, corrected or as it is; lives as long as this
-  TrialBone(const AnyGridView& grey, double threshold);
+  /// closeMm  above 0: what is above the threshold is closed by a ball, and its cavities filled
+  TrialBone(const AnyGridView& grey, double threshold, double closeMm = 0.0);
 
   GridView<const Label> View() const { return { this->Mask.data(), this->Geometry }; }
   const AnyGridView& Grey() const { return this->Samples; }

@@ -29,8 +29,8 @@ struct SegmentationFinding
 
 /// A scan while a user makes labels of it: step by step, each of which can be taken back, and
 /// stroke by stroke. At any time the labels are those that the recipe makes of the scan, to the
-/// last bit and with any number of threads; but while strokes are added to a split they are so
-/// within the solver's tolerance, until Settle.
+/// last bit and with any number of threads; but while strokes are added to a split of norm 2 they
+/// are so within the solver's tolerance, until Settle.
 ///
 /// Memory: two bytes a sample for labels; for each filter step the image before it; for each other
 /// step or stroke its PackedDelta; while a split is under way the solver's (RandomWalker.h).
@@ -54,8 +54,8 @@ public:
   /// were, but that the split before may be settled.
   LabelDelta Apply(const SegmentationStep& step, const ProgressFunction& progress = {});
 
-  /// One more stroke of the last step, which must be a SplitStep. Begins where the strokes before
-  /// it ended: a few cycles of the solver. Errors as Apply's.
+  /// One more stroke of the last step, which must be a SplitStep. With norm 2 it begins where the
+  /// strokes before it ended: a few cycles of the solver. Errors as Apply's.
   LabelDelta AddStroke(const BrushStroke& stroke, const ProgressFunction& progress = {});
 
   /// Solves the split that strokes were added to as if all had been there from the start. Nothing

@@ -61,8 +61,8 @@ bool SplitWork::Split(const SplitDrag& drag, const ProgressFunction& progress)
     if (this->Drags.empty())
     {
       keep(splitter.Apply(drag.bone, PartOf(progress, 0.0, BoneShare)));
-      keep(
-        splitter.Apply(SplitStep{ 1, drag.pieces, drag.beta }, PartOf(progress, BoneShare, 1.0)));
+      keep(splitter.Apply(SplitStep{ 1, drag.pieces, drag.beta, drag.crack, drag.norm },
+        PartOf(progress, BoneShare, 1.0)));
     }
     else
       for (std::size_t n = 0; n < drag.pieces.size(); ++n)

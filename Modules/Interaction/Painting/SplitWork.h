@@ -36,7 +36,7 @@ struct SplitDrag
   std::uint64_t number = 0; ///< ascending
   std::vector<BrushStroke> pieces;
   ThresholdStep bone;
-  double beta = 90.0;
+  double beta = 90.0, crack = 0.1, norm = 1.0; ///< of a SplitStep
 };
 
 /// A Segmenter that splits a scan's bone drag by drag on a WORKER.

@@ -74,7 +74,8 @@ bool vtkHaspSegmentationSession::AddStrokes(const std::vector<hasp::BrushStroke>
     for (const hasp::BrushStroke& piece : pieces)
       ValidateBrushStroke(piece, "stroke"); // label 0, too
     const std::uint64_t number = self.last + 1;
-    self.work->Add({ number, pieces, { this->LowestBone, this->HighestBone }, this->Beta });
+    self.work->Add({ number, pieces, { this->LowestBone, this->HighestBone }, this->Beta,
+      this->Crack, this->Norm });
     self.last = number;
     self.drags.push_back({ number, pieces });
   }
@@ -206,5 +207,7 @@ void vtkHaspSegmentationSession::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Working: " << (this->IsWorking() ? "yes" : "no") << "\n"
      << indent << "LowestBone: " << this->LowestBone << "\n"
      << indent << "HighestBone: " << this->HighestBone << "\n"
-     << indent << "Beta: " << this->Beta << "\n";
+     << indent << "Beta: " << this->Beta << "\n"
+     << indent << "Crack: " << this->Crack << "\n"
+     << indent << "Norm: " << this->Norm << "\n";
 }

@@ -45,17 +45,17 @@ struct SegmentationRecipe;
  * that has changed), WorkStartedEvent and WorkEndedEvent. Within the first, image and mapper are
  * already as they will be drawn.
  *
- * The labels are those that GetRecipe makes of the scan, to the last bit, after Settle; before, the
- * walker's tolerance decides a voxel in some thousands. Limits: a disc (vtkHaspSeedPainter::Disc)
- * marks as a ball does; each piece of a drag is solved for by itself; while a session has a scan,
- * its samples stay as they are.
+ * The labels are those that GetRecipe makes of the scan, to the last bit; with norm 2 after Settle
+ * alone, and before, the walker's tolerance decides a voxel in some thousands. Limits: a disc
+ * (vtkHaspSeedPainter::Disc) marks as a ball does; each piece of a drag is solved for by itself;
+ * while a session has a scan, its samples stay as they are.
  *
  * Threads: RENDER; the work runs on a WORKER of its own (hasp::EditThread). Painter, mapper and
  * strokes' actor are held weakly. Errors: vtkErrorMacro, and nothing changes: a scan that cannot be
  * read, a stroke of label 0 (an eraser's), and whatever a stroke or a setting is refused for, which
  * is known when it is worked out.
  * Memory: 2 bytes a sample shown; from the first stroke on 2 more, the undo's, and the solver's
- * (RandomWalker.h).
+ * (LabelSplit.h).
  */
 class VTKHASPINTERACTIONPAINTING_EXPORT vtkHaspSegmentationSession : public vtkObject
 {
@@ -95,9 +95,21 @@ public:
   vtkGetMacro(HighestBone, double);
   ///@}
   ///@{
-  /** How much an edge of the image holds the walk back, [0, 1e12]; likewise. Default 90. */
+  /** How much an edge of the image parts fragments, [0, 1e12]; likewise. Default 90. */
   vtkSetMacro(Beta, double);
   vtkGetMacro(Beta, double);
+  ///@}
+  ///@{
+  /** How deep a dark line parts them, of bone's grey, [0, 1], 0: none does; likewise. Default 0.1.
+   */
+  vtkSetMacro(Crack, double);
+  vtkGetMacro(Crack, double);
+  ///@}
+  ///@{
+  /** 1: borders keep to edges and cracks (least cut); 2: they go through the middle, too (random
+   * walk); [1, 2]; likewise. Default 1. */
+  vtkSetMacro(Norm, double);
+  vtkGetMacro(Norm, double);
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -143,7 +155,7 @@ private:
   friend struct Internals;
   double LowestBone = 226.0;
   double HighestBone = 1e6;
-  double Beta = 90.0;
+  double Beta = 90.0, Crack = 0.1, Norm = 1.0;
   std::unique_ptr<Internals> Self;
 };
 

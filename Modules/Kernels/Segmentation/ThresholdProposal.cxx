@@ -151,6 +151,33 @@ Split Otsu(const Classes& classes, std::size_t levels, int count)
   return best;
 }
 
+/// Where fewest values are in the wrong class if both are Gaussians, between Otsu's means (Kittler
+/// and Illingworth 1986): a narrow class of soft tissue and a wide one of bone part near the narrow
+/// one, and Otsu parts them in the middle.
+Split MinimumError(const Classes& classes, const Levels& levels, const Split& otsu)
+{
+  const std::size_t end = levels.size();
+  const double low = classes.Mean(otsu.soft, otsu.bone), high = classes.Mean(otsu.bone, end);
+  const double step = (levels.back().value - levels.front().value) / double(end);
+  const double all = classes.CountOf(otsu.soft, end);
+  const auto cost = [&](std::size_t from, std::size_t to)
+  {
+    const double share = classes.CountOf(from, to) / all;
+    const double variance = std::max(classes.Variance(from, to), step * step / 12.0);
+    return share * (std::log(variance) - 2.0 * std::log(share));
+  };
+  Split best = otsu;
+  double least = cost(otsu.soft, otsu.bone) + cost(otsu.bone, end);
+  for (std::size_t bone = otsu.soft + 1; bone < end; ++bone)
+    if (levels[bone - 1].value >= low && levels[bone].value <= high)
+      if (const double both = cost(otsu.soft, bone) + cost(bone, end); both < least)
+      {
+        least = both;
+        best.bone = bone;
+      }
+  return best;
+}
+
 } // namespace
 
 ThresholdProposal ProposeThreshold(
@@ -173,7 +200,8 @@ ThresholdProposal ProposeThreshold(
     level.value -= middle;
   levels = Coarser(levels, 1024);
   const Classes classes(levels);
-  const auto [soft, bone] = Otsu(classes, levels.size(), settings.classes);
+  const auto [soft, bone] =
+    MinimumError(classes, levels, Otsu(classes, levels.size(), settings.classes));
   const std::size_t end = levels.size();
   ThresholdProposal proposal;
   proposal.threshold = middle + 0.5 * (levels[bone - 1].value + levels[bone].value);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace
@@ -38,10 +39,21 @@ struct TwoBlocks
   }
 };
 
-TEST(LabelSplit, PartsBlocksAtTheirDarkFace)
+/// With a norm: by the least cut, and by the random walk.
+class OfLabelSplit : public ::testing::TestWithParam<double>
+{
+public:
+  LabelSplit Split(const hasp::testing::RandomBone& bone) const
+  {
+    return { bone.Samples(), bone.Labels(), 1, { {}, GetParam() } };
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Norms, OfLabelSplit, ::testing::Values(1.0, 2.0));
+
+TEST_P(OfLabelSplit, PartsBlocksAtTheirDarkFace)
 {
   TwoBlocks blocks;
-  LabelSplit split(blocks.bone.Samples(), blocks.bone.Labels(), 1);
+  LabelSplit split = Split(blocks.bone);
   const std::vector<SeedVoxels> strokes{ blocks.Ball(3, 2), blocks.Ball(17, 3) };
   split.Share(strokes, blocks.Map());
   EXPECT_TRUE(split.LastRun().converged);
@@ -53,10 +65,10 @@ TEST(LabelSplit, PartsBlocksAtTheirDarkFace)
   }
 }
 
-TEST(LabelSplit, EachStrokeIsTakenBackBySmallChanges)
+TEST_P(OfLabelSplit, EachStrokeIsTakenBackBySmallChanges)
 {
   TwoBlocks blocks;
-  LabelSplit split(blocks.bone.Samples(), blocks.bone.Labels(), 1);
+  LabelSplit split = Split(blocks.bone);
   std::vector<SeedVoxels> strokes{ blocks.Ball(3, 2) };
   const std::vector<Label> start = blocks.bone.labels;
   std::vector<hasp::LabelDelta> deltas{ split.Share(strokes, blocks.Map()) };
@@ -73,7 +85,7 @@ TEST(LabelSplit, EachStrokeIsTakenBackBySmallChanges)
   EXPECT_EQ(blocks.bone.labels, start);
 }
 
-TEST(LabelSplit, WhatIsForgottenLeavesNoTrace)
+TEST_P(OfLabelSplit, WhatIsForgottenLeavesNoTrace)
 {
   // Labels that come in falling order, and one that goes again, once had other systems to solve.
   hasp::testing::RandomBone bone({ 30, 24, 20 }, { 0.5, 0.5, 0.8 }, 0.9, 3);
@@ -85,21 +97,23 @@ TEST(LabelSplit, WhatIsForgottenLeavesNoTrace)
   const std::vector<SeedVoxels> all{ stroke(4, 7), stroke(12, 5), stroke(20, 3), stroke(27, 2),
     stroke(16, 9), stroke(8, 4) };
   std::vector<Label> fresh = bone.labels, warm = bone.labels;
-  LabelSplit once(bone.Samples(), bone.Labels(), 1);
+  LabelSplit once = Split(bone);
   const std::size_t left = 5; // the last stroke is taken back
   once.Share({ all.data(), left }, { fresh.data(), bone.geometry });
-  LabelSplit often(bone.Samples(), bone.Labels(), 1);
+  LabelSplit often = Split(bone);
   for (std::size_t n = 1; n <= all.size(); ++n)
     often.Share({ all.data(), n }, { warm.data(), bone.geometry });
-  often.Forget();
+  EXPECT_EQ(often.Remembers(), GetParam() == 2.0);
+  if (often.Remembers())
+    often.Forget();
   often.Share({ all.data(), left }, { warm.data(), bone.geometry });
   EXPECT_EQ(warm, fresh);
 }
 
-TEST(LabelSplit, TheLaterOfTwoStrokesCountsAndWhatIsNoBoneDoesNot)
+TEST_P(OfLabelSplit, TheLaterOfTwoStrokesCountsAndWhatIsNoBoneDoesNot)
 {
   TwoBlocks blocks;
-  LabelSplit split(blocks.bone.Samples(), blocks.bone.Labels(), 1);
+  LabelSplit split = Split(blocks.bone);
   std::vector<SeedVoxels> strokes{ blocks.Ball(3, 2), blocks.Ball(20, 5), blocks.Ball(3, 4) };
   split.Share(strokes, blocks.Map());
   EXPECT_EQ(std::count(blocks.bone.labels.begin(), blocks.bone.labels.end(), 2), 0);
@@ -108,10 +122,10 @@ TEST(LabelSplit, TheLaterOfTwoStrokesCountsAndWhatIsNoBoneDoesNot)
   EXPECT_EQ(blocks.bone.labels[(6 * 12 + 6) * 30 + 21], 5);
 }
 
-TEST(LabelSplit, WhatFailsChangesNothing)
+TEST_P(OfLabelSplit, WhatFailsChangesNothing)
 {
   TwoBlocks blocks;
-  LabelSplit split(blocks.bone.Samples(), blocks.bone.Labels(), 1);
+  LabelSplit split = Split(blocks.bone);
   const std::uint64_t before = hasp::HashLabels(blocks.bone.Labels());
   std::vector<SeedVoxels> strokes{ blocks.Ball(3, 2), blocks.Ball(17, 3) };
   EXPECT_THROW(
@@ -120,6 +134,14 @@ TEST(LabelSplit, WhatFailsChangesNothing)
   strokes[0].label = 0;
   EXPECT_THROW(split.Share(strokes, blocks.Map()), std::invalid_argument);
   EXPECT_EQ(hasp::HashLabels(blocks.bone.Labels()), before);
+}
+
+TEST(LabelSplit, RefusesNormsThatAreNone)
+{
+  const TwoBlocks blocks;
+  for (const double norm : { 0.5, 2.5, std::nan("") })
+    EXPECT_THROW(LabelSplit(blocks.bone.Samples(), blocks.bone.Labels(), 1, { {}, norm }),
+      std::invalid_argument);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "Grid/Testing/WithThreads.h"
 #include "Segmentation/RandomWalker.h"
+#include "Segmentation/SharpWalker.h"
 #include "Testing/RandomBone.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +30,19 @@ TEST(SegmentationThreads, WalksAreTheSameToTheLastBit)
   const std::vector<double> one = WithThreads(1, walk);
   EXPECT_EQ(WithThreads(2, walk), one);
   EXPECT_EQ(WithThreads(4, walk), one);
+}
+
+TEST(SegmentationThreads, LeastCutsAreTheSameToTheLastBit)
+{
+  const RandomBone bone({ 70, 60, 40 }, glm::dvec3(0.5, 0.5, 1.0), 0.8, 41);
+  const auto cut = [&]
+  {
+    const hasp::SharpWalker walker(bone.Graph({ .crack = 0.0 }));
+    return walker.Solve({ { 100, 2 }, { 50000, 3 }, { 90000, 4 }, { 90001, 2 } }, 1.3).labels;
+  };
+  const std::vector<Label> one = WithThreads(1, cut);
+  EXPECT_EQ(WithThreads(2, cut), one);
+  EXPECT_EQ(WithThreads(4, cut), one);
 }
 
 } // namespace

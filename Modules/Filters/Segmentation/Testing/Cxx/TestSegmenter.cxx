@@ -92,10 +92,18 @@ TEST(Segmenter, SaysWhatNoStrokeReachesAndWhichStrokesTouchNoBone)
   EXPECT_GT(made.findings[2].unreached, 1000U);
 }
 
-TEST(Segmenter, StrokesThatAreAddedSettleToWhatTheRecipeMakes)
+/// With a norm: by the least cut, which each stroke leaves settled, and by the random walk.
+class OfSegmenter : public ::testing::TestWithParam<double>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Norms, OfSegmenter, ::testing::Values(1.0, 2.0));
+
+TEST_P(OfSegmenter, StrokesThatAreAddedSettleToWhatTheRecipeMakes)
 {
   const auto scan = TwoBones();
-  SegmentationRecipe recipe = BonesRecipe();
+  const SegmentationRecipe whole = BonesRecipe(GetParam());
+  const std::uint64_t made = HashOf(SegmentScan(scan, whole).labels);
+  SegmentationRecipe recipe = whole;
   auto& strokes = std::get<SplitStep>(recipe.steps[2]).strokes;
   const std::vector<BrushStroke> all = strokes;
   strokes.resize(1);
@@ -103,25 +111,25 @@ TEST(Segmenter, StrokesThatAreAddedSettleToWhatTheRecipeMakes)
   Do(segmenter, recipe);
   for (std::size_t n = 1; n < all.size(); ++n)
   {
-    EXPECT_TRUE(segmenter.IsSettled() == (n == 1));
+    EXPECT_EQ(segmenter.IsSettled(), n == 1 || GetParam() < 2.0);
     segmenter.AddStroke(all[n]);
   }
-  EXPECT_EQ(segmenter.Recipe().steps, BonesRecipe().steps);
-  EXPECT_FALSE(segmenter.IsSettled());
+  EXPECT_EQ(segmenter.Recipe().steps, whole.steps);
+  EXPECT_EQ(segmenter.IsSettled(), GetParam() < 2.0);
   segmenter.Settle();
   EXPECT_TRUE(segmenter.IsSettled());
-  EXPECT_EQ(HashOf(segmenter.Labels()), HashOf(SegmentScan(scan, BonesRecipe()).labels));
+  EXPECT_EQ(HashOf(segmenter.Labels()), made);
   EXPECT_TRUE(segmenter.Settle().Empty());
   // So does the next step, whatever it is; and a stroke after it was taken back.
   segmenter.Undo();
   segmenter.AddStroke(all[2]);
   segmenter.Apply(MergeStep{ 4, 1 });
   segmenter.Undo();
-  EXPECT_EQ(HashOf(segmenter.Labels()), HashOf(SegmentScan(scan, BonesRecipe()).labels));
+  EXPECT_EQ(HashOf(segmenter.Labels()), made);
   segmenter.Undo();
   segmenter.AddStroke(all[2]); // its split was let go
   segmenter.Settle();
-  EXPECT_EQ(HashOf(segmenter.Labels()), HashOf(SegmentScan(scan, BonesRecipe()).labels));
+  EXPECT_EQ(HashOf(segmenter.Labels()), made);
 }
 
 TEST(Segmenter, AStepBehindAddedStrokesGivesBackAllThatChanged)
@@ -129,7 +137,7 @@ TEST(Segmenter, AStepBehindAddedStrokesGivesBackAllThatChanged)
   const auto scan = TwoBones();
   Segmenter segmenter(scan);
   segmenter.Apply(ThresholdStep{});
-  segmenter.Apply(SplitStep{ 1, { StrokeAt(22, 5) } });
+  segmenter.Apply(SplitStep{ 1, { StrokeAt(22, 5) }, 90.0, 0.1, 2.0 });
   segmenter.AddStroke(StrokeAt(8, 3));
   segmenter.AddStroke(StrokeAt(32, 2));
   vtkNew<vtkImageData> mirror; // what a scene shows
@@ -163,7 +171,8 @@ SegmentationStep RandomEdit(std::mt19937& random)
     case 0:
       return ThresholdStep{ 100.0 * pick(1, 9), 1e6 };
     case 1:
-      return SplitStep{ label(), { stroke, StrokeAt(pick(0, 40), label()) }, 90.0 };
+      return SplitStep{ label(), { stroke, StrokeAt(pick(0, 40), label()) }, 90.0, 0.1,
+        pick(0, 1) == 0 ? 1.0 : 2.0 };
     case 2:
       return MergeStep{ 6, static_cast<std::uint16_t>(pick(0, 5)) };
     case 3:
@@ -245,9 +254,9 @@ TEST(Segmenter, AFilterIsTakenBackToTheScanItself)
   EXPECT_EQ(segmenter.Image(), scan.Get());
 }
 
-TEST(Segmenter, WhatIsCancelledLeavesAllAsItWas)
+TEST_P(OfSegmenter, WhatIsCancelledLeavesAllAsItWas)
 {
-  const SegmentationRecipe recipe = BonesRecipe();
+  const SegmentationRecipe recipe = BonesRecipe(GetParam());
   Segmenter segmenter(TwoBones());
   Do(segmenter, recipe);
   segmenter.AddStroke(StrokeAt(20, 2));

@@ -57,11 +57,11 @@ inline Label LabelAt(vtkImageData* labels, int i, int j, int k)
 }
 
 /// A split of both bones by three strokes.
-inline SegmentationRecipe BonesRecipe()
+inline SegmentationRecipe BonesRecipe(double norm = 1.0)
 {
   SegmentationRecipe recipe;
   recipe.steps = { GaussianStep{ 0.3 }, ThresholdStep{ 226.0, 1e6 },
-    SplitStep{ 1, { StrokeAt(8, 2), StrokeAt(22, 3), StrokeAt(32, 4) }, 90.0 } };
+    SplitStep{ 1, { StrokeAt(8, 2), StrokeAt(22, 3), StrokeAt(32, 4) }, 90.0, 0.1, norm } };
   recipe.names = { { 2, "left", { 1, 2, 3 } } };
   return recipe;
 }

@@ -266,10 +266,18 @@ TEST(SegmentationSession, WhatSplitsNothingIsSaid)
   EXPECT_NE(ErrorsOf(scene.session, drag).find("label is 0"), std::string::npos);
   EXPECT_EQ(scene.session->GetNumberOfDrags(), 0);
   scene.painter->EraseOff();
+  const auto refused = [&](const char* setting)
+  {
+    EXPECT_EQ(ErrorsOf(scene.session, drag), "");
+    EXPECT_NE(
+      ErrorsOf(scene.session, [&] { scene.session->Finish(); }).find(setting), std::string::npos);
+  };
+  scene.session->SetNorm(3.0);
+  refused("norm");
+  scene.session->SetCrack(2.0);
+  refused("crack");
   scene.session->SetBeta(-1.0);
-  EXPECT_EQ(ErrorsOf(scene.session, drag), "");
-  EXPECT_NE(
-    ErrorsOf(scene.session, [&] { scene.session->Finish(); }).find("beta"), std::string::npos);
+  refused("beta");
   EXPECT_EQ(scene.session->GetNumberOfDrags(), 0);
   EXPECT_EQ(scene.Voxels().size(), 1u) << "nor is the threshold left";
   vtkNew<vtkImageData> empty;
