@@ -18,6 +18,7 @@ std::vector<ReportTerm> SegmentationTerms()
     { "segmentation.resolve",
       "labels after one more stroke; walk: by norm 2, which starts from what was solved" },
     { "segmentation.memory", "bytes for each voxel of bone" },
+    { "segmentation.undo", "bytes that take the stroke back that changes most" },
     { "segmentation.warm",
       "cycles of one more stroke / of the same from nothing; coarse: / of the same from coarse "
       "graphs" },

@@ -3,6 +3,8 @@
 #include "ReportRegistry.h"
 #include "SegmentationTrials.h"
 
+#include "Segmentation/PackedDelta.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <optional>
@@ -16,20 +18,19 @@ struct Solve
 {
   Timing time;
   RandomWalkerRun run;
+  std::size_t undoBytes = 0; ///< of what `labels` were before
 };
 
 Solve ShareOnce(LabelSplit& split, const CrackedSkull& skull, std::size_t strokes,
-  const RandomWalkerSettings& settings = {})
+  std::vector<Label>& labels, const RandomWalkerSettings& settings = {})
 {
-  std::vector<Label> labels = skull.bone;
+  const GridView<Label> map{ labels.data(), skull.geometry };
+  LabelDelta delta;
   Solve solve;
-  solve.time = TimeOf(
-    [&]
-    {
-      split.Share(
-        std::span(skull.strokes).first(strokes), { labels.data(), skull.geometry }, settings);
-    });
+  solve.time =
+    TimeOf([&] { delta = split.Share(std::span(skull.strokes).first(strokes), map, settings); });
   solve.run = split.LastRun();
+  solve.undoBytes = PackDelta(delta, { map.data, map.geometry }).Bytes();
   return solve;
 }
 
@@ -39,15 +40,17 @@ Solve Cold(const CrackedSkull& skull, bool coarse)
   LabelSplit split(skull.Samples(), skull.Bone(), 1, { {}, 2.0 });
   RandomWalkerSettings settings;
   settings.coarseStart = coarse;
-  return ShareOnce(split, skull, skull.strokes.size(), settings);
+  std::vector<Label> labels = skull.bone;
+  return ShareOnce(split, skull, skull.strokes.size(), labels, settings);
 }
 
 /// Strokes one after the other.
 struct StrokeByStroke
 {
-  Solve first;                                   ///< from the mask to labels
-  std::vector<double> wall, cpu, cycles, errors; ///< of those after the first four
-  double voxels = 0.0, bytes = 0.0;
+  Solve first;                                       ///< from the mask to labels
+  std::vector<double> wall, cpu, cycles, errors;     ///< of those after the first four
+  double voxels = 0.0, bytes = 0.0, undoBytes = 0.0; ///< undoBytes: of the largest
+  double mapMB = 0.0;                                ///< of the label map
 };
 
 StrokeByStroke Draw(ReportContext& context, const CrackedSkull& skull, double norm)
@@ -58,13 +61,16 @@ StrokeByStroke Draw(ReportContext& context, const CrackedSkull& skull, double no
     [&] {
       split.emplace(skull.Samples(), skull.Bone(), 1, SplitSettings{ {}, norm });
     });
-  result.first = ShareOnce(*split, skull, CrackedSkull::First);
+  std::vector<Label> labels = skull.bone;
+  result.first = ShareOnce(*split, skull, CrackedSkull::First, labels);
+  result.undoBytes = double(result.first.undoBytes);
   result.first.time.wallS += made.wallS;
   result.first.time.cpuS += made.cpuS;
   for (std::size_t strokes = CrackedSkull::First + 1; strokes <= skull.strokes.size(); ++strokes)
   {
     context.progress(0.1 * double(strokes), "");
-    const Solve more = ShareOnce(*split, skull, strokes);
+    const Solve more = ShareOnce(*split, skull, strokes, labels);
+    result.undoBytes = std::max(result.undoBytes, double(more.undoBytes));
     result.wall.push_back(more.time.wallS);
     result.cpu.push_back(more.time.cpuS);
     result.cycles.push_back(more.run.iterations);
@@ -72,6 +78,7 @@ StrokeByStroke Draw(ReportContext& context, const CrackedSkull& skull, double no
   }
   result.voxels = double(split->Graph().Nodes());
   result.bytes = double(split->Bytes());
+  result.mapMB = 1e-6 * double(labels.size() * sizeof(Label));
   return result;
 }
 
@@ -138,6 +145,18 @@ void AddRows(ReportContext& context, const std::string& at, const StrokeByStroke
   memory.rival = "a list of six neighbours and weights: 48 bytes, and no solver";
   memory.data = data + ", graph, solver and solution, between solves";
   rows.push_back(memory);
+
+  ReportRow undo;
+  undo.id = "segmentation.undo" + at;
+  undo.value = 1e-6 * drawn.undoBytes;
+  undo.unit = "MB";
+  undo.better = Better::Lower;
+  char text[80];
+  std::snprintf(text, sizeof text, "a copy of the label map: %.0f MB", drawn.mapMB);
+  undo.rival = text;
+  undo.data = data + ", the stroke that changes most, the first four together";
+  undo.bars = { { {}, 1.0 } };
+  rows.push_back(undo);
 }
 
 } // namespace

@@ -34,8 +34,8 @@ void TrySegmentation(ReportContext& context, const RealSkull& skull);
 /// strokes, with correction and without.
 void TryConeBeam(ReportContext& context, const RealSkull& skull);
 
-/// segmentation.first, segmentation.resolve, segmentation.memory, segmentation.warm: a skull of
-/// at least 8 M voxels of bone; a smaller one in quick reports.
+/// segmentation.first, segmentation.resolve, segmentation.memory, segmentation.undo,
+/// segmentation.warm: a skull of at least 8 M voxels of bone; a smaller one in quick reports.
 void TryResolve(ReportContext& context);
 
 /// segmentation.direct: probabilities against a sparse direct solver.
