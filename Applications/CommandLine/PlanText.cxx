@@ -88,7 +88,7 @@ std::string TextOf(const Plan& before, const std::vector<PlanEdit>& edits)
 {
   return edits.empty()
            ? "Nothing"
-           : Label(before, edits[0]) +
+           : EditLabel(before, edits[0]) +
                (edits.size() > 1 ? " and " + std::to_string(edits.size() - 1) + " more" : "");
 }
 
