@@ -69,11 +69,13 @@ void KeepInPlan(const std::string& folder, const std::vector<PartFile>& parts)
 }
 
 void KeepInPlan(const std::string& folder, PlanId segmentation,
-  const std::vector<PartInput>& inputs, const std::string& nrrd)
+  const std::vector<PartInput>& inputs, const std::string& nrrd, const std::string& report)
 {
   ChangeKept(folder,
-    [&](std::vector<DerivedPart>& kept) {
-      KeepPart(kept, { segmentation, PartFormat::Nrrd, inputs, WriteBlob(folder, nrrd), "" });
+    [&](std::vector<DerivedPart>& kept)
+    {
+      KeepPart(kept, { segmentation, PartFormat::Nrrd, inputs, WriteBlob(folder, nrrd),
+                       WriteBlob(folder, report) });
     });
 }
 

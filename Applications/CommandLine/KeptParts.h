@@ -25,8 +25,9 @@ PartFile TakePart(const KeptParts& kept, PlanId object, Session& session);
 /// Throws Failure.
 void KeepInPlan(const std::string& folder, const std::vector<PartFile>& parts);
 
-/// The same of a segmentation's label map: the bytes of a .nrrd file.
+/// The same of a segmentation's label map: the bytes of a .nrrd file, and its report
+/// (LabelReport.h).
 void KeepInPlan(const std::string& folder, PlanId segmentation,
-  const std::vector<PartInput>& inputs, const std::string& nrrd);
+  const std::vector<PartInput>& inputs, const std::string& nrrd, const std::string& report);
 
 } // namespace hasp

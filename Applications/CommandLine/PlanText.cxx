@@ -2,6 +2,7 @@
 
 #include "PartReport.h"
 #include "PlanInput.h"
+#include "RunLabels.h"
 #include "Session.h"
 
 #include "Planning/PlanLists.h"
@@ -63,6 +64,45 @@ Json DescribeParts(const PlanDocument& document, const std::string& folder)
   return parts;
 }
 
+/// Of segmentations with steps; those without have theirs from elsewhere.
+Json DescribeLabelMaps(const PlanDocument& document, const std::string& folder)
+{
+  const Plan& plan = document.history.Current();
+  Json maps = Json::array();
+  for (const PlanSegmentation& segmentation : plan.segmentations)
+  {
+    if (segmentation.recipe.steps.empty())
+      continue;
+    const DerivedPart* made = PartInDate(plan, document.parts, segmentation.id, PartFormat::Nrrd);
+    Json& map = maps.emplace_back(
+      Json{ { "segmentation", segmentation.id }, { "in_date", made != nullptr } });
+    if (!made)
+      map["why"] = WhyNoPart(plan, document.parts, segmentation.id, PartFormat::Nrrd);
+    else
+      try
+      {
+        map["warnings"] = KeptWarnings(segmentation, *made, folder);
+      }
+      catch (const std::exception& error)
+      {
+        map["warnings"] = { SafeText(error) + "; hasp run makes the label map anew" };
+      }
+  }
+  return maps;
+}
+
+/// "the label map of segmentation 2 is in date", and what was found on it, a line each.
+std::string LabelMapText(const Plan& plan, const Json& map)
+{
+  if (!map["in_date"].get<bool>())
+    return "the label map of " + map["why"].get<std::string>();
+  std::string text =
+    "the label map of " + CalledObject(plan, map["segmentation"].get<PlanId>()) + " is in date";
+  for (const Json& line : map["warnings"])
+    text += "\n  " + line.get<std::string>();
+  return text;
+}
+
 /// "guide 9 is in date and does not hold", and its faults, a line each.
 std::string PartText(const Plan& plan, const Json& part)
 {
@@ -88,7 +128,7 @@ std::string TextOf(const Plan& before, const std::vector<PlanEdit>& edits)
 {
   return edits.empty()
            ? "Nothing"
-           : Label(before, edits[0]) +
+           : EditLabel(before, edits[0]) +
                (edits.size() > 1 ? " and " + std::to_string(edits.size() - 1) + " more" : "");
 }
 
@@ -107,6 +147,7 @@ void ShowPlan(const PlanDocument& document, const std::string& folder, Session& 
   result["next_id"] = document.history.NewId();
   result["objects"] = DescribeObjects(plan, session.showNames);
   result["parts"] = DescribeParts(document, folder);
+  result["label_maps"] = DescribeLabelMaps(document, folder);
   const std::string undo = document.history.ToUndo() ? NextStep(document.history, true) : "",
                     redo = NextStep(document.history, false);
   result["undo"] = undo.empty() ? Json(nullptr) : Json(undo);
@@ -116,6 +157,8 @@ void ShowPlan(const PlanDocument& document, const std::string& folder, Session& 
                    (session.showNames ? "  " + object["name"].get<std::string>() : ""));
   for (const Json& part : result["parts"])
     Say(session, PartText(plan, part));
+  for (const Json& map : result["label_maps"])
+    Say(session, LabelMapText(plan, map));
   Say(session, "the next object is " + std::to_string(document.history.NewId()) +
                  (undo.empty() ? "" : "; to undo: " + undo) +
                  (redo.empty() ? "" : "; to redo: " + redo));

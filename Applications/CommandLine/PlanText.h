@@ -19,8 +19,8 @@ std::string TextOf(const Plan& before, const std::vector<PlanEdit>& edits);
 /// Of the step that undo takes back, or that redo makes again; empty if there is none.
 std::string NextStep(PlanHistory history, bool undo);
 
-/// Hands the plan's objects, its parts with their verdicts, and its steps to the session. `folder`
-/// is where its blobs are.
+/// Hands the plan's objects, its parts with their verdicts, its label maps, and its steps to the
+/// session. `folder` is where its blobs are.
 void ShowPlan(const PlanDocument& document, const std::string& folder, Session& session);
 
 } // namespace hasp

@@ -1,6 +1,7 @@
 #include "RunLabels.h"
 
 #include "KeptParts.h"
+#include "LabelReport.h"
 #include "PlanInput.h"
 #include "RunFaults.h"
 #include "RunImages.h"
@@ -14,6 +15,7 @@
 
 #include <iostream>
 #include <map>
+#include <new>
 
 namespace hasp
 {
@@ -35,7 +37,7 @@ struct PassingFile
 class LabelMaps
 {
 public:
-  LabelMaps(const LabelRun& run, RunImages& images, RunFaults& faults, Session& session)
+  LabelMaps(const LabelMapRun& run, RunImages& images, RunFaults& faults, Session& session)
     : Run(run),
       Now(run.document.history.Current()),
       Images(images),
@@ -54,7 +56,7 @@ public:
       this->Images.Add(segmentation.id, this->Read(hash));
       return;
     }
-    vtkSmartPointer<vtkImageData> labels = this->Take(segmentation.id);
+    vtkSmartPointer<vtkImageData> labels = this->Take(segmentation);
     this->Shared.result["label_maps"].push_back(
       { { "segmentation", segmentation.id }, { "made", !labels } });
     if (!labels)
@@ -74,16 +76,21 @@ private:
   }
 
   /// nullptr: it must be made.
-  vtkSmartPointer<vtkImageData> Take(PlanId id)
+  vtkSmartPointer<vtkImageData> Take(const PlanSegmentation& segmentation)
   {
-    const DerivedPart* kept = PartInDate(this->Now, this->Run.document.parts, id, PartFormat::Nrrd);
+    const DerivedPart* kept =
+      PartInDate(this->Now, this->Run.document.parts, segmentation.id, PartFormat::Nrrd);
     if (!kept || this->Run.rebuild)
       return nullptr;
+    const std::string called = CalledObject(this->Now, segmentation.id);
     try
     {
+      const std::vector<std::string> warnings =
+        KeptWarnings(segmentation, *kept, PlanFolder(this->Run.plan));
       vtkSmartPointer<vtkImageData> labels = this->Read(kept->bytes);
       this->Shared.resources.push_back(
-        { CalledObject(this->Now, id), 0, 0.0, "in date: its label map was not made again" });
+        { called, 0, 0.0, "in date: its label map was not made again" });
+      this->Say(called, warnings);
       return labels;
     }
     catch (const Cancelled&)
@@ -92,8 +99,7 @@ private:
     }
     catch (const std::exception& error)
     {
-      SayWarning(this->Shared,
-        CalledObject(this->Now, id) + ": its label map is made anew: " + SafeText(error));
+      SayWarning(this->Shared, called + ": its label map is made anew: " + SafeText(error));
       return nullptr;
     }
   }
@@ -112,30 +118,40 @@ private:
       std::size_t(made.labels->GetNumberOfPoints()) * sizeof(std::uint16_t), made.milliseconds,
       std::string("label map, made of its steps; the plan ") +
         (keeps ? "keeps it" : "is only read") });
-    for (const std::string& warning : made.warnings)
-      SayWarning(this->Shared, called + ": " + warning);
+    this->Say(called, made.warnings);
     if (keeps)
-      this->Keep(segmentation.id, made.labels);
+      this->Keep(segmentation.id, made);
     return made.labels;
   }
 
+  void Say(const std::string& called, const std::vector<std::string>& warnings)
+  {
+    for (const std::string& warning : warnings)
+      SayWarning(this->Shared, called + ": " + warning);
+  }
+
   /// Without the names of labels, which are the user's words and do not put it out of date.
-  void Keep(PlanId id, vtkImageData* labels)
+  void Keep(PlanId id, const StepLabels& made)
   {
     const PassingFile file{ this->Run.folder / "labels.nrrd" };
-    try
+    try // the parts can be made all the same
     {
-      Try(ExitCode::WrongUse, "", [&] { WriteLabels(labels, {}, file.place.string()); });
-      KeepInPlan(
-        this->Run.plan, id, LabelInputs(this->Now, id), ReadWholeFile(file.place.string()));
+      Try(ExitCode::WrongUse, "", [&] { WriteLabels(made.labels, {}, file.place.string()); });
+      KeepInPlan(this->Run.plan, id, LabelInputs(this->Now, id), ReadWholeFile(file.place.string()),
+        made.report);
     }
-    catch (const Failure& failure) // the parts can be made all the same
+    catch (const Failure& failure)
     {
       this->Faults.Add(failure);
     }
+    catch (const std::bad_alloc&)
+    {
+      this->Faults.Add(Failure(ExitCode::BadInput,
+        CalledObject(this->Now, id) + ": there is not enough memory to keep its label map"));
+    }
   }
 
-  const LabelRun& Run;
+  const LabelMapRun& Run;
   const Plan& Now;
   RunImages& Images;
   RunFaults& Faults;
@@ -143,7 +159,7 @@ private:
 };
 } // namespace
 
-void AddLabelMaps(const LabelRun& run, const std::vector<PartFile>& parts, RunImages& images,
+void AddLabelMaps(const LabelMapRun& run, const std::vector<PartFile>& parts, RunImages& images,
   RunFaults& faults, Session& session)
 {
   const Plan& plan = run.document.history.Current();
@@ -185,6 +201,14 @@ void AddLabelMaps(const LabelRun& run, const std::vector<PartFile>& parts, RunIm
       fail(ExitCode::BadInput, SafeText(error));
     }
   }
+}
+
+std::vector<std::string> KeptWarnings(
+  const PlanSegmentation& segmentation, const DerivedPart& kept, const fs::path& folder)
+{
+  if (kept.report.empty())
+    return { "its label map was kept without what was found on it: hasp run --rebuild says it" };
+  return WarningsOfReport(segmentation.recipe, ReadBlob(folder, kept.report));
 }
 
 void SayLabelMaps(const Session& session)

@@ -12,7 +12,7 @@ namespace hasp
 struct RunImages;
 class RunFaults;
 
-struct LabelRun
+struct LabelMapRun
 {
   const PlanDocument& document;
   std::string plan;             ///< as the user names it: a folder keeps what is made
@@ -24,11 +24,16 @@ struct LabelRun
 /// the images, which have the segmentations' volumes: those in date are read, those of a recipe's
 /// steps made anew where none is, and kept in the plan at once, whatever becomes of the parts. One
 /// that can be neither read nor made is a fault of all parts that need it ("fragment 5:
-/// segmentation 4: …"). What a user must know of one that is made is said as a warning; one that
-/// is in date says nothing again. session.result["label_maps"]: of all with steps, whether they
-/// were made.
-void AddLabelMaps(const LabelRun& run, const std::vector<PartFile>& parts, RunImages& images,
+/// segmentation 4: …"). What a user must know of one is said as a warning, of one that is in date,
+/// too. session.result["label_maps"]: of all with steps, whether they were made.
+void AddLabelMaps(const LabelMapRun& run, const std::vector<PartFile>& parts, RunImages& images,
   RunFaults& faults, Session& session);
+
+/// What was found when a label map was made that the plan in `folder` keeps ("steps[1]: …"); where
+/// that was not kept, how to hear it. Throws std::runtime_error, with no text of the file, if it is
+/// damaged.
+std::vector<std::string> KeptWarnings(const PlanSegmentation& segmentation, const DerivedPart& kept,
+  const std::filesystem::path& folder);
 
 /// "segmentation 4  label map made", a line each, unless JSON is asked for.
 void SayLabelMaps(const Session& session);

@@ -1,5 +1,6 @@
 #include "RunSteps.h"
 
+#include "LabelReport.h"
 #include "SegmentationText.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -20,8 +21,9 @@ StepLabels MakeStepLabels(
     Try(ExitCode::BadInput, "", [&] { return SegmentScan(scan, recipe, begin, {}, progress); });
   const double spent = MillisecondsSince(start);
   const double* spacing = scan->GetSpacing();
-  return { made.labels, WarningsOf(recipe, made.findings, spacing[0] * spacing[1] * spacing[2]),
-    spent };
+  const double voxelMm3 = spacing[0] * spacing[1] * spacing[2];
+  return { made.labels, WarningsOf(recipe, made.findings, voxelMm3),
+    FormatLabelReport(made.findings, voxelMm3), spent };
 }
 
 } // namespace hasp

@@ -216,7 +216,8 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_option("--apply", options->edits, "A .json file of edits, all made as one step");
   verb->add_flag("--undo", options->undo, "Take the last step back");
   verb->add_flag("--redo", options->redo, "Make the step again that was taken back last");
-  verb->add_flag("--show", options->show, "List objects and parts, as is done without an option");
+  verb->add_flag(
+    "--show", options->show, "List objects, parts and label maps, as is done without an option");
   verb->add_flag("--check", options->check, "Read every byte and say what is damaged");
   verb->add_flag("--prune", options->prune,
     "Forget parts that are out of date or damaged, and delete what nothing names");

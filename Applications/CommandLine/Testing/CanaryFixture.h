@@ -111,6 +111,10 @@ protected:
       this->ExpectNone({ "convert", path, this->OutFile(ending) });
     this->ExpectNoneTwice(
       { "cells", path, "--isovalue", "0", "--output", this->OutFile("x.hcells") });
+#if HASP_WITH_SEGMENTATION
+    this->ExpectNoneTwice({ "segment", path, "--threshold", "0", "--output",
+      this->OutFile("x.seg.nrrd"), "--write-recipe", this->OutFile("x.json") });
+#endif
 #if HASP_WITH_PICTURES
     this->ExpectNoneTwice({ "render", path, "--isovalue", "0", "--resolution", "40,30", "--output",
       this->OutFile("x.png") });

@@ -122,6 +122,46 @@ TEST_F(Canary, RecipesGiveNothingAway)
 #endif
 }
 
+TEST_F(Canary, SegmentationsGiveNothingAway)
+{
+#if HASP_WITH_SEGMENTATION
+  canary::MakeVolumes(this->In());
+  const std::string name = this->In() / canary::Name(), seeds = name + "-seeds.json",
+                    markups = name + ".mrk.json", recipe = name + "-recipe.json";
+  canary::WriteTo(seeds, R"({ "format": "hasp-seeds-1", "labels": [{ "label": 2, "name": ")" +
+                           canary::Name() + R"(", "colour": "#ff0000",
+"strokes": [{ "radiusMm": 2, "points": [[5, 7, 7]] }, { "radiusMm": 2, "points": [[90, 7, 7]] }] }] })");
+  canary::WriteTo(markups, R"({ "markups": [{ "type": "Line", "name": ")" + canary::Name() +
+                             R"(", "controlPoints": [{ "label": ")" + canary::Name() +
+                             R"(", "description": ")" + canary::Family +
+                             R"(", "position": [5, 7, 7] }, { "position": [7, 7, 7] }] }] })");
+  canary::WriteTo(recipe, R"({ "format": "hasp-segmentation-1", "steps":
+[{ "step": "merge", "from": 1, "into": 2 }], "names": [{ "label": 2, "name": ")" +
+                            canary::Name() + R"(", "colour": "#ff0000" }] })");
+  const Words segment{ "segment", name + ".mha", "--output", this->OutFile("x.mha") };
+  for (const auto& [file, before] :
+    std::vector<std::pair<std::string, Words>>{ { seeds, { "--threshold", "0", "--seeds" } },
+      { markups, { "--threshold", "0", "--seeds" } },
+      { recipe, { "--labels", name + ".seg.nrrd", "--recipe" } },
+      { name + ".seg.nrrd", { "--recipe", recipe, "--labels" } } })
+  {
+    Words words = segment;
+    words.insert(words.end(), before.begin(), before.end());
+    words.push_back(file);
+    int exitCode = -1;
+    EXPECT_EQ(this->TokensAfter(words, &exitCode), "") << file;
+    EXPECT_EQ(exitCode, 0) << file; // else this would test nothing
+    this->ExpectNoneTwice(words);
+    for (const std::string& damaged : Damaged(file))
+    {
+      words.back() = damaged;
+      this->ExpectNone(words);
+    }
+  }
+  EXPECT_GT(this->FilesSeen, 8);
+#endif
+}
+
 TEST_F(Canary, CertificatesGiveNothingAway)
 {
 #if HASP_WITH_GUIDES

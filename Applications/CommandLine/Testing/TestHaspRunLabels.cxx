@@ -132,6 +132,7 @@ TEST_F(HaspRunLabels, AreMadeOnceAndFoundAgainAfterAnUndo)
   const HaspRun undone = this->MakeJson("undone");
   EXPECT_EQ(Made(undone), std::vector<int>{ 4 });
   EXPECT_EQ(LabelMap(undone), "in date");
+  EXPECT_NE(undone.err.find(beside), std::string::npos) << undone.err; // it still is so
   EXPECT_EQ(this->Files("undone"), this->Files("first"));
 }
 
@@ -170,6 +171,33 @@ TEST_F(HaspRunLabels, AnyNumberOfThreadsAndAnyRunMakeTheSameBytesAndAPlanAloneKe
   EXPECT_EQ(this->Files("alone"), this->Files("one"));
   EXPECT_EQ(ReadBytes(this->Path("plan.json")), before);
   EXPECT_FALSE(fs::exists(this->Path("blobs")));
+}
+
+TEST_F(HaspRunLabels, AreShownWithWhatWasFoundOnThem)
+{
+  const auto show = [&] { return this->Plan({ "--show" }).out; };
+  const auto shown = [&] {
+    return json::parse(this->Plan({ "--show", "--json" }).out).at("label_maps");
+  };
+  EXPECT_NE(show().find("the label map of segmentation 2 has not been made\n"), std::string::npos);
+  ASSERT_EQ(this->MakeJson("first").exitCode, 0);
+  const std::string beside = "steps[1]: strokes[1] touches no voxel of label 1";
+  EXPECT_NE(
+    show().find("the label map of segmentation 2 is in date\n  " + beside), std::string::npos);
+  const json map = shown().at(0);
+  EXPECT_EQ(map.at("segmentation"), 2);
+  EXPECT_EQ(map.at("warnings").at(0), beside);
+
+  json plan = json::parse(ReadBytes(this->Path("case.hasp/plan.json")));
+  for (const json& part : plan.at("parts"))
+    if (part.at("format") == "nrrd")
+      this->Damage(part.at("report"));
+  EXPECT_NE(show().find("hasp run makes the label map anew"), std::string::npos);
+  this->Damage(this->HashOf("first", 1)); // fragment 4 needs its label map again
+  EXPECT_EQ(LabelMap(this->MakeJson("mended")), "made");
+  EXPECT_EQ(shown(), json::array({ map }));
+  this->Change(Segmentation(Split(-20)));
+  EXPECT_NE(show().find("the label map of segmentation 2 is out of date"), std::string::npos);
 }
 
 TEST_F(HaspRunLabels, NeedTheirScanAndStandIfPartsFail)

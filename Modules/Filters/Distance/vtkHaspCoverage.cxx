@@ -2,8 +2,8 @@
 
 #include "Distance/Coverage.h"
 #include "Distance/MeshCoverage.h"
-#include "FilterRun.h"
 #include "ImageOutput.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"

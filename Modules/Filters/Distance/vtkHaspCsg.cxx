@@ -1,8 +1,8 @@
 #include "vtkHaspCsg.h"
 
 #include "Distance/Csg.h"
-#include "FilterRun.h"
 #include "SolidInputs.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspSolid.h"
 
 #include "vtkInformation.h"

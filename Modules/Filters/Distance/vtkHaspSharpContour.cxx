@@ -4,8 +4,8 @@
 #include "Distance/NearSurface.h"
 #include "Distance/SharpContour.h"
 #include "Distance/SolidShapes.h"
-#include "FilterRun.h"
 #include "SolidInputs.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkFlyingEdges3D.h"

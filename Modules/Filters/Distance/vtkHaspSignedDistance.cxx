@@ -6,8 +6,8 @@
 #include "Distance/EuclideanDistance.h"
 #include "Distance/ScanMargin.h"
 #include "Distance/SurfaceElements.h"
-#include "FilterRun.h"
 #include "ImageOutput.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"

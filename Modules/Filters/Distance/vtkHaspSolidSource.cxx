@@ -2,7 +2,7 @@
 
 #include "Distance/SolidShapes.h"
 #include "Distance/SolidSweeps.h"
-#include "FilterRun.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspSolid.h"
 
 #include "vtkInformation.h"

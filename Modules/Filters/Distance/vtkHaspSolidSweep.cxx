@@ -2,8 +2,8 @@
 
 #include "Distance/Csg.h"
 #include "Distance/SolidSweeps.h"
-#include "FilterRun.h"
 #include "SolidInputs.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspSolid.h"
 
 #include "vtkCellArray.h"

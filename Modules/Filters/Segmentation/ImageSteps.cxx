@@ -34,6 +34,43 @@ void CheckAboveZero(const char* name, double value, double most)
                                 ", must be in (0, " + std::to_string(most) + "]");
 }
 
+constexpr int MostOfMedian = 4096; // voxels of its box
+
+/// Of a median, voxels along each axis.
+glm::dvec3 MedianBox(const GridGeometry& grid, double radiusMm)
+{
+  glm::dvec3 box;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double reach = std::max(std::round(radiusMm / grid.spacing[a]), 1.0);
+    box[a] = 2.0 * std::min(reach, grid.dims[a] - 1.0) + 1.0;
+  }
+  return box;
+}
+
+/// Throws std::invalid_argument, with the largest radius that will do.
+void CheckMedian(const GridGeometry& grid, double radiusMm)
+{
+  const auto voxels = [&](double mm)
+  {
+    const glm::dvec3 box = MedianBox(grid, mm);
+    return box.x * box.y * box.z;
+  };
+  if (voxels(radiusMm) <= MostOfMedian)
+    return;
+  double least = 0.0, most = radiusMm;
+  for (int n = 0; n < 40; ++n)
+  {
+    const double middle = 0.5 * (least + most);
+    (voxels(middle) <= MostOfMedian ? least : most) = middle;
+  }
+  throw std::invalid_argument("radiusMm is " + std::to_string(radiusMm) + ", a median of " +
+                              std::to_string(std::llround(voxels(radiusMm))) +
+                              " voxels of this scan, must be of at most " +
+                              std::to_string(MostOfMedian) + ": take " +
+                              std::to_string(std::floor(least * 1e3) / 1e3) + " or less");
+}
+
 /// The samples as float, upright from index 0: older filters lose directions, and some extents.
 vtkSmartPointer<vtkImageData> UprightFloat(const AnyGridView& view, vtkDataArray* scalars)
 {
@@ -164,17 +201,8 @@ vtkSmartPointer<vtkImageData> ApplyStep(
   CheckAboveZero("radiusMm", step.radiusMm, 10.0);
   const AnyGridView view = ViewImage(image);
   const GridGeometry& grid = GeometryOf(view);
-  glm::dvec3 box;
-  for (int a = 0; a < 3; ++a)
-  {
-    const double reach = std::max(std::round(step.radiusMm / grid.spacing[a]), 1.0);
-    box[a] = 2.0 * std::min(reach, grid.dims[a] - 1.0) + 1.0;
-  }
-  constexpr double most = 4096.0;
-  if (box.x * box.y * box.z > most)
-    throw std::invalid_argument("radiusMm is " + std::to_string(step.radiusMm) + ": a median of " +
-                                std::to_string(box.x * box.y * box.z) +
-                                " voxels, at most 4096; take a smaller radius");
+  CheckMedian(grid, step.radiusMm);
+  const glm::dvec3 box = MedianBox(grid, step.radiusMm);
   vtkNew<vtkImageMedian3D> filter;
   filter->SetKernelSize(int(box.x), int(box.y), int(box.z));
   return Filtered(image, view, filter, progress);

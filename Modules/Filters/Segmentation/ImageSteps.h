@@ -32,7 +32,8 @@ VTKHASPFILTERSSEGMENTATION_EXPORT vtkSmartPointer<vtkImageData> ApplyStep(
 
 /// vtkImageMedian3D of a box of 2 r + 1 voxels along each axis, r = radiusMm / spacing rounded, at
 /// least 1 (0 along an axis of one voxel). At the border the box is cut off. Refuses a box of more
-/// than 4,096 voxels, which would take hours. O(voxels * box).
+/// than 4,096 voxels, which would take hours, and says the largest radius that will do.
+/// O(voxels * box).
 VTKHASPFILTERSSEGMENTATION_EXPORT vtkSmartPointer<vtkImageData> ApplyStep(
   vtkImageData* image, const MedianStep& step, const ProgressFunction& progress = {});
 

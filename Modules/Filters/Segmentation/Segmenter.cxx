@@ -223,7 +223,9 @@ struct Segmenter::Internals
     }
     catch (...)
     {
-      RevertDelta(delta, this->Map());
+      Label* const map = this->Map().data;
+      for (const LabelRun& run : delta.runs) // not RevertDelta: it takes memory itself
+        std::fill_n(map + run.first, run.length, run.before);
       throw;
     }
   }

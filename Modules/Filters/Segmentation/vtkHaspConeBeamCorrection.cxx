@@ -1,9 +1,9 @@
 #include "vtkHaspConeBeamCorrection.h"
 
 #include "Segmentation/ConeBeam.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspVolumeView.h"
 
-#include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -12,9 +12,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-
-#include <exception>
-#include <new>
 
 vtkStandardNewMacro(vtkHaspConeBeamCorrection);
 
@@ -41,47 +38,26 @@ int vtkHaspConeBeamCorrection::RequestData(
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
-  this->ErrorCode = vtkErrorCode::UserError;
-  try
-  {
-    const hasp::AnyGridView view = hasp::ViewImage(input);
-    vtkNew<vtkFloatArray> corrected;
-    corrected->SetName("Corrected");
-    corrected->SetNumberOfValues(input->GetNumberOfPoints());
-    const hasp::ConeBeamFindings found = hasp::CorrectConeBeam(view,
-      { .fieldMm = this->FieldMm,
-        .contrastMm = this->ContrastMm,
-        .insideAbove = this->InsideAbove },
-      { corrected->GetPointer(0), hasp::GeometryOf(view) },
-      [this](double share)
-      {
-        this->UpdateProgress(share);
-        return !this->GetAbortExecute();
-      });
-    output->CopyStructure(input);
-    output->GetPointData()->SetScalars(corrected);
-    this->HasAir = found.air.has_value();
-    this->AirLevel = found.air.value_or(0.0);
-    this->SoftTissueLevel = found.softTissue;
-    this->LowestShading = found.lowest;
-    this->HighestShading = found.highest;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    // what was asked for: nothing
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("there is not enough memory: take less of the image");
-    return 0;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  this->ErrorCode = vtkErrorCode::NoError;
-  return 1;
+  return hasp::RunFilter(this, this->ErrorCode,
+    [&](const hasp::ProgressFunction& progress)
+    {
+      const hasp::AnyGridView view = hasp::ViewImage(input);
+      vtkNew<vtkFloatArray> corrected;
+      corrected->SetName("Corrected");
+      corrected->SetNumberOfValues(input->GetNumberOfPoints());
+      const hasp::ConeBeamFindings found = hasp::CorrectConeBeam(view,
+        { .fieldMm = this->FieldMm,
+          .contrastMm = this->ContrastMm,
+          .insideAbove = this->InsideAbove },
+        { corrected->GetPointer(0), hasp::GeometryOf(view) }, progress);
+      output->CopyStructure(input);
+      output->GetPointData()->SetScalars(corrected);
+      this->HasAir = found.air.has_value();
+      this->AirLevel = found.air.value_or(0.0);
+      this->SoftTissueLevel = found.softTissue;
+      this->LowestShading = found.lowest;
+      this->HighestShading = found.highest;
+    });
 }
 
 void vtkHaspConeBeamCorrection::PrintSelf(ostream& os, vtkIndent indent)

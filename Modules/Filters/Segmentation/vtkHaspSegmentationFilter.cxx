@@ -1,11 +1,11 @@
 #include "vtkHaspSegmentationFilter.h"
 
 #include "Segmenter.h"
+#include "vtkHaspFilterRun.h"
 #if HASP_WITH_JSON
 #include "Planning/SegmentationRecipeFile.h"
 #endif
 
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -13,7 +13,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
-#include <new>
 
 vtkStandardNewMacro(vtkHaspSegmentationFilter);
 
@@ -99,34 +98,13 @@ int vtkHaspSegmentationFilter::RequestData(
     inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkImageData::GetData(inputs[1]) : nullptr;
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
-  this->ErrorCode = vtkErrorCode::UserError;
-  try
-  {
-    const hasp::SegmentedScan made =
-      hasp::SegmentScan(scan, *this->Recipe, labels, { .tolerance = this->Tolerance },
-        [this](double share)
-        {
-          this->UpdateProgress(share);
-          return !this->GetAbortExecute();
-        });
-    output->ShallowCopy(made.labels);
-  }
-  catch (const hasp::Cancelled&)
-  {
-    // what was asked for: nothing
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("there is not enough memory: take less of the image");
-    return 0;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  this->ErrorCode = vtkErrorCode::NoError;
-  return 1;
+  return hasp::RunFilter(this, this->ErrorCode,
+    [&](const hasp::ProgressFunction& progress)
+    {
+      output->ShallowCopy(
+        hasp::SegmentScan(scan, *this->Recipe, labels, { .tolerance = this->Tolerance }, progress)
+          .labels);
+    });
 }
 
 void vtkHaspSegmentationFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -251,14 +251,12 @@ void vtkHaspSeedPainter::Internals::Leave()
 void vtkHaspSeedPainter::Internals::Begin(const glm::ivec2& pixel)
 {
   this->painting = true;
-  this->disc = this->inSlice && this->painter->Shape == Disc;
-  this->normals.clear();
   this->trail.Begin();
   this->UseBrush();
   this->prop->SetKeep(true);
   const hasp::BrushTrail::Finder find = this->Look();
   this->trail.MoveTo(pixel, find);
-  this->NoteNormals();
+  this->paintedIn = this->plane;
   this->ShowBrush(find(pixel));
   this->painter->InvokeEvent(StrokeStartedEvent);
   this->Draw();
@@ -274,7 +272,7 @@ void vtkHaspSeedPainter::Internals::Extend(const glm::ivec2& pixel)
   const bool grown = this->trail.MoveTo(
     pixel, find ? find : [](const glm::ivec2&) { return std::nullopt; });
   const bool changed = grown || this->trail.Pieces().size() != pieces;
-  this->NoteNormals();
+  this->paintedIn = this->plane;
   const bool moved = this->ShowBrush(find ? find(pixel) : std::nullopt);
   if (changed)
     this->painter->InvokeEvent(StrokeChangedEvent);
@@ -289,7 +287,6 @@ void vtkHaspSeedPainter::Internals::End()
   if (this->prop)
     this->prop->SetKeep(false);
   const bool grown = this->trail.End();
-  this->NoteNormals();
   if (grown)
     this->painter->InvokeEvent(StrokeChangedEvent);
   this->painter->InvokeEvent(StrokeEndedEvent);
@@ -300,13 +297,6 @@ void vtkHaspSeedPainter::Internals::UseBrush()
 {
   this->trail.SetBrush(this->painter->Erase ? 0 : static_cast<std::uint16_t>(this->painter->Label),
     this->painter->RadiusMm);
-}
-
-void vtkHaspSeedPainter::Internals::NoteNormals()
-{
-  const glm::dvec3 normal = this->disc && this->plane ? this->plane->normal : glm::dvec3(0.0);
-  this->normals.resize(this->trail.Pieces().size(), normal);
-  this->paintedIn = this->plane;
 }
 
 hasp::BrushTrail::Finder vtkHaspSeedPainter::Internals::Look()

@@ -46,7 +46,6 @@ struct vtkHaspSeedPainter::Internals
   void Extend(const glm::ivec2& pixel);
   void End();
   void UseBrush(); ///< label and radius as they are now
-  void NoteNormals();
 
   /// What pixels show now, of a picture that is made where none was kept. Empty: nothing is shown.
   hasp::BrushTrail::Finder Look();
@@ -68,12 +67,10 @@ struct vtkHaspSeedPainter::Internals
   vtkSmartPointer<vtkHaspBrushProp> prop; ///< null while not enabled
 
   hasp::BrushTrail trail;
-  std::vector<glm::dvec3> normals;           ///< of the pieces; 0: balls
   std::optional<hasp::SlicePlane> plane;     ///< as of the last look
   std::optional<hasp::SlicePlane> paintedIn; ///< as of the last step of the stroke
   bool enabled = false;
   bool painting = false;
-  bool disc = false;   ///< the stroke that is painted
   bool held = false;   ///< the left button, by us: until its release, whatever became of the stroke
   bool faulty = false; ///< has been said
   std::uint32_t styles = 0;    ///< buttons whose drags are the style's

@@ -10,7 +10,8 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <limits>
+#include <exception>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,6 +20,24 @@ namespace
 {
 constexpr unsigned long PollMs = 30;
 constexpr char LabelArray[] = "Labels";
+
+/// What VTK calls back: no exception may fly through VTK.
+template <typename Work>
+void Guarded(vtkHaspSegmentationSession* session, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(session, << "There is no memory to go on splitting");
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(session, << error.what());
+  }
+}
 }
 
 vtkHaspSegmentationSession::Internals::Internals(vtkHaspSegmentationSession* of) : session(of)
@@ -29,7 +48,7 @@ vtkHaspSegmentationSession::Internals::Internals(vtkHaspSegmentationSession* of)
     {
       auto* in = static_cast<Internals*>(self);
       const vtkSmartPointer<vtkHaspSegmentationSession> alive = in->session; // whatever observers
-      in->Heard(event);                                                      // do
+      Guarded(alive, [&] { in->Heard(event); });                             // do
     });
   this->command->SetClientData(this);
   this->command->SetCallback(
@@ -37,8 +56,12 @@ vtkHaspSegmentationSession::Internals::Internals(vtkHaspSegmentationSession* of)
     {
       auto* in = static_cast<Internals*>(self);
       const vtkSmartPointer<vtkHaspSegmentationSession> alive = in->session;
-      if (in->Handle(event, data))
-        in->command->AbortFlagOn();
+      Guarded(alive,
+        [&]
+        {
+          if (in->Handle(event, data))
+            in->command->AbortFlagOn();
+        });
     });
 }
 
@@ -76,49 +99,84 @@ void vtkHaspSegmentationSession::Internals::Begin(vtkImageData* scan)
   this->undoBytes = 0;
 }
 
-bool vtkHaspSegmentationSession::Internals::Take(std::vector<hasp::SplitOutcome> outcomes)
+bool vtkHaspSegmentationSession::Internals::Take(std::list<hasp::SplitOutcome> outcomes)
 {
-  glm::ivec3 low(std::numeric_limits<int>::max()), high(std::numeric_limits<int>::min());
-  std::string error;
+  const hasp::VoxelBox changed = this->Change(outcomes);
+  for (hasp::SplitOutcome& outcome : outcomes)
+    this->Note(outcome);
+  int box[6];
+  if (!changed.Empty())
+  {
+    this->labels->Modified();
+    const int* first = this->image->GetExtent();
+    for (int a = 0; a < 3; ++a)
+    {
+      box[2 * a] = first[2 * a] + changed.low[a];
+      box[2 * a + 1] = first[2 * a] + changed.high[a] - 1;
+    }
+    if (this->mapper && this->mapper->GetImage() == this->image)
+      this->mapper->MarkLabelsModified(box);
+  }
+  Guarded(this->session, [this] { this->ShowStrokes(); });
   for (const hasp::SplitOutcome& outcome : outcomes)
   {
-    for (const hasp::LabelDelta& change : outcome.changes)
-      if (!change.Empty())
-      {
-        ApplyDelta(change, { this->labels->GetPointer(0), hasp::ImageGeometry(this->image) });
-        low = glm::min(low, change.Box().low);
-        high = glm::max(high, change.Box().high);
-      }
-    this->undoBytes = outcome.undoBytes;
-    const auto drag = std::find_if(this->drags.begin(), this->drags.end(),
-      [&](const Drag& one) { return one.number == outcome.drag; });
     if (!outcome.error.empty())
-      error = outcome.error;
-    if (drag == this->drags.end())
-      continue; // taken back meanwhile
-    drag->shown = outcome.done;
-    if (outcome.done)
-      this->finding = outcome.finding;
-    else
-      this->drags.erase(drag);
+      vtkErrorWithObjectMacro(this->session, << "A drag split nothing: " << outcome.error);
+    if (outcome.owed)
+      vtkErrorWithObjectMacro(
+        this->session, << "There is no memory to take a drag back: its labels "
+                          "stay until the next drag, or the next Undo");
   }
-  this->ShowStrokes();
-  if (!error.empty())
-    vtkErrorWithObjectMacro(this->session, << "A drag split nothing: " << error);
-  if (low.x >= high.x)
-    return false;
-  this->labels->Modified();
-  const int* first = this->image->GetExtent();
-  int box[6];
-  for (int a = 0; a < 3; ++a)
+  if (!changed.Empty())
+    this->session->InvokeEvent(LabelsChangedEvent, box);
+  return !changed.Empty();
+}
+
+hasp::VoxelBox vtkHaspSegmentationSession::Internals::Change(
+  std::list<hasp::SplitOutcome>& outcomes)
+{
+  const hasp::GridView<hasp::Label> map{ this->labels->GetPointer(0),
+    hasp::ImageGeometry(this->image) };
+  try
   {
-    box[2 * a] = first[2 * a] + low[a];
-    box[2 * a + 1] = first[2 * a] + high[a] - 1;
+    hasp::VoxelBox changed{ map.geometry.dims, glm::ivec3(0) };
+    for (const hasp::SplitOutcome& outcome : outcomes)
+      for (const hasp::LabelDelta& change : outcome.changes)
+        if (!change.Empty())
+        {
+          ApplyDelta(change, map);
+          const hasp::VoxelBox box = change.Box();
+          changed = { glm::min(changed.low, box.low), glm::max(changed.high, box.high) };
+        }
+    return changed;
   }
-  if (this->mapper && this->mapper->GetImage() == this->image)
-    this->mapper->MarkLabelsModified(box);
-  this->session->InvokeEvent(LabelsChangedEvent, box);
-  return true;
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(this->session,
+      << "The labels shown are not those of the split, and are shown anew: " << error.what());
+    this->work->Wait();
+    outcomes.splice(outcomes.end(), this->work->TakeOutcomes());
+    if (hasp::Segmenter* made = this->work->Made())
+      std::copy_n(static_cast<const hasp::Label*>(made->Labels()->GetScalarPointer()),
+        map.geometry.Size(), map.data);
+    else
+      std::fill_n(map.data, map.geometry.Size(), hasp::Label(0));
+    return { glm::ivec3(0), map.geometry.dims };
+  }
+}
+
+void vtkHaspSegmentationSession::Internals::Note(hasp::SplitOutcome& outcome)
+{
+  this->undoBytes = outcome.undoBytes;
+  const auto drag = std::find_if(this->drags.begin(), this->drags.end(),
+    [&](const Drag& one) { return one.number == outcome.drag; });
+  if (drag == this->drags.end())
+    return; // taken back meanwhile
+  drag->shown = outcome.done;
+  if (outcome.done)
+    this->finding = std::move(outcome.finding);
+  else
+    this->drags.erase(drag);
 }
 
 void vtkHaspSegmentationSession::Internals::SetUpMapper()

@@ -15,6 +15,7 @@
 #include "vtkWeakPointer.h"
 
 #include <cstdint>
+#include <list>
 #include <memory>
 #include <vector>
 
@@ -33,7 +34,11 @@ struct vtkHaspSegmentationSession::Internals
   ~Internals();
 
   void Begin(vtkImageData* scan); ///< throws std::invalid_argument, and nothing changes
-  bool Take(std::vector<hasp::SplitOutcome> outcomes);
+  bool Take(std::list<hasp::SplitOutcome> outcomes);
+  /// Makes their changes; the box that changes. Where one does not fit the labels, because somebody
+  /// else wrote into them, all are shown anew: then it waits for the work.
+  hasp::VoxelBox Change(std::list<hasp::SplitOutcome>& outcomes);
+  void Note(hasp::SplitOutcome& outcome); ///< what has become of its drag
   void SetUpMapper();
   void ColourLabels(const std::vector<hasp::BrushStroke>& strokes);
   void ShowStrokes();

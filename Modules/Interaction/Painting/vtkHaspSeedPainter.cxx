@@ -162,7 +162,6 @@ void vtkHaspSeedPainter::Cancel()
   self.painting = false;
   self.prop->SetKeep(false);
   self.trail.Begin();
-  self.normals.clear();
   this->InvokeEvent(StrokeCancelledEvent);
   self.Draw();
 }
@@ -199,15 +198,6 @@ bool vtkHaspSeedPainter::GetPoint(int piece, int point, double world[3]) const
   return true;
 }
 
-bool vtkHaspSeedPainter::GetPieceNormal(int piece, double normal[3]) const
-{
-  const std::vector<glm::dvec3>& normals = this->Self->normals;
-  if (piece < 0 || piece >= static_cast<int>(normals.size()) || normals[piece] == glm::dvec3(0.0))
-    return false;
-  std::copy_n(&normals[piece].x, 3, normal);
-  return true;
-}
-
 bool vtkHaspSeedPainter::GetPlace(int x, int y, double world[3])
 {
   Internals& self = *this->Self;
@@ -240,6 +230,5 @@ void vtkHaspSeedPainter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Label: " << this->Label << "\n"
      << indent << "Erase: " << (this->Erase ? "on" : "off") << "\n"
      << indent << "RadiusMm: " << this->RadiusMm << "\n"
-     << indent << "Shape: " << (this->Shape == Disc ? "disc" : "ball") << "\n"
      << indent << "Pieces: " << this->GetNumberOfPieces() << "\n";
 }

@@ -39,8 +39,8 @@ struct BrushStroke;
  * changes does not lift it. Points are a quarter of a radius apart, or a pixel.
  *
  * With SetSlice it is where the line of sight meets the plane that a vtkImageSlice shows, however
- * oblique, within its image; no depth is asked. The brush is a ball all the same, or a disc in the
- * slice (SetShape).
+ * oblique, within its image; no depth is asked. The brush is a ball all the same: it marks the
+ * slices beside this one, too.
  *
  * While the pointer is over something a ring of the brush's radius is drawn there, parallel to the
  * screen or in the slice, and on surfaces a translucent ball. It is not in the depth that is asked.
@@ -87,11 +87,6 @@ public:
     ControlModifier,
     AltModifier
   };
-  enum Shapes
-  {
-    Ball, ///< all within the radius
-    Disc  ///< in a slice: of that, what lies in its plane (GetPieceNormal)
-  };
 
   /** Where it is drawn, and whose window's interactor is followed. Ends a stroke; null: none. */
   void SetRenderer(vtkRenderer* renderer);
@@ -132,11 +127,6 @@ public:
   void SetRadiusMm(double mm);
   vtkGetMacro(RadiusMm, double);
   ///@}
-  ///@{
-  /** Default Ball. Of the next stroke. */
-  vtkSetClampMacro(Shape, int, Ball, Disc);
-  vtkGetMacro(Shape, int);
-  ///@}
   /** The brush's, for this label (0: the eraser); hasp::PaletteColour's until then. Components in
    * [0, 1], labels in [0, 65535]; an error, and no change, for others. */
   void SetLabelColor(int label, double r, double g, double b);
@@ -160,8 +150,6 @@ public:
   int GetNumberOfPoints(int piece) const;
   bool GetPoint(int piece, int point, double world[3]) const;
   ///@}
-  /** True of a piece painted as a disc: the unit normal of its slice, world. */
-  bool GetPieceNormal(int piece, double normal[3]) const;
 
   /** What the pixel of the window shows (event positions), world mm; false, and untouched, where it
    * shows nothing to paint on, or there has been no picture. While enabled. */
@@ -185,7 +173,6 @@ private:
   int Label = 2;
   bool Erase = false;
   double RadiusMm = 2.0;
-  int Shape = Ball;
   std::unique_ptr<Internals> Self;
 };
 

@@ -179,7 +179,7 @@ bool vtkHaspSegmentationSession::Settle()
     hasp::SplitOutcome settled;
     settled.changes.push_back(self.work->Made()->Settle());
     settled.undoBytes = self.work->Made()->UndoBytes();
-    std::vector<hasp::SplitOutcome> all;
+    std::list<hasp::SplitOutcome> all;
     all.push_back(std::move(settled));
     return self.Take(std::move(all)) || changed;
   }

@@ -46,16 +46,16 @@ struct SegmentationRecipe;
  * already as they will be drawn.
  *
  * The labels are those that GetRecipe makes of the scan, to the last bit; with norm 2 after Settle
- * alone, and before, the walker's tolerance decides a voxel in some thousands. Limits: a disc
- * (vtkHaspSeedPainter::Disc) marks as a ball does; each piece of a drag is solved for by itself;
- * while a session has a scan, its samples stay as they are.
+ * alone, and before, the walker's tolerance decides a voxel in some thousands. Limits: each piece
+ * of a drag is solved for by itself; while a session has a scan, its samples stay as they are.
  *
  * Threads: RENDER; the work runs on a WORKER of its own (hasp::EditThread). Painter, mapper and
  * strokes' actor are held weakly. Errors: vtkErrorMacro, and nothing changes: a scan that cannot be
  * read, a stroke of label 0 (an eraser's), and whatever a stroke or a setting is refused for, which
- * is known when it is worked out.
- * Memory: 2 bytes a sample shown; from the first stroke on 2 more, the undo's, and the solver's
- * (LabelSplit.h).
+ * is known when it is worked out. Where there is no memory to take a drag back its labels stay
+ * until the next drag or Undo. Labels that somebody else wrote into the image are gone with the
+ * next change: then all are shown anew, and that is said. Memory: 2 bytes a sample shown; from the
+ * first stroke on 2 more, the undo's, and the solver's (LabelSplit.h).
  */
 class VTKHASPINTERACTIONPAINTING_EXPORT vtkHaspSegmentationSession : public vtkObject
 {
@@ -135,7 +135,8 @@ public:
   /** Of what is worked out now, [0, 1]. */
   double GetProgress() const;
 
-  /** Shows what has been worked out since. True if labels have changed. Never waits. */
+  /** Shows what has been worked out since. True if labels have changed. Never waits, but where all
+   * are shown anew. */
   bool Update();
   /** Waits until all is worked out, and shows it. True if labels have changed. */
   bool Finish();

@@ -202,7 +202,7 @@ Plan Apply(Plan plan, const PlanEdit& edit)
   return plan;
 }
 
-std::string Label(const Plan& before, const PlanEdit& edit)
+std::string EditLabel(const Plan& before, const PlanEdit& edit)
 {
   return std::visit(Labelled{ before }, edit);
 }

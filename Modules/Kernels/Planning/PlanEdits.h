@@ -109,7 +109,7 @@ Plan Apply(Plan plan, const PlanEdit& edit);
 
 /// What a menu calls it: "Add cut 3", "Move fragments 2 and 5". No name out of the plan. `before`:
 /// the plan that the edit is for.
-std::string Label(const Plan& before, const PlanEdit& edit);
+std::string EditLabel(const Plan& before, const PlanEdit& edit);
 
 /// The edit that moves a group as one: `motion` after the pose that each fragment has. Locked ones
 /// too: Apply then refuses. Throws std::invalid_argument if there is no such group.

@@ -68,7 +68,8 @@ void PlanHistory::Do(std::vector<PlanEdit> edits, std::string label)
 {
   if (edits.empty())
     throw std::invalid_argument("history: a step without edits");
-  PlanStep step{ label.empty() ? Label(this->Now, edits[0]) : std::move(label), std::move(edits) };
+  PlanStep step{ label.empty() ? EditLabel(this->Now, edits[0]) : std::move(label),
+    std::move(edits) };
   ValueChecks("history").Text("the label", step.label);
   CheckNew(step, this->NextId);
   Plan next = After(this->Now, step);

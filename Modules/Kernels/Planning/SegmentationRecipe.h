@@ -27,7 +27,7 @@ struct GaussianStep
   bool operator==(const GaussianStep&) const noexcept = default;
 };
 
-/// Median of the samples in a box.
+/// Median of the samples in a box; of more than 4,096 of the scan's voxels it is refused there.
 struct MedianStep
 {
   double radiusMm = 1.0; ///< half the box's edge, (0, 10]; at least one voxel each way

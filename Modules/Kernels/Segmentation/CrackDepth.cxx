@@ -43,7 +43,8 @@ float SoftLevel(std::vector<float> samples)
     return double(*at);
   };
   const double low = quantile(0.01);
-  return static_cast<float>(low - 0.35 * (quantile(0.5) - low));
+  return static_cast<float>(
+    std::max<double>(low - 0.35 * (quantile(0.5) - low), std::numeric_limits<float>::lowest()));
 }
 
 /// The largest value along a side; nothing: the least there is.
@@ -75,8 +76,9 @@ float DepthAt(const GridView<const T>& view, const std::vector<Way>& ways, const
     if (!(front > value))
       continue;
     const float m = std::min(front, Brightest(view, at, -way.step, way.reach));
-    if (m > value && m > soft)
-      deepest = std::max(deepest, std::min((m - value) / (m - soft), 1.0F));
+    if (m > value && m > soft) // halves, so that nothing overflows
+      deepest =
+        std::max(deepest, std::min((0.5F * m - 0.5F * value) / (0.5F * m - 0.5F * soft), 1.0F));
   }
   return deepest;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace hasp
 {
@@ -67,16 +68,25 @@ public:
   std::uint64_t To(std::uint64_t voxel)
   {
     const Label* begin = this->Map + this->At;
-    const std::uint64_t passed = voxel - this->At;
+    std::uint64_t passed = voxel - this->At;
     this->At = voxel;
-    if (!this->InBone)
-      return passed;
-    return passed - static_cast<std::uint64_t>(std::count(begin, begin + passed, Label(0)));
+    if (this->InBone)
+      passed -= static_cast<std::uint64_t>(std::count(begin, begin + passed, Label(0)));
+    this->Count += passed;
+    return passed;
+  }
+
+  /// On to the end; the count of all voxels of the map.
+  std::uint64_t CountAll()
+  {
+    this->To(this->Size);
+    return this->Count;
   }
 
   /// Past `count` of those that are counted: at the one behind them.
   void Pass(std::uint64_t count)
   {
+    this->Count += count;
     if (!this->InBone)
     {
       this->Check(count <= this->Size - this->At);
@@ -115,7 +125,7 @@ private:
   const Label* Map;
   std::uint64_t Size;
   bool InBone;
-  std::uint64_t At = 0;
+  std::uint64_t At = 0, Count = 0;
 };
 
 /// Runs that are one, counted as the walk counts.
@@ -177,9 +187,13 @@ PackedDelta PackDelta(const LabelDelta& delta, GridView<const Label> after)
   for (const LabelRun& run : delta.runs)
   {
     packer.Add(walk.To(run.first), run.length, run.before, run.after);
-    walk.To(run.first + run.length);
+    if (walk.To(run.first + run.length) != run.length)
+      throw std::invalid_argument("packed label delta: a run at voxel " +
+                                  std::to_string(run.first) +
+                                  " lies where the map has no label; give the map with it made");
   }
   packer.Flush();
+  packed.bone = packed.inBone ? walk.CountAll() : 0;
   packed.bytes.shrink_to_fit();
   return packed;
 }
@@ -210,6 +224,10 @@ LabelDelta UnpackDelta(const PackedDelta& packed, GridView<const Label> after)
   }
   if (!reader.Done())
     throw std::invalid_argument("packed label delta: there are bytes behind its last run");
+  if (packed.inBone && walk.CountAll() != packed.bone)
+    throw std::invalid_argument("packed label delta: the map has not the " +
+                                std::to_string(packed.bone) +
+                                " voxels of bone that it was made for");
   delta.runs.shrink_to_fit();
   return delta;
 }

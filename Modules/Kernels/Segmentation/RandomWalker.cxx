@@ -1,6 +1,7 @@
 #include "Segmentation/RandomWalker.h"
 
 #include "Grid/ParallelFor.h"
+#include "Grid/ProgressPart.h"
 #include "Segmentation/ConjugateGradients.h"
 #include "Segmentation/LocalGraph.h"
 #include "Segmentation/Multigrid.h"
@@ -247,8 +248,12 @@ RandomWalkerRun RandomWalker::Solve(
       all.coarseIterations = std::max(all.coarseIterations,
         in.multigrid.SolveCoarse(residual, start, std::max(settings.tolerance, coarseTolerance)));
     }
+    double shown = 0.0; // of this batch: errors may grow again, and the local end begins anew
     const auto report = [&](double share)
-    { return !progress || progress((b + share) / static_cast<double>(in.batches.size())); };
+    {
+      shown = std::max(shown, share);
+      return !progress || progress((b + shown) / static_cast<double>(in.batches.size()));
+    };
     std::optional<walk::MarkedCells> cells;
     walk::SolverRun run = walk::ConjugateGradients(in.multigrid, x, residual, std::move(start),
       settings.tolerance, settings.mostIterations, report,
@@ -264,8 +269,8 @@ RandomWalkerRun RandomWalker::Solve(
     if (run.left)
     {
       const int before = run.cycles;
-      run =
-        in.SolveLocally(*cells, x, settings.tolerance, settings.mostIterations - before, report);
+      run = in.SolveLocally(*cells, x, settings.tolerance, settings.mostIterations - before,
+        PartOf(report, shown, 1.0));
       work +=
         run.cycles * static_cast<double>(cells->Nodes()) / static_cast<double>(in.graph->Nodes());
       run.error = std::max(run.error, cells->LargestOutside() / walk::SeenShare);

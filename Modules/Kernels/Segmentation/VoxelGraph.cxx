@@ -37,6 +37,12 @@ glm::dvec3 Conductances(const glm::dvec3& spacing)
   return shape / std::max({ shape.x, shape.y, shape.z });
 }
 
+/// Half of a difference, so that none overflows: finite samples lie up to 7e38 apart.
+float HalfStep(float a, float b)
+{
+  return std::abs(0.5F * a - 0.5F * b);
+}
+
 /// The quantile that scales differences. Differences go into bins an eighth of a power of two wide,
 /// so that no pass needs their range: what comes out is the upper end of a bin.
 class DifferenceScale
@@ -136,7 +142,7 @@ VoxelGraph::VoxelGraph(const AnyGridView& grid, GridView<const Label> labels, La
       forEachLink(first, last,
         [&](int, std::int32_t n, std::int32_t m)
         {
-          scales[piece].Add(std::abs(samples[m] - samples[n]));
+          scales[piece].Add(HalfStep(samples[m], samples[n]));
           ++links[piece];
         });
     });
@@ -160,7 +166,7 @@ VoxelGraph::VoxelGraph(const AnyGridView& grid, GridView<const Label> labels, La
       forEachLink(first, last,
         [&](int axis, std::int32_t n, std::int32_t m)
         {
-          const double step = std::abs(samples[m] - samples[n]) / scale;
+          const double step = HalfStep(samples[m], samples[n]) / scale;
           const double depth =
             depths.empty() ? 0.0 : std::max(depths[n], depths[m]) / settings.crack;
           const double weight =

@@ -3,8 +3,7 @@
 #include "DistanceCases.h"
 #include "DistanceTrials.h"
 #include "RandomTree.h"
-#include "ReportRegistry.h"
-#include "ReportTerms.h"
+#include "Testing/FilledReport.h"
 
 #include <gtest/gtest.h>
 
@@ -16,28 +15,11 @@ namespace
 
 using namespace hasp;
 
-/// A report that something was put into.
+using hasp::testing::Row;
+
 Report Filled(const std::function<void(ReportContext&)>& fill)
 {
-  Report report;
-  report.name = "distance";
-  report.terms = TermsOf("distance");
-  ReportContext context{ report, {}, [](double, const std::string&) {} };
-  context.settings.quick = true;
-  fill(context);
-  for (const std::string& fault : ReportFaults(report))
-    ADD_FAILURE() << fault;
-  return report;
-}
-
-const ReportRow& Row(const Report& report, const std::string& id)
-{
-  for (const ReportRow& row : report.rows)
-    if (row.id == id)
-      return row;
-  ADD_FAILURE() << "no row " << id;
-  static const ReportRow none;
-  return none;
+  return hasp::testing::Filled("distance", fill);
 }
 
 TEST(DistanceRows, AntiAliasingIsWorthWhatThePapersSay)

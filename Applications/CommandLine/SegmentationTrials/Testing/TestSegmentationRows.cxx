@@ -1,9 +1,8 @@
 // The trials as the report runs them, at sizes of seconds: their rows hold, and say what they are.
 #include "DiceRows.h"
 #include "ErrorCurves.h"
-#include "ReportRegistry.h"
-#include "ReportTerms.h"
 #include "SplitRival.h"
+#include "Testing/FilledReport.h"
 
 #include <gtest/gtest.h>
 
@@ -12,27 +11,11 @@ namespace
 
 using namespace hasp;
 
+using hasp::testing::Row;
+
 Report Filled(const std::function<void(ReportContext&)>& fill)
 {
-  Report report;
-  report.name = "segmentation";
-  report.terms = TermsOf("segmentation");
-  ReportContext context{ report, {}, [](double, const std::string&) {} };
-  context.settings.quick = true;
-  fill(context);
-  for (const std::string& fault : ReportFaults(report))
-    ADD_FAILURE() << fault;
-  return report;
-}
-
-const ReportRow& Row(const Report& report, const std::string& id)
-{
-  for (const ReportRow& row : report.rows)
-    if (row.id == id)
-      return row;
-  ADD_FAILURE() << "no row " << id;
-  static const ReportRow none;
-  return none;
+  return hasp::testing::Filled("segmentation", fill);
 }
 
 /// A bar of bone in two, whose crack is as dark as can be and a voxel wide.

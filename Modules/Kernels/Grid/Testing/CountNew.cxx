@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -10,11 +11,16 @@ namespace
 
 thread_local std::size_t Count = 0, Bytes = 0;
 std::atomic<std::size_t> CountOfAll{ 0 };
+thread_local bool IsSpared = false; ///< of NewRefused
+std::atomic<bool> Refusing{ false };
+std::atomic<std::int64_t> Left{ 0 };
 
 constexpr std::align_val_t Usual{ alignof(std::max_align_t) };
 
 void* Take(std::size_t bytes, std::align_val_t alignment) noexcept
 {
+  if (Refusing.load() && !IsSpared && Left.fetch_sub(1) <= 0)
+    return nullptr;
   ++Count;
   Bytes += bytes;
   CountOfAll.fetch_add(1, std::memory_order_relaxed);
@@ -45,6 +51,19 @@ std::size_t hasp::test::NewBytes() noexcept
 std::size_t hasp::test::NewCountOfAllThreads() noexcept
 {
   return CountOfAll.load(std::memory_order_relaxed);
+}
+
+hasp::test::NewRefused::NewRefused(std::size_t left) noexcept
+{
+  IsSpared = true;
+  Left.store(static_cast<std::int64_t>(left));
+  Refusing.store(true);
+}
+
+hasp::test::NewRefused::~NewRefused()
+{
+  Refusing.store(false);
+  IsSpared = false;
 }
 
 // Every form: one that is left out is a sanitizer's own, whose memory may not be freed here.

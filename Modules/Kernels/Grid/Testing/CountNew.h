@@ -12,4 +12,15 @@ std::size_t NewCount() noexcept;
 std::size_t NewBytes() noexcept;             ///< and how much in all
 std::size_t NewCountOfAllThreads() noexcept; ///< NewCount of every thread together
 
+/// While it lives, all threads but the one that made it take memory with new `left` times more, and
+/// then none: new throws std::bad_alloc, and what may fail gives nullptr. One at a time.
+class NewRefused
+{
+public:
+  explicit NewRefused(std::size_t left) noexcept;
+  ~NewRefused();
+  NewRefused(const NewRefused&) = delete;
+  NewRefused& operator=(const NewRefused&) = delete;
+};
+
 } // namespace hasp::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <functional>
 #include <new>
 #include <thread>
 
@@ -85,6 +86,29 @@ TEST(CountNew, WhatAnotherThreadTakesIsNotThisThreads)
   EXPECT_EQ(NewCount(), before);
   EXPECT_EQ(ofIt, 1U);
   EXPECT_EQ(ofAll, 1U);
+}
+
+TEST(CountNew, OtherThreadsAreRefusedBehindSoMany)
+{
+  int taken = 0, own = 0;
+  const auto take = [](int& count)
+  {
+    for (int n = 0; n < 5; ++n)
+      if (void* const memory = ::operator new(8, std::nothrow))
+      {
+        ++count;
+        ::operator delete(memory);
+      }
+  };
+  {
+    const hasp::test::NewRefused refused(3);
+    std::thread(take, std::ref(taken)).join();
+    take(own);
+  }
+  EXPECT_EQ(taken, 3);
+  EXPECT_EQ(own, 5);
+  std::thread(take, std::ref(taken)).join();
+  EXPECT_EQ(taken, 8);
 }
 
 } // namespace

@@ -216,7 +216,7 @@ TEST(Plan, PlatesImplantsAndTransplantsAreHeldToTheirRules)
   EXPECT_EQ(UsersOf(plan, 3), (std::vector<PlanId>{ 4, 7, 6, 11, 13 }));
   EXPECT_EQ(UsersOf(plan, 5), (std::vector<PlanId>{ 8, 13 }));
   EXPECT_EQ(UsersOf(plan, 6), (std::vector<PlanId>{ 8, 13 }));
-  EXPECT_EQ(Label(plan, RemoveObject{ 13 }), "Remove transplant 13");
+  EXPECT_EQ(EditLabel(plan, RemoveObject{ 13 }), "Remove transplant 13");
 }
 
 TEST(Plan, MitreGuidesAreOfTransplants)
@@ -235,7 +235,7 @@ TEST(Plan, MitreGuidesAreOfTransplants)
     "mitre-guide 14: choices.beyondMm is 4, must be in [5, 100]");
   EXPECT_EQ(
     change([](auto& g) { g.name = std::string("\n"); }).find("mitre-guide 14: name holds"), 0U);
-  EXPECT_EQ(Label(plan, RemoveObject{ 14 }), "Remove mitre-guide 14");
+  EXPECT_EQ(EditLabel(plan, RemoveObject{ 14 }), "Remove mitre-guide 14");
   EXPECT_EQ(UsersOf(plan, 13), std::vector<PlanId>{ 14 });
   plan.mitreGuides[0].choices.gapMm = -1;
   EXPECT_EQ(Refusal([&] { ValidatePlan(plan); }),
@@ -328,16 +328,17 @@ TEST(PlanEdits, AreRefusedByKindAndId)
 TEST(PlanEdits, DoWhatTheirLabelsSay)
 {
   const Plan plan = Case();
-  EXPECT_EQ(Label(plan, AddObject<PlanCut>{ { 11, "", {}, {} } }), "Add cut 11");
-  EXPECT_EQ(Label(plan, ChangeObject<PlanGuide>{ plan.guides[0] }), "Change guide 8");
-  EXPECT_EQ(Label(plan, RemoveObject{ 7 }), "Remove group 7");
-  EXPECT_EQ(Label(plan, RenameObject{ 4, "Erika" }), "Rename fragment 4");
-  EXPECT_EQ(Label(plan, PoseFragments{ { { 3, {} } } }), "Move fragment 3");
-  EXPECT_EQ(Label(plan, SetFragmentState{ { 3, 4 } }), "Resect fragments 3 and 4");
-  EXPECT_EQ(Label(plan, SetFragmentState{ { 3, 4, 5 }, FragmentState::Kept }),
+  EXPECT_EQ(EditLabel(plan, AddObject<PlanCut>{ { 11, "", {}, {} } }), "Add cut 11");
+  EXPECT_EQ(EditLabel(plan, ChangeObject<PlanGuide>{ plan.guides[0] }), "Change guide 8");
+  EXPECT_EQ(EditLabel(plan, RemoveObject{ 7 }), "Remove group 7");
+  EXPECT_EQ(EditLabel(plan, RenameObject{ 4, "Erika" }), "Rename fragment 4");
+  EXPECT_EQ(EditLabel(plan, PoseFragments{ { { 3, {} } } }), "Move fragment 3");
+  EXPECT_EQ(EditLabel(plan, SetFragmentState{ { 3, 4 } }), "Resect fragments 3 and 4");
+  EXPECT_EQ(EditLabel(plan, SetFragmentState{ { 3, 4, 5 }, FragmentState::Kept }),
     "Keep fragments 3, 4 and 1 other");
-  EXPECT_EQ(Label(plan, SetFragmentState{ { 3, 4, 5, 9 } }), "Resect fragments 3, 4 and 2 others");
-  EXPECT_EQ(Label(plan, SetCaseLabel{ "Erika" }), "Change the case label");
+  EXPECT_EQ(
+    EditLabel(plan, SetFragmentState{ { 3, 4, 5, 9 } }), "Resect fragments 3, 4 and 2 others");
+  EXPECT_EQ(EditLabel(plan, SetCaseLabel{ "Erika" }), "Change the case label");
 
   EXPECT_TRUE(Apply(plan, RemoveObject{ 7 }).groups.empty());
   EXPECT_EQ(Apply(plan, RenameObject{ 6, "right" }).cuts[0].name, "right");
@@ -390,7 +391,7 @@ TEST(PlanEdits, AValidPlanStaysValid)
       const PlanEdit edit = random.Next(plan, plan.nextId);
       plan = Apply(std::move(plan), edit);
       ASSERT_EQ(Refusal([&] { ValidatePlan(plan); }), "") << seed << ", edit " << n;
-      ASSERT_FALSE(Label(plan, edit).empty());
+      ASSERT_FALSE(EditLabel(plan, edit).empty());
     }
   }
 }

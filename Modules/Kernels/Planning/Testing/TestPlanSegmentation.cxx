@@ -54,8 +54,9 @@ TEST(PlanEdits, StepsAndStrokesAreAddedBehindTheOthers)
   EXPECT_EQ(split.strokes[1].label, 3);
   EXPECT_EQ(plan.segmentations[0].labels, std::string(64, 'b')); // what the steps begin with
   ValidatePlan(plan);
-  EXPECT_EQ(Label(plan, AddSegmentationStroke{ 2, stroke }), "Stroke of label 2 in segmentation 2");
-  EXPECT_EQ(Label(plan, AddSegmentationStep{ 2, MergeStep{ 3, 2 } }),
+  EXPECT_EQ(
+    EditLabel(plan, AddSegmentationStroke{ 2, stroke }), "Stroke of label 2 in segmentation 2");
+  EXPECT_EQ(EditLabel(plan, AddSegmentationStep{ 2, MergeStep{ 3, 2 } }),
     "Merge label 3 into 2 in segmentation 2");
 }
 

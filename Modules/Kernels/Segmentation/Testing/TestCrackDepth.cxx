@@ -117,6 +117,19 @@ TEST(CrackDepth, GoesAlongWithScaleAndShiftAndPassesOverWhatIsNotFinite)
   EXPECT_TRUE(hasp::CrackDepths(graph, view, std::vector<float>(4096, 500.0F))[0] <= 1.0F);
 }
 
+TEST(CrackDepth, IsTheSameAtTheEndsOfFloat)
+{
+  Block block;
+  for (float& grey : block.grey) // 3e38 but for the corner, which is as far below 0
+    grey = grey == 1000.0F ? 3e38F : -3e38F;
+  for (int j = 0; j < 16; ++j)
+    for (int k = 0; k < 16; ++k)
+      block.At(9, j, k) = 0.0F;
+  // soft would be -5.1e38: it is the lowest there is.
+  EXPECT_NEAR(block.DepthAt(9, 9, 9), 3e38 / (3e38 + std::numeric_limits<float>::max()), 1e-6);
+  EXPECT_EQ(block.DepthAt(11, 9, 9), 0.0F);
+}
+
 TEST(CrackDepth, HoldsAWalkBackByItsSquare)
 {
   Block block;

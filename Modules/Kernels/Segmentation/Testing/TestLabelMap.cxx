@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -22,6 +23,21 @@ TEST(LabelMap, ThresholdsHoldTheirEndsAndNoNaN)
     { labels.data(), geometry });
   EXPECT_EQ(labels, (std::vector<Label>{ 0, 1, 1, 1, 0, 0 }));
   EXPECT_EQ(hasp::CountLabels({ labels.data(), geometry }), (std::vector<std::size_t>{ 3, 3 }));
+}
+
+TEST(LabelMap, ThresholdsReachToTheEndsOfFloat)
+{
+  constexpr float most = std::numeric_limits<float>::max();
+  const std::vector<float> samples{ -most, -3e38F, 0.0F, 3e38F, most };
+  hasp::GridGeometry geometry;
+  geometry.dims = { 5, 1, 1 };
+  std::vector<Label> labels(5);
+  hasp::ThresholdLabels(hasp::GridView<const float>{ samples.data(), geometry }, -3.1e38, 3.1e38,
+    { labels.data(), geometry });
+  EXPECT_EQ(labels, (std::vector<Label>{ 0, 1, 1, 1, 0 }));
+  hasp::ThresholdLabels(hasp::GridView<const float>{ samples.data(), geometry }, 3e38F, HUGE_VAL,
+    { labels.data(), geometry });
+  EXPECT_EQ(labels, (std::vector<Label>{ 0, 0, 0, 1, 1 }));
 }
 
 TEST(LabelMap, NonsenseIsRefused)

@@ -107,6 +107,13 @@ TEST(PackedDelta, RefusesAnotherMapAndOtherBytes)
   EXPECT_THROW(Unpack(packed, turned), std::invalid_argument);
   EXPECT_THROW(Pack(Between(bone, after), turned), std::invalid_argument);
   EXPECT_THROW(Unpack(packed, LabelMap(bone.geometry)), std::invalid_argument);
+  EXPECT_THROW(Pack(Between(bone, after), LabelMap(bone.geometry)), std::invalid_argument);
+  for (const Label from : { 2, 0 }) // a voxel of bone less, or more: all behind it would move
+  {
+    LabelMap other = after;
+    *std::find(other.labels.begin(), other.labels.end(), from) = from ? 0 : 2;
+    EXPECT_THROW(Unpack(packed, other), std::invalid_argument);
+  }
   PackedDelta cut = packed;
   cut.bytes.pop_back();
   EXPECT_THROW(Unpack(cut, after), std::invalid_argument);

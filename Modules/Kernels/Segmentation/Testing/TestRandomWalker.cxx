@@ -184,6 +184,31 @@ TEST(RandomWalker, ALocalEndIsAsGoodAsAWholeOneForLessWork)
   }
 }
 
+/// Seven labels are two batches; each ends locally.
+TEST(RandomWalker, ProgressNeverRunsBackwards)
+{
+  const RandomBone bone({ 50, 46, 42 }, glm::dvec3(1.0), 0.95, 31);
+  const auto graph = bone.Graph();
+  const auto nodes = static_cast<std::int32_t>(graph->Nodes());
+  std::vector<WalkerSeed> seeds;
+  for (int f = 0; f < 7; ++f)
+    seeds.push_back({ nodes / 7 * f + 10, static_cast<Label>(f + 2) });
+  RandomWalker walker(graph);
+  walker.SetSeeds(seeds);
+  std::vector<double> shares;
+  const auto note = [&](double share)
+  {
+    shares.push_back(share);
+    return true;
+  };
+  const RandomWalkerRun run = walker.Solve({ .tolerance = 2e-4 }, note);
+  ASSERT_LT(run.work, run.iterations - 0.5); // some were local
+  ASSERT_GT(shares.size(), 6U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end())) << testing::PrintToString(shares);
+  EXPECT_GE(shares.front(), 0.0);
+  EXPECT_EQ(shares.back(), 1.0);
+}
+
 TEST(RandomWalker, SixtyLabelsAreSolvedInBatches)
 {
   const RandomBone bone({ 16, 16, 16 }, glm::dvec3(1.0), 1.0, 24);

@@ -96,6 +96,25 @@ TEST(GreyHistogram, AValueFarOffTakesNoDigitsFromTheOthers)
   EXPECT_GE(HistogramOf(samples).counts.size(), 1U);
 }
 
+TEST(GreyHistogram, ReachesFromEndToEndOfFloat)
+{
+  constexpr float most = std::numeric_limits<float>::max();
+  std::vector<float> samples;
+  for (int n = 0; n < 3000; ++n)
+    samples.push_back(n % 3 == 0 ? -most : n % 3 == 1 ? 1e38F : most);
+  const GreyHistogram histogram = HistogramOf(samples);
+  EXPECT_EQ(histogram.counts.front(), 1000U);
+  EXPECT_EQ(histogram.counts.back(), 1000U);
+  EXPECT_NEAR(histogram.Middle(0) / most, -1.0, 1e-4); // a bin is 2 / 65,536
+  EXPECT_NEAR(histogram.Middle(histogram.counts.size() - 1) / most, 1.0, 1e-4);
+  const ThresholdProposal found = hasp::ProposeThreshold(histogram);
+  EXPECT_NEAR(found.threshold / most, 0.5 + 0.5 * 1e38 / most, 1e-3);
+  EXPECT_NEAR(found.softTissue / most, 1e38 / most, 1e-3);
+  EXPECT_NEAR(found.bone / most, 1.0, 1e-3);
+  const GreyHistogram same = HistogramOf({ most, most });
+  EXPECT_EQ(same.counts, std::vector<std::uint64_t>{ 2 });
+}
+
 TEST(ThresholdProposal, NonsenseIsRefused)
 {
   EXPECT_THROW(hasp::ProposeThreshold(GreyHistogram{}), std::invalid_argument);

@@ -107,6 +107,24 @@ TEST(VoxelGraph, ExtremesOfBetaStayWithinTheFloor)
   }
 }
 
+TEST(VoxelGraph, WeightsAreTheSameAtTheEndsOfFloat)
+{
+  RandomBone bone({ 9, 8, 7 }, glm::dvec3(1.0), 0.9, 6);
+  for (float& sample : bone.samples)
+    sample = (sample - 500.0F) * 0x1p+119F; // up to 3.3e38 on both sides of 0
+  RandomBone small = bone;
+  for (float& sample : small.samples)
+    sample *= 0x1p-119F;
+  for (const double beta : { 0.0, 90.0, 1e12 })
+  {
+    const auto links = hasp::testing::LinksOf(*bone.Graph({ .beta = beta, .crack = 0.0 }));
+    const auto truth = hasp::testing::LinksOf(*small.Graph({ .beta = beta, .crack = 0.0 }));
+    ASSERT_EQ(links.size(), truth.size());
+    for (std::size_t n = 0; n < links.size(); ++n)
+      ASSERT_EQ(links[n].weight, truth[n].weight) << beta;
+  }
+}
+
 TEST(VoxelGraph, NonsenseIsRefused)
 {
   RandomBone bone({ 4, 4, 4 }, glm::dvec3(1.0), 0.8, 5);

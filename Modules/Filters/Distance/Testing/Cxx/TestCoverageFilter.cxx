@@ -1,9 +1,9 @@
 #include "vtkHaspCoverage.h"
 
-#include "../../FilterRun.h"
 #include "Distance/Coverage.h"
 #include "FilterErrors.h"
 #include "Grid/AnalyticVolumes.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkAppendPolyData.h"

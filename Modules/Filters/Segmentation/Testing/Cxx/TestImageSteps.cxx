@@ -265,6 +265,17 @@ std::string Refusal(vtkImageData* image, const Step& step)
   return "";
 }
 
+TEST(ImageSteps, ATooLargeMedianSaysTheLargestThatWillDo)
+{
+  const auto image = Image<std::int16_t>({ 18, 18, 18 }, [](const glm::ivec3& at) { return at.x; });
+  const std::string said = Refusal(image, hasp::MedianStep{ 10.0 });
+  const std::size_t at = said.find("take ");
+  ASSERT_NE(at, std::string::npos) << said;
+  const double largest = std::stod(said.substr(at + 5));
+  EXPECT_EQ(Refusal(image, hasp::MedianStep{ largest }), "");
+  EXPECT_NE(Refusal(image, hasp::MedianStep{ largest + 2e-3 }).find("4096"), std::string::npos);
+}
+
 TEST(ImageSteps, NonsenseIsRefused)
 {
   const auto image = Image<std::int16_t>({ 40, 40, 40 }, [](const glm::ivec3& at) { return at.x; });

@@ -296,7 +296,6 @@ TEST(PaintEvents, WrongValuesAreSaidAndChangeNothing)
   EXPECT_FALSE(alone->GetEnabled());
   double at[3] = { 1, 2, 3 };
   EXPECT_FALSE(scene.painter->GetPoint(0, 0, at));
-  EXPECT_FALSE(scene.painter->GetPieceNormal(0, at));
   EXPECT_EQ(at[0], 1.0);
 }
 

@@ -184,22 +184,6 @@ TEST(PaintSlices, NoDepthIsAskedAndOtherThingsInTheViewAreNotInTheWay)
   EXPECT_EQ(list.at(0).bytes, 0u);
 }
 
-TEST(PaintSlices, ADiscSaysItsPlaneAndABallSaysNone)
-{
-  vtkNew<vtkImageSliceMapper> mapper;
-  mapper->SetInputData(Image(0.0));
-  mapper->SetSliceNumber(15);
-  SliceScene scene(mapper);
-  scene.Enable();
-  double normal[3] = { 0, 0, 0 };
-  scene.Drag({ { 100, 100 } });
-  EXPECT_FALSE(scene.painter->GetPieceNormal(0, normal));
-  scene.painter->SetShape(vtkHaspSeedPainter::Disc);
-  scene.Drag({ { 100, 100 } });
-  EXPECT_TRUE(scene.painter->GetPieceNormal(0, normal));
-  EXPECT_NEAR(std::abs(normal[2]), 1.0, 1e-12);
-}
-
 TEST(PaintSlices, AnotherSliceWithinADragIsAnotherPiece)
 {
   vtkNew<vtkImageSliceMapper> mapper;

@@ -1,11 +1,12 @@
-#pragma once
-#include "Grid/Progress.h"
+#ifndef vtkHaspFilterRun_h
+#define vtkHaspFilterRun_h
 
-#include "vtkAlgorithm.h"
-#include "vtkErrorCode.h"
+#include "Grid/Progress.h" // for ProgressFunction
+#include "vtkAlgorithm.h"  // for progress and errors
+#include "vtkErrorCode.h"  // for what went wrong
 
-#include <exception>
-#include <new>
+#include <exception> // for what work throws
+#include <new>       // for std::bad_alloc
 
 namespace hasp
 {
@@ -48,3 +49,5 @@ int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, const Work& work)
 }
 
 } // namespace hasp
+
+#endif
