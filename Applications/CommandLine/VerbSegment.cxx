@@ -43,7 +43,7 @@ double VoxelMm3(vtkImageData* image)
   return spacing.x * spacing.y * spacing.z;
 }
 
-/// The labels to begin with, on the scan's grid.
+/// The labels to begin with, on the scan's grid, with the file's names.
 vtkSmartPointer<vtkImageData> ReadLabels(
   const SegmentOptions& options, vtkImageData* scan, Session& session)
 {
@@ -52,7 +52,12 @@ vtkSmartPointer<vtkImageData> ReadLabels(
   RequireInput(options.labels);
   session.progress.Step("reading " + FileLabel(options.labels));
   return Try(ExitCode::BadInput, "",
-    [&] { return LoadLabels(OpenVolume(options.labels), ImageGeometry(scan)).image; });
+    [&]
+    {
+      const LoadedLabels loaded = LoadLabels(OpenVolume(options.labels), ImageGeometry(scan));
+      SetLabelTable(loaded.image, loaded.table);
+      return loaded.image;
+    });
 }
 
 /// Throws Failure: BadInput if a split has strokes and none of them is on bone: no user means that.
@@ -69,7 +74,8 @@ void RequireSeeds(const SegmentationStep& step, const SegmentationFinding& found
 SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
   const LoadedVolume& volume, Session& session)
 {
-  Segmenter segmenter(volume.image, ReadLabels(options, volume.image, session));
+  const vtkSmartPointer<vtkImageData> given = ReadLabels(options, volume.image, session);
+  Segmenter segmenter(volume.image, given);
   segmenter.SetWalkerSettings({ .tolerance = options.tolerance });
   SegmentedScan made;
   for (std::size_t n = 0; n < chosen.recipe.steps.size(); ++n)
@@ -95,7 +101,7 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
       SayWarning(session, "steps[" + std::to_string(n) + "]: " + warning);
   }
   made.labels = segmenter.Labels();
-  NameLabels(made.labels, chosen.recipe.names);
+  NameLabels(made.labels, chosen.recipe.names, given ? GetLabelTable(given) : LabelTable());
   return made;
 }
 

@@ -74,6 +74,22 @@ TEST_F(HaspSegment, IsReadBackAsTheLabelsThatItBeginsWith)
   EXPECT_TRUE(std::filesystem::exists(this->Path("m.mha")));
 }
 
+TEST_F(HaspSegment, KeepsTheNamesOfTheLabelsThatItBeginsWith)
+{
+  this->Phantom();
+  this->WriteText("bone.json",
+    R"({ "format": "hasp-segmentation-1", "names": [{ "label": 1, "name": "jaw", "colour": "#ff0000" }],
+         "steps": [{ "step": "threshold", "lowest": 226, "highest": 1000000 }] })");
+  this->WriteText("fill.json",
+    R"({ "format": "hasp-segmentation-1", "names": [], "steps": [{ "step": "fill", "label": 1 }] })");
+  LabelsOf(this->Segment({ "--recipe", this->Path("bone.json") }, "bone.seg.nrrd"));
+  LabelsOf(this->Segment(
+    { "--recipe", this->Path("fill.json"), "--labels", this->Path("bone.seg.nrrd") }));
+  const std::string header = ReadBytes(this->Path("case.seg.nrrd")).substr(0, 4000);
+  EXPECT_NE(header.find("Segment0_Name:=jaw\n"), std::string::npos);
+  EXPECT_NE(header.find("Segment0_Color:=1 0 0\n"), std::string::npos);
+}
+
 TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
 {
   this->Phantom();

@@ -6,7 +6,8 @@
  * extent, spacing and direction. Input 1, may be left out: labels that the recipe's steps begin
  * with, unsigned char or unsigned short, on the grid of input 0. Output: "Labels", unsigned short,
  * on the same grid: 0 nothing, 1 bone that nobody has named, 2 and above a fragment each; with what
- * labels are called as field data (vtkHaspLabelTable.h), which vtkHaspSegmentationWriter writes.
+ * labels are called as field data (vtkHaspLabelTable.h), which vtkHaspSegmentationWriter writes: as
+ * the recipe says, else as input 1 does.
  *
  * The recipe's steps (Planning/SegmentationRecipe.h) are done in order: filters of the samples, a
  * threshold, random walker splits by strokes (Grady 2006; BoneSplit; thesis 2.1.3), edits. The same
@@ -14,8 +15,9 @@
  * door: it goes on where the last stroke ended.
  *
  * Errors (vtkErrorMacro, empty output): a recipe or an input that is out of order, with the step
- * and the key. AbortExecute gives an empty output without an error. Threads: as any VTK filter, one
- * at a time; uses all cores. Cost and memory: hasp::Segmenter, RandomWalker.h.
+ * and the key. AbortExecute gives an empty output without
+ * an error. Threads: as any VTK filter, one at a time; uses all cores. Cost and memory:
+ * hasp::Segmenter, RandomWalker.h.
  */
 #ifndef vtkHaspSegmentationFilter_h
 #define vtkHaspSegmentationFilter_h

@@ -4,6 +4,7 @@
 #include "vtkHaspLabelTable.h"
 #include "vtkHaspSegmentationFilter.h"
 
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,28 @@ TEST(SegmentationFilter, BeginsWithTheLabelsOfItsSecondInput)
   filter->SetInputData(1, hasp::MakeImage(grid, std::vector<std::uint8_t>(grid.Size(), 9)));
   filter->Update(); // no steps
   EXPECT_EQ(hasp::testing::LabelAt(filter->GetOutput(), 1, 2, 3), 9);
+}
+
+TEST(SegmentationFilter, KeepsNamesAndColoursOfTheLabelsThatItBeginsWith)
+{
+  const hasp::GridGeometry grid = hasp::testing::BonesGrid();
+  std::vector<std::uint8_t> labels(grid.Size(), 9);
+  labels[0] = 5;
+  labels[1] = 3;
+  const auto given = hasp::MakeImage(grid, labels);
+  const hasp::LabelEntry five{ 5, "ramus", { 9, 8, 7 }, false };
+  hasp::SetLabelTable(given, { five, { 3, "chin" }, { 9, "tooth" }, { 4, "gone" } });
+  vtkNew<vtkHaspSegmentationFilter> filter;
+  filter->SetInputData(TwoBones());
+  filter->SetInputData(1, given);
+  filter->SetRecipe({ { hasp::MergeStep{ 3, 7 } }, { { 9, "molar", { 1, 2, 3 } } } });
+  filter->Update();
+  // The recipe's word counts, then the input's; what has no voxel any more is not listed.
+  const hasp::LabelTable expected{ { 9, "molar", { 1, 2, 3 } }, five, hasp::UnnamedLabel(7) };
+  EXPECT_EQ(hasp::GetLabelTable(filter->GetOutput()), expected);
+  given->GetFieldData()->RemoveArray("LabelColors");
+  given->Modified();
+  EXPECT_NE(ErrorsOfUpdate(filter).find("LabelColors"), std::string::npos);
 }
 
 TEST(SegmentationFilter, SaysWhatIsWrongAndIsEmptyThen)
