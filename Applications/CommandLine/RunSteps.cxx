@@ -1,6 +1,6 @@
 #include "RunSteps.h"
 
-#include "SegmentationText.h"
+#include "SegmentationWarnings.h"
 #include "Session.h"
 #include "VerbWork.h"
 

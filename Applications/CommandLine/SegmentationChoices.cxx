@@ -161,6 +161,7 @@ ChosenSegmentation ChooseSegmentation(
         std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
     split = { 1, std::move(seeds.strokes), choices.beta, choices.crack };
     chosen.recipe.names = std::move(seeds.names);
+    chosen.strokePlaces = std::move(seeds.places);
   }
   chosen.recipe.steps = FiltersOf(choices);
   const std::optional<ThresholdStep> threshold = Threshold(choices, passport, session);

@@ -2,7 +2,7 @@
 #include "Files.h"
 #include "RecipePart.h"
 #include "SegmentationChoices.h"
-#include "SegmentationText.h"
+#include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -97,8 +97,10 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
     segmenter.ForgetUndo(); // nobody will
     made.findings.push_back(segmenter.Finding());
     RequireSeeds(step, segmenter.Finding(), n);
-    for (const std::string& warning : WarningsOf(step, segmenter.Finding(), VoxelMm3(volume.image)))
-      SayWarning(session, "steps[" + std::to_string(n) + "]: " + warning);
+    const StepPlace place{ "steps[" + std::to_string(n) + "]", chosen.strokePlaces };
+    for (const std::string& warning :
+      WarningsOf(step, segmenter.Finding(), place, VoxelMm3(volume.image)))
+      SayWarning(session, warning);
   }
   made.labels = segmenter.Labels();
   NameLabels(made.labels, chosen.recipe.names, given ? GetLabelTable(given) : LabelTable());

@@ -90,6 +90,20 @@ TEST_F(HaspSegment, KeepsTheNamesOfTheLabelsThatItBeginsWith)
   EXPECT_NE(header.find("Segment0_Color:=1 0 0\n"), std::string::npos);
 }
 
+TEST_F(HaspSegment, SaysWhichStepsOfARecipeChangeNothing)
+{
+  this->Phantom();
+  this->WriteText("idle.json",
+    R"({ "format": "hasp-segmentation-1", "names": [],
+         "steps": [{ "step": "threshold", "lowest": 226, "highest": 1000000 },
+                   { "step": "merge", "from": 4, "into": 3 }] })");
+  const HaspRun run = this->Segment({ "--recipe", this->Path("idle.json") });
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_NE(run.err.find("steps[1]: changes nothing: no voxel has label 4"), std::string::npos)
+    << run.err;
+  EXPECT_EQ(run.err.find("steps[0]"), std::string::npos) << run.err;
+}
+
 TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
 {
   this->Phantom();
@@ -145,7 +159,8 @@ TEST_F(HaspSegment, BadInputIsTwoWrongUseIsOneAndNothingIsLeft)
                      { "radiusMm": 9, "points": [[0, -60, -60], [0, -90, -60]] }] }] })");
   const HaspRun beside = this->Segment({ "--seeds", this->Path("two.json") });
   EXPECT_EQ(beside.exitCode, 0) << beside.err;
-  EXPECT_NE(beside.err.find("strokes[0] touches no voxel of label 1"), std::string::npos);
+  EXPECT_NE(beside.err.find("labels[0].strokes[0] touches no voxel of label 1"), std::string::npos)
+    << beside.err;
 }
 
 } // namespace

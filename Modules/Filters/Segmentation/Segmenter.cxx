@@ -88,7 +88,9 @@ struct Segmenter::Internals
   template <typename Step>
   LabelDelta Do(const Step& step, const ProgressFunction& progress) requires IsFilter<Step>
   {
-    this->image = ApplyStep(this->image, step, progress);
+    const vtkSmartPointer<vtkImageData> before = this->image;
+    this->image = ApplyStep(before, step, progress);
+    this->sameImage = HaveSameSamples(before, this->image);
     return { this->Map().geometry.dims, {} };
   }
 
@@ -216,6 +218,7 @@ struct Segmenter::Internals
     {
       SegmentationFinding found;
       found.changed = delta.Voxels();
+      found.changedNothing = found.changed == 0 && this->sameImage;
       this->FindSplit(found);
       keeping();
       this->finding = std::move(found);
@@ -240,6 +243,7 @@ struct Segmenter::Internals
   bool IsSettled() const { return this->done.empty() || this->done.back().isSettled; }
 
   vtkSmartPointer<vtkImageData> image, labels;
+  bool sameImage = true; ///< whether the last step left the samples as they were
   SegmentationRecipe recipe;
   std::vector<Entry> done;
   SegmentationFinding finding;
@@ -283,6 +287,7 @@ LabelDelta Segmenter::Apply(const SegmentationStep& step, const ProgressFunction
     entry.imageBefore = image;
   // A split's solver is the largest thing there is; its step is not the last one any more.
   in.Close();
+  in.sameImage = true;
   const LabelDelta delta = Named(name,
     [&]
     {

@@ -21,7 +21,8 @@ namespace hasp
 /// What a step came to.
 struct SegmentationFinding
 {
-  std::uint64_t changed = 0; ///< voxels that have another label than before
+  std::uint64_t changed = 0;   ///< voxels that have another label than before
+  bool changedNothing = false; ///< no label, and of a filter no sample
   /// Of a SplitStep.
   std::optional<RandomWalkerRun> walk;
   std::vector<std::size_t> besideBone; ///< strokes that touch no voxel of the step's label

@@ -1,5 +1,6 @@
 #include "vtkHaspSegmentationFilter.h"
 
+#include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #if HASP_WITH_JSON
 #include "Planning/SegmentationRecipeFile.h"
@@ -110,6 +111,10 @@ int vtkHaspSegmentationFilter::RequestData(
           return !this->GetAbortExecute();
         });
     output->ShallowCopy(made.labels);
+    const double* spacing = output->GetSpacing();
+    for (const std::string& warning :
+      hasp::WarningsOf(*this->Recipe, made.findings, spacing[0] * spacing[1] * spacing[2]))
+      vtkWarningMacro(<< warning);
   }
   catch (const hasp::Cancelled&)
   {

@@ -14,8 +14,9 @@
  * labels with any number of threads. For a user who adds a stroke at a time hasp::Segmenter is the
  * door: it goes on where the last stroke ended.
  *
- * Errors (vtkErrorMacro, empty output): a recipe or an input that is out of order, with the step
- * and the key. AbortExecute gives an empty output without
+ * Warnings (vtkWarningMacro): what SegmentationWarnings.h says of steps that changed nothing and
+ * strokes that marked nothing, once a run. Errors (vtkErrorMacro, empty output): a recipe or an
+ * input that is out of order, with the step and the key. AbortExecute gives an empty output without
  * an error. Threads: as any VTK filter, one at a time; uses all cores. Cost and memory:
  * hasp::Segmenter, RandomWalker.h.
  */

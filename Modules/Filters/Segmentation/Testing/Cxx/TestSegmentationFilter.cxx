@@ -94,6 +94,21 @@ TEST(SegmentationFilter, SaysWhatIsWrongAndIsEmptyThen)
   EXPECT_NE(text.str().find("Steps: 3"), std::string::npos);
 }
 
+TEST(SegmentationFilter, WarnsOfStepsThatChangeNothing)
+{
+  vtkNew<vtkHaspSegmentationFilter> filter;
+  filter->SetInputData(TwoBones());
+  hasp::SegmentationRecipe recipe = BonesRecipe();
+  filter->SetRecipe(recipe);
+  EXPECT_EQ(SaidInUpdate(filter, vtkCommand::WarningEvent), "");
+  recipe.steps.push_back(hasp::MergeStep{ 9, 1 });
+  filter->SetRecipe(recipe);
+  EXPECT_NE(SaidInUpdate(filter, vtkCommand::WarningEvent)
+              .find("steps[3]: changes nothing: no voxel has label 9"),
+    std::string::npos);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST(SegmentationFilter, AnAbortIsNoErrorAndGivesNothing)
 {
   vtkNew<vtkHaspSegmentationFilter> filter;
