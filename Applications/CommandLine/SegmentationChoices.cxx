@@ -14,6 +14,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace hasp
 {
 namespace
@@ -35,6 +37,17 @@ Seeds ReadSeedFiles(const SegmentationChoices& choices)
     choices.seeds.size() == 1 ? FileLabel(choices.seeds[0]) + ": " : "--seeds: ";
   return Try(ExitCode::BadInput, label,
     [&] { return ReadSeeds(choices.seeds, { .radiusMm = choices.seedRadiusMm }); });
+}
+
+/// Strokes of label 1 say what shall stay bone without a name. Few users mean that.
+void SayUnnamedBone(const Seeds& seeds, Session& session)
+{
+  const auto isBone = [](const BrushStroke& stroke) { return stroke.label == 1; };
+  if (std::any_of(seeds.strokes.begin(), seeds.strokes.end(), isBone) &&
+      !std::all_of(seeds.strokes.begin(), seeds.strokes.end(), isBone))
+    SayWarning(session,
+      "strokes of label 1 keep bone that nobody has named: what goes to them cannot be told from "
+      "bone that no stroke is connected to; number fragments from 2 on");
 }
 
 std::vector<SegmentationStep> FiltersOf(const SegmentationChoices& choices)
@@ -159,6 +172,8 @@ ChosenSegmentation ChooseSegmentation(
     if (seeds.notPlaced > 0)
       SayWarning(session,
         std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
+    SayUnnamedBone(seeds, session);
+    chosen.isOfSeeds = true;
     split = { 1, std::move(seeds.strokes), choices.beta, choices.crack };
     chosen.recipe.names = std::move(seeds.names);
     chosen.strokePlaces = std::move(seeds.places);

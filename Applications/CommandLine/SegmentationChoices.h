@@ -38,7 +38,8 @@ struct ChosenSegmentation
 {
   SegmentationRecipe recipe;
   std::optional<std::size_t> openThreshold; ///< a step that ProposeThresholdStep is for
-  std::vector<std::string> strokePlaces;    ///< of the split by seeds: Seeds::places
+  bool isOfSeeds = false;                   ///< its names are those of files of seeds
+  std::vector<std::string> strokePlaces;    ///< of the split by them: Seeds::places
 };
 
 /// Reads what is to be read. Where no threshold is given it is 226 where the values are HU, else

@@ -1,13 +1,13 @@
 #include "Failure.h"
 #include "Files.h"
 #include "RecipePart.h"
+#include "SegmentText.h"
 #include "SegmentationChoices.h"
 #include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #include "Session.h"
 #include "VerbWork.h"
 #include "Verbs.h"
-#include "Version.h"
 #include "VolumeInput.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspLabelFile.h"
@@ -37,12 +37,6 @@ struct SegmentOptions
   int threads = 0;
 };
 
-double VoxelMm3(vtkImageData* image)
-{
-  const glm::dvec3 spacing = ImageGeometry(image).spacing;
-  return spacing.x * spacing.y * spacing.z;
-}
-
 /// The labels to begin with, on the scan's grid, with the file's names.
 vtkSmartPointer<vtkImageData> ReadLabels(
   const SegmentOptions& options, vtkImageData* scan, Session& session)
@@ -68,6 +62,26 @@ void RequireSeeds(const SegmentationStep& step, const SegmentationFinding& found
     throw Failure(ExitCode::BadInput,
       "steps[" + std::to_string(n) + "]: no stroke touches a voxel of label " +
         std::to_string(split->label) + ": points are LPS in mm, and of this scan");
+}
+
+/// Says which labels have a name and no voxel. A recipe's names stay: who wrote them asked for the
+/// same segments whatever the scan. Those of seeds go, so that no segment is empty for no reason
+/// that its user knows.
+void SayEmptyNames(ChosenSegmentation& chosen, vtkImageData* labels, Session& session)
+{
+  const std::vector<std::size_t> voxels =
+    CountLabels(std::get<GridView<const Label>>(ViewImage(labels)));
+  const auto isEmpty = [&](const LabelName& name)
+  { return name.label >= voxels.size() || voxels[name.label] == 0; };
+  std::vector<LabelName>& names = chosen.recipe.names;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (isEmpty(names[n]))
+      SayWarning(session, (chosen.isOfSeeds ? "" : "names[" + std::to_string(n) + "]: ") +
+                            "label " + std::to_string(names[n].label) +
+                            " has no voxel in the end; " +
+                            (chosen.isOfSeeds ? "it becomes no segment" : "its segment is empty"));
+  if (chosen.isOfSeeds)
+    std::erase_if(names, isEmpty);
 }
 
 /// Does all steps, and fills in a threshold that is open.
@@ -103,54 +117,9 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
       SayWarning(session, warning);
   }
   made.labels = segmenter.Labels();
+  SayEmptyNames(chosen, made.labels, session);
   NameLabels(made.labels, chosen.recipe.names, given ? GetLabelTable(given) : LabelTable());
   return made;
-}
-
-/// Numbers and no names: those are the user's words.
-nlohmann::ordered_json Describe(const ChosenSegmentation& chosen, const SegmentedScan& made)
-{
-  using Json = nlohmann::ordered_json;
-  const std::vector<std::size_t> voxels =
-    CountLabels(std::get<GridView<const Label>>(ViewImage(made.labels)));
-  Json json{ { "labels", Json::array() }, { "steps", Json::array() } };
-  for (std::size_t label = 1; label < voxels.size(); ++label)
-    if (voxels[label] > 0)
-      json["labels"].push_back({ { "label", label }, { "voxels", voxels[label] },
-        { "volume_mm3", double(voxels[label]) * VoxelMm3(made.labels) } });
-  for (std::size_t n = 0; n < chosen.recipe.steps.size(); ++n)
-  {
-    Json step{ { "step", StepLabel(chosen.recipe.steps[n]) } };
-    if (const auto* threshold = std::get_if<ThresholdStep>(&chosen.recipe.steps[n]))
-      step.update({ { "lowest", threshold->lowest }, { "highest", threshold->highest } });
-    const SegmentationFinding& found = made.findings[n];
-    step["changed_voxels"] = found.changed;
-    if (found.walk)
-      step.update({ { "cycles", found.walk->iterations }, { "error", found.walk->error },
-        { "unreached_voxels", found.unreached } });
-    json["steps"].push_back(std::move(step));
-  }
-  json["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
-  json["intended_use"] = "research use only, not a medical device";
-  return json;
-}
-
-void Print(const nlohmann::ordered_json& json)
-{
-  for (const auto& step : json["steps"])
-  {
-    std::cout << step["step"].get<std::string>();
-    if (step.contains("lowest"))
-      std::cout << Line(
-        ": %.6g to %.6g", step["lowest"].get<double>(), step["highest"].get<double>());
-    if (step.contains("cycles"))
-      std::cout << Line(": %d cycles, probabilities within %.1e", step["cycles"].get<int>(),
-        step["error"].get<double>());
-    std::cout << "\n";
-  }
-  for (const auto& label : json["labels"])
-    std::cout << Line("label %5d  %12.1f mm3  %10lld voxels\n", label["label"].get<int>(),
-      label["volume_mm3"].get<double>(), label["voxels"].get<long long>());
 }
 
 /// Throws Failure: WrongUse if a file that is written is one that is read.
@@ -185,7 +154,7 @@ void Run(const SegmentOptions& options, Session& session)
   ChosenSegmentation chosen = ChooseSegmentation(options.segmentation, volume.passport, session);
   const SegmentedScan made =
     Try(ExitCode::BadInput, "", [&] { return Segment(options, chosen, volume, session); });
-  const nlohmann::ordered_json described = Describe(chosen, made);
+  const nlohmann::ordered_json described = DescribeSegmentation(chosen.recipe, made);
   if (described["labels"].empty())
     throw Failure(ExitCode::BadInput, "no voxel has a label: the threshold finds no bone, or a "
                                       "step leaves none; hasp info shows the "
@@ -200,7 +169,7 @@ void Run(const SegmentOptions& options, Session& session)
     });
   session.progress.Wipe();
   if (!session.json)
-    Print(described);
+    PrintSegmentation(described);
   session.result["output"] = FileLabel(options.output);
   session.result.update(described);
 }

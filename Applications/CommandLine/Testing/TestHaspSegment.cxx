@@ -104,6 +104,41 @@ TEST_F(HaspSegment, SaysWhichStepsOfARecipeChangeNothing)
   EXPECT_EQ(run.err.find("steps[0]"), std::string::npos) << run.err;
 }
 
+TEST_F(HaspSegment, LabelsWithoutVoxelsAreSaidAndOnlyARecipeNamesThemInTheFile)
+{
+  this->Phantom();
+  this->WriteText("seeds.json",
+    R"({ "format": "hasp-seeds-1", "labels": [
+         { "label": 1, "name": "rest", "colour": "#010203",
+           "strokes": [{ "radiusMm": 9, "points": [[0, -60, -60], [0, -90, -60]] }] },
+         { "label": 2, "name": "covered", "colour": "#010203",
+           "strokes": [{ "radiusMm": 3, "points": [[0, -80, -75]] }] },
+         { "label": 3, "name": "chin", "colour": "#010203",
+           "strokes": [{ "radiusMm": 9, "points": [[0, -60, -75], [0, -90, -75]] }] }] })");
+  const HaspRun run = this->Segment(
+    { "--seeds", this->Path("seeds.json"), "--write-recipe", this->Path("recipe.json") });
+  const auto labels = LabelsOf(run);
+  EXPECT_FALSE(labels.contains(2));
+  EXPECT_TRUE(labels.contains(3));
+  for (const std::string said :
+    { "strokes of label 1 keep bone that nobody has named", "steps[1]: label 2 gets no voxel",
+      "label 2 has no voxel in the end; it becomes no segment" })
+    EXPECT_NE(run.err.find(said), std::string::npos) << said << "\n" << run.err;
+  EXPECT_EQ(ReadBytes(this->Path("case.seg.nrrd")).find("Segment2_"), std::string::npos);
+  const HaspRun again = this->Segment({ "--recipe", this->Path("recipe.json") }, "again.seg.nrrd");
+  EXPECT_EQ(LabelsOf(again), labels);
+  EXPECT_EQ(ReadBytes(this->Path("case.seg.nrrd")), ReadBytes(this->Path("again.seg.nrrd")));
+
+  this->WriteText("named.json",
+    R"({ "format": "hasp-segmentation-1", "names": [{ "label": 9, "name": "tooth", "colour": "#ff0000" }],
+         "steps": [{ "step": "threshold", "lowest": 226, "highest": 1000000 }] })");
+  const HaspRun named = this->Segment({ "--recipe", this->Path("named.json") });
+  EXPECT_NE(named.err.find("names[0]: label 9 has no voxel in the end; its segment is empty"),
+    std::string::npos)
+    << named.err;
+  EXPECT_NE(ReadBytes(this->Path("case.seg.nrrd")).find(":=tooth"), std::string::npos);
+}
+
 TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
 {
   this->Phantom();

@@ -97,6 +97,9 @@ std::vector<std::string> WarningsOfSplit(const SplitStep& step, const Segmentati
   if (beside > named)
     warnings.push_back(
       begin + std::to_string(beside - named) + " more of its strokes touch no voxel of " + label);
+  for (const std::uint16_t lost : finding.withoutSeeds)
+    warnings.push_back(begin + Called(lost) + " gets no voxel: its strokes touch none of " + label +
+                       ", or later ones paint over them");
   if (finding.unreached > 0)
     warnings.push_back(begin + Counted(finding.unreached, "voxel") +
                        Text(" (%.1f mm3)", double(finding.unreached) * voxelMm3) +

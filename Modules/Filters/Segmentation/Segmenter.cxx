@@ -7,6 +7,7 @@
 #include "Segmentation/LabelMorphology.h"
 #include "Segmentation/LabelSplit.h"
 #include "Segmentation/PackedDelta.h"
+#include "SplitFinding.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/ProgressPart.h"
@@ -199,17 +200,6 @@ struct Segmenter::Internals
       std::get<SplitStep>(this->recipe.steps.back()), { before.data(), now.geometry }, progress);
   }
 
-  void FindSplit(SegmentationFinding& found) const
-  {
-    if (!this->split)
-      return;
-    found.walk = this->split->LastRun();
-    for (std::size_t n = 0; n < this->strokes.size(); ++n)
-      if (!this->split->Touches(this->strokes[n]))
-        found.besideBone.push_back(n);
-    found.unreached = this->split->Unreached();
-  }
-
   /// Runs what keeps a change that was made; takes the change back if there is no memory for it.
   template <typename Keeping>
   void Keep(const LabelDelta& delta, const Keeping& keeping)
@@ -219,7 +209,8 @@ struct Segmenter::Internals
       SegmentationFinding found;
       found.changed = delta.Voxels();
       found.changedNothing = found.changed == 0 && this->sameImage;
-      this->FindSplit(found);
+      if (this->split)
+        FindSplit(*this->split, this->strokes, found);
       keeping();
       this->finding = std::move(found);
       this->Changed();

@@ -26,6 +26,8 @@ struct SegmentationFinding
   /// Of a SplitStep.
   std::optional<RandomWalkerRun> walk;
   std::vector<std::size_t> besideBone; ///< strokes that touch no voxel of the step's label
+  /// Labels of strokes that get no voxel: those lie beside it, or later ones paint over them.
+  std::vector<std::uint16_t> withoutSeeds;
   std::uint64_t unreached = 0; ///< voxels that no stroke is connected to: they keep the label
 };
 

@@ -93,6 +93,26 @@ TEST(Segmenter, SaysWhatNoStrokeReachesAndWhichStrokesTouchNoBone)
   EXPECT_GT(made.findings[2].unreached, 1000U);
 }
 
+TEST(Segmenter, SaysWhichLabelsGetNoVoxel)
+{
+  SegmentationRecipe recipe = BonesRecipe();
+  auto& strokes = std::get<SplitStep>(recipe.steps[2]).strokes;
+  strokes.insert(strokes.begin(), StrokeAt(8, 7, 0.7)); // the next paints over all of it
+  strokes.insert(strokes.begin(), StrokeAt(9, 8, 1.5)); // and over some of this
+  strokes.push_back(StrokeAt(38, 9, 0.3));              // beside the bone
+  const SegmentedScan made = SegmentScan(TwoBones(), recipe);
+  EXPECT_EQ(made.findings[2].withoutSeeds, (std::vector<std::uint16_t>{ 7, 9 }));
+  const std::vector<std::size_t> voxels =
+    CountLabels(std::get<GridView<const Label>>(ViewImage(made.labels)));
+  EXPECT_EQ(voxels[7], 0U);
+  EXPECT_GT(voxels[8], 0U);
+  const std::vector<std::string> said = WarningsOf(recipe, made.findings, 0.24);
+  ASSERT_EQ(said.size(), 3U);
+  EXPECT_EQ(said[0], "steps[2].strokes[5] touches no voxel of label 1");
+  EXPECT_EQ(said[1], "steps[2]: label 7 gets no voxel: its strokes touch none of label 1, or later "
+                     "ones paint over them");
+}
+
 TEST(Segmenter, SaysWhichStepsChangeNothing)
 {
   SegmentationRecipe recipe = BonesRecipe();
