@@ -1,5 +1,6 @@
 #include "Failure.h"
 #include "Files.h"
+#include "LabelInput.h"
 #include "RecipePart.h"
 #include "SegmentText.h"
 #include "SegmentationChoices.h"
@@ -37,23 +38,6 @@ struct SegmentOptions
   int threads = 0;
 };
 
-/// The labels to begin with, on the scan's grid, with the file's names.
-vtkSmartPointer<vtkImageData> ReadLabels(
-  const SegmentOptions& options, vtkImageData* scan, Session& session)
-{
-  if (options.labels.empty())
-    return nullptr;
-  RequireInput(options.labels);
-  session.progress.Step("reading " + FileLabel(options.labels));
-  return Try(ExitCode::BadInput, "",
-    [&]
-    {
-      const LoadedLabels loaded = LoadLabels(OpenVolume(options.labels), ImageGeometry(scan));
-      SetLabelTable(loaded.image, loaded.table);
-      return loaded.image;
-    });
-}
-
 /// Throws Failure: BadInput if a split has strokes and none of them is on bone: no user means that.
 void RequireSeeds(const SegmentationStep& step, const SegmentationFinding& found, std::size_t n)
 {
@@ -88,7 +72,9 @@ void SayEmptyNames(ChosenSegmentation& chosen, vtkImageData* labels, Session& se
 SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
   const LoadedVolume& volume, Session& session)
 {
-  const vtkSmartPointer<vtkImageData> given = ReadLabels(options, volume.image, session);
+  vtkSmartPointer<vtkImageData> given;
+  if (!options.labels.empty())
+    given = ReadLabels(options.labels, ImageGeometry(volume.image), session).image;
   Segmenter segmenter(volume.image, given);
   segmenter.SetWalkerSettings({ .tolerance = options.tolerance });
   SegmentedScan made;
@@ -139,6 +125,8 @@ void RequireFreshFiles(const SegmentOptions& options)
     if (!options.writeRecipe.empty())
       RequireDifferent(options.writeRecipe, input, "--write-recipe and " + name);
   };
+  if (!options.labels.empty())
+    RequireDifferent(options.labels, options.volume.input, "--labels and IN");
   check(options.volume.input, "IN");
   check(options.labels, "--labels");
   check(options.segmentation.recipe, "--recipe");
@@ -151,6 +139,7 @@ void Run(const SegmentOptions& options, Session& session)
   RequireFreshFiles(options);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
+  RequireScan(volume, options.volume.input, session);
   ChosenSegmentation chosen = ChooseSegmentation(options.segmentation, volume.passport, session);
   const SegmentedScan made =
     Try(ExitCode::BadInput, "", [&] { return Segment(options, chosen, volume, session); });

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
@@ -41,6 +43,21 @@ protected:
   }
   static std::string Seeds() { return HASP_BROKEN_MANDIBLE_SEEDS; }
 };
+
+/// A .mha file of short samples as one of unsigned short, 2000 above them.
+std::string Unsigned(std::string bytes)
+{
+  bytes.replace(bytes.find("MET_SHORT"), 9, "MET_USHORT");
+  const std::size_t samples = bytes.find('\n', bytes.find("ElementDataFile")) + 1;
+  for (std::size_t n = samples; n + 1 < bytes.size(); n += sizeof(std::uint16_t))
+  {
+    std::uint16_t value = 0;
+    std::memcpy(&value, &bytes[n], sizeof value);
+    value = static_cast<std::uint16_t>(value + 2000);
+    std::memcpy(&bytes[n], &value, sizeof value);
+  }
+  return bytes;
+}
 
 TEST_F(HaspSegment, PartsTheBrokenJawByStrokesAndItsRecipeDoesSoAgain)
 {
@@ -137,6 +154,37 @@ TEST_F(HaspSegment, LabelsWithoutVoxelsAreSaidAndOnlyARecipeNamesThemInTheFile)
     std::string::npos)
     << named.err;
   EXPECT_NE(ReadBytes(this->Path("case.seg.nrrd")).find(":=tooth"), std::string::npos);
+}
+
+TEST_F(HaspSegment, TellsAScanFromALabelMap)
+{
+  this->Phantom({ "--truth", this->Path("truth.seg.nrrd") });
+  const auto segment = [&](const std::string& in, std::vector<std::string> more)
+  {
+    more.insert(
+      more.begin(), { "segment", this->Path(in), "--output", this->Path("case.seg.nrrd") });
+    return RunHasp(more);
+  };
+  ExpectFailure(segment("truth.seg.nrrd", {}), 2, "is a segmentation; give the scan as IN");
+  EXPECT_FALSE(std::filesystem::exists(this->Path("case.seg.nrrd")));
+  ASSERT_EQ(
+    RunHasp({ "convert", this->Path("truth.seg.nrrd"), this->Path("mask.nrrd") }).exitCode, 0);
+  const HaspRun mask = segment("mask.nrrd", { "--threshold", "2" });
+  EXPECT_EQ(mask.exitCode, 0);
+  EXPECT_NE(mask.err.find("as a label map has"), std::string::npos) << mask.err;
+  EXPECT_EQ(segment("jaw.mha", {}).err.find("label map"), std::string::npos);
+
+  this->WriteText("fill.json",
+    R"({ "format": "hasp-segmentation-1", "names": [], "steps": [{ "step": "fill", "label": 1 }] })");
+  this->WriteText("grey.mha", Unsigned(ReadBytes(this->Path("jaw.mha"))));
+  const auto begin = [&](const std::string& labels)
+  {
+    return this->Segment(
+      { "--recipe", this->Path("fill.json"), "--labels", this->Path(labels) }, "x.nrrd");
+  };
+  ExpectFailure(begin("grey.mha"), 2, "is a scan by its values");
+  ExpectFailure(begin("jaw.mha"), 1, "--labels and IN");
+  EXPECT_EQ(begin("mask.nrrd").exitCode, 0);
 }
 
 TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
