@@ -62,8 +62,11 @@ void PrintSegmentation(const nlohmann::ordered_json& json)
     std::cout << "\n";
   }
   for (const auto& label : json["labels"])
-    std::cout << Line("label %5d  %12.1f mm3  %10lld voxels\n", label["label"].get<int>(),
-      label["volume_mm3"].get<double>(), label["voxels"].get<long long>());
+  {
+    const auto voxels = label["voxels"].get<long long>();
+    std::cout << Line("label %5d  %12.1f mm3  %10lld voxel%s\n", label["label"].get<int>(),
+      label["volume_mm3"].get<double>(), voxels, voxels == 1 ? "" : "s");
+  }
 }
 
 } // namespace hasp
