@@ -15,6 +15,8 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkHaspSegmentationFilter);
 
@@ -103,6 +105,9 @@ int vtkHaspSegmentationFilter::RequestData(
   this->ErrorCode = vtkErrorCode::UserError;
   try
   {
+    if (!(this->Tolerance > 0.0 && this->Tolerance <= 0.1)) // also where no step asks for it
+      throw std::invalid_argument(
+        "Tolerance is " + std::to_string(this->Tolerance) + ", must be in (0, 0.1]");
     const hasp::SegmentedScan made =
       hasp::SegmentScan(scan, *this->Recipe, labels, { .tolerance = this->Tolerance },
         [this](double share)

@@ -56,7 +56,8 @@ public:
   bool ReadRecipe(const std::string& path);
 
   ///@{
-  /// How exactly splits are solved: the error of probabilities, (0, 0.1]. Default: RandomWalker.h.
+  /// How exactly splits are solved: the error of probabilities, (0, 0.1], checked when the filter
+  /// runs, whatever the recipe. Default: RandomWalker.h.
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   ///@}

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -84,8 +85,14 @@ TEST(SegmentationFilter, SaysWhatIsWrongAndIsEmptyThen)
   EXPECT_NE(ErrorsOfUpdate(filter).find("steps[2]"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   filter->SetRecipe(BonesRecipe());
-  filter->SetTolerance(0.5);
-  EXPECT_NE(ErrorsOfUpdate(filter).find("tolerance"), std::string::npos);
+  filter->SetRecipe({}); // nothing that would ask for it
+  for (const double tolerance : { 0.5, 0.0, -1.0, std::nan("") })
+  {
+    filter->SetTolerance(tolerance);
+    EXPECT_NE(ErrorsOfUpdate(filter).find("Tolerance is"), std::string::npos) << tolerance;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << tolerance;
+  }
+  filter->SetRecipe(BonesRecipe());
   filter->SetTolerance(1e-3);
   EXPECT_EQ(ErrorsOfUpdate(filter), "");
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
