@@ -6,7 +6,6 @@
 #include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
-#include "Planning/SeedsFile.h"
 #include "Planning/SegmentationRecipeFile.h"
 #include "Segmentation/ThresholdPresets.h"
 #include "Segmentation/ThresholdProposal.h"
@@ -168,15 +167,16 @@ ChosenSegmentation ChooseSegmentation(
   SplitStep split;
   if (!choices.seeds.empty())
   {
-    Seeds seeds = ReadSeedFiles(choices);
+    chosen.seeds = ReadSeedFiles(choices);
+    const Seeds& seeds = *chosen.seeds;
     if (seeds.notPlaced > 0)
-      SayWarning(session,
-        std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
+      SayWarning(session, seeds.notPlaced == 1
+                            ? "1 control point has no place yet; it is left out"
+                            : std::to_string(seeds.notPlaced) +
+                                " control points have no place yet; they are left out");
     SayUnnamedBone(seeds, session);
-    chosen.isOfSeeds = true;
-    split = { 1, std::move(seeds.strokes), choices.beta, choices.crack };
-    chosen.recipe.names = std::move(seeds.names);
-    chosen.strokePlaces = std::move(seeds.places);
+    split = { 1, seeds.strokes, choices.beta, choices.crack };
+    chosen.recipe.names = seeds.names;
   }
   chosen.recipe.steps = FiltersOf(choices);
   const std::optional<ThresholdStep> threshold = Threshold(choices, passport, session);

@@ -1,4 +1,5 @@
 #pragma once
+#include "Planning/SeedsFile.h"
 #include "Planning/SegmentationRecipe.h"
 
 #include <optional>
@@ -38,8 +39,7 @@ struct ChosenSegmentation
 {
   SegmentationRecipe recipe;
   std::optional<std::size_t> openThreshold; ///< a step that ProposeThresholdStep is for
-  bool isOfSeeds = false;                   ///< its names are those of files of seeds
-  std::vector<std::string> strokePlaces;    ///< of the split by them: Seeds::places
+  std::optional<Seeds> seeds;               ///< that its split and its names are made of
 };
 
 /// Reads what is to be read. Where no threshold is given it is 226 where the values are HU, else

@@ -16,6 +16,7 @@
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/ThreadLimit.h"
+#include "Planning/SeedsFile.h"
 #include "Planning/SegmentationRecipeFile.h"
 #include "vtkImageData.h"
 
@@ -23,6 +24,8 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -33,7 +36,7 @@ struct SegmentOptions
 {
   VolumeChoices volume;
   SegmentationChoices segmentation;
-  std::string labels, output, writeRecipe;
+  std::string labels, output, writeRecipe, writeSeeds;
   double tolerance = RandomWalkerSettings{}.tolerance;
   int threads = 0;
 };
@@ -60,11 +63,10 @@ void SayEmptyNames(ChosenSegmentation& chosen, vtkImageData* labels, Session& se
   std::vector<LabelName>& names = chosen.recipe.names;
   for (std::size_t n = 0; n < names.size(); ++n)
     if (isEmpty(names[n]))
-      SayWarning(session, (chosen.isOfSeeds ? "" : "names[" + std::to_string(n) + "]: ") +
-                            "label " + std::to_string(names[n].label) +
-                            " has no voxel in the end; " +
-                            (chosen.isOfSeeds ? "it becomes no segment" : "its segment is empty"));
-  if (chosen.isOfSeeds)
+      SayWarning(session, (chosen.seeds ? "" : "names[" + std::to_string(n) + "]: ") + "label " +
+                            std::to_string(names[n].label) + " has no voxel in the end; " +
+                            (chosen.seeds ? "it becomes no segment" : "its segment is empty"));
+  if (chosen.seeds)
     std::erase_if(names, isEmpty);
 }
 
@@ -97,7 +99,8 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
     segmenter.ForgetUndo(); // nobody will
     made.findings.push_back(segmenter.Finding());
     RequireSeeds(step, segmenter.Finding(), n);
-    const StepPlace place{ "steps[" + std::to_string(n) + "]", chosen.strokePlaces };
+    const StepPlace place{ "steps[" + std::to_string(n) + "]",
+      chosen.seeds ? chosen.seeds->places : std::vector<std::string>() };
     for (const std::string& warning :
       WarningsOf(step, segmenter.Finding(), place, VoxelMm3(volume.image)))
       SayWarning(session, warning);
@@ -108,30 +111,46 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
   return made;
 }
 
-/// Throws Failure: WrongUse if a file that is written is one that is read.
+using NamedFiles = std::vector<std::pair<std::string, std::string>>; ///< path, option
+
+/// Throws Failure: WrongUse if a file that is written is one that is read, or written, too.
 void RequireFreshFiles(const SegmentOptions& options)
 {
   RequireWritable(options.output, { ".seg.nrrd", ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
-  if (!options.writeRecipe.empty())
-  {
-    RequireWritable(options.writeRecipe, { ".json" });
-    RequireDifferent(options.writeRecipe, options.output, "--write-recipe and --output");
-  }
-  const auto check = [&](const std::string& input, const std::string& name)
-  {
-    if (input.empty())
-      return;
-    RequireDifferent(options.output, input, "--output and " + name);
-    if (!options.writeRecipe.empty())
-      RequireDifferent(options.writeRecipe, input, "--write-recipe and " + name);
-  };
+  NamedFiles outputs{ { options.output, "--output" } }, inputs{ { options.volume.input, "IN" },
+    { options.labels, "--labels" }, { options.segmentation.recipe, "--recipe" } };
   if (!options.labels.empty())
     RequireDifferent(options.labels, options.volume.input, "--labels and IN");
-  check(options.volume.input, "IN");
-  check(options.labels, "--labels");
-  check(options.segmentation.recipe, "--recipe");
   for (const std::string& seeds : options.segmentation.seeds)
-    check(seeds, "--seeds");
+    inputs.emplace_back(seeds, "--seeds");
+  for (const auto& [path, name] : NamedFiles{
+         { options.writeRecipe, "--write-recipe" }, { options.writeSeeds, "--write-seeds" } })
+    if (!path.empty())
+    {
+      RequireWritable(path, { ".json" });
+      outputs.emplace_back(path, name);
+    }
+  for (std::size_t n = 0; n < outputs.size(); ++n)
+  {
+    for (std::size_t before = 0; before < n; ++before)
+      RequireDifferent(outputs[n].first, outputs[before].first,
+        outputs[n].second + " and " + outputs[before].second);
+    for (const auto& [path, name] : inputs)
+      if (!path.empty())
+        RequireDifferent(outputs[n].first, path, outputs[n].second + " and " + name);
+  }
+}
+
+void WriteFiles(
+  const SegmentOptions& options, const ChosenSegmentation& chosen, const SegmentedScan& made)
+{
+  WriteLabels(made.labels, GetLabelTable(made.labels), options.output);
+  if (!options.writeRecipe.empty())
+    WriteSegmentationRecipe(options.writeRecipe, chosen.recipe);
+  if (options.writeSeeds.ends_with(".mrk.json"))
+    WriteMarkups(options.writeSeeds, *chosen.seeds);
+  else if (!options.writeSeeds.empty())
+    WriteSeeds(options.writeSeeds, *chosen.seeds);
 }
 
 void Run(const SegmentOptions& options, Session& session)
@@ -149,13 +168,7 @@ void Run(const SegmentOptions& options, Session& session)
                                       "step leaves none; hasp info shows the "
                                       "range of values");
   session.progress.Step("writing the labels");
-  Try(ExitCode::WrongUse, "",
-    [&]
-    {
-      WriteLabels(made.labels, GetLabelTable(made.labels), options.output);
-      if (!options.writeRecipe.empty())
-        WriteSegmentationRecipe(options.writeRecipe, chosen.recipe);
-    });
+  Try(ExitCode::WrongUse, "", [&] { WriteFiles(options, chosen, made); });
   session.progress.Wipe();
   if (!session.json)
     PrintSegmentation(described);
@@ -183,6 +196,10 @@ void AddSegmentVerb(CLI::App& app, Session& session)
     "Write what was done to this .json file: --recipe makes the same labels, with the same "
     "--labels\n"
     "and --tolerance");
+  verb
+    ->add_option("--write-seeds", options->writeSeeds,
+      "Write the seeds to this file: .mrk.json for 3D Slicer, .json as Hasp has them")
+    ->needs(verb->get_option("--seeds"));
   verb->add_option("--tolerance", options->tolerance, "Of the walker's probabilities")
     ->check(Within(1e-6, 0.1))
     ->capture_default_str();
