@@ -61,6 +61,19 @@ std::vector<SegmentationStep> FiltersOf(const SegmentationChoices& choices)
   return steps;
 }
 
+/// What is done to bone before it is shared out.
+void AddBoneSteps(const SegmentationChoices& choices, std::vector<SegmentationStep>& steps)
+{
+  if (choices.openMm > 0.0)
+    steps.push_back(MorphologyStep{ 1, Morphology::Open, choices.openMm });
+  if (choices.closeMm > 0.0)
+    steps.push_back(MorphologyStep{ 1, Morphology::Close, choices.closeMm });
+  if (choices.fill)
+    steps.push_back(FillStep{ 1 });
+  if (choices.keepLargest)
+    steps.push_back(ComponentsStep{ 1, 0.0, true });
+}
+
 /// None: it is left open.
 std::optional<ThresholdStep> Threshold(
   const SegmentationChoices& choices, const Passport& passport, Session& session)
@@ -79,6 +92,22 @@ std::optional<ThresholdStep> Threshold(
   if (passport.hounsfield && !choices.coneBeam)
     return ThresholdStep{};
   return std::nullopt;
+}
+
+/// Steps between the threshold and the seeds, in their order. Other orders and labels are for
+/// recipes.
+std::vector<CLI::Option*> AddBoneOptions(CLI::App& verb, SegmentationChoices& choices)
+{
+  return { verb
+             .add_option("--open", choices.openMm,
+               "After the threshold: take off what is thinner than a ball of this radius, mm")
+             ->check(Within(0.01, 50.0)),
+    verb
+      .add_option("--close", choices.closeMm, "Then bridge gaps that such a ball does not fit in")
+      ->check(Within(0.01, 50.0)),
+    verb.add_flag("--fill", choices.fill, "Then fill cavities of bone"),
+    verb.add_flag("--keep-largest", choices.keepLargest,
+      "Then keep its largest piece alone: no table, no head-rest") };
 }
 
 } // namespace
@@ -153,6 +182,8 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
   for (CLI::Option* option : { threshold, preset, seeds, radius, beta, crack, components, gaussian,
          median, coneBeam, field, inside })
     recipe->excludes(option);
+  for (CLI::Option* option : AddBoneOptions(verb, choices))
+    recipe->excludes(option);
 }
 
 ChosenSegmentation ChooseSegmentation(
@@ -183,6 +214,7 @@ ChosenSegmentation ChooseSegmentation(
   if (!threshold)
     chosen.openThreshold = chosen.recipe.steps.size();
   chosen.recipe.steps.push_back(threshold.value_or(ThresholdStep{}));
+  AddBoneSteps(choices, chosen.recipe.steps);
   if (!choices.seeds.empty())
     chosen.recipe.steps.push_back(std::move(split));
   else if (choices.leastMm3)

@@ -29,6 +29,8 @@ struct SegmentationChoices
   double gaussianMm = 0.0, medianMm = 0.0; ///< 0: none
   bool coneBeam = false;
   double fieldMm = 60.0, insideAbove = 0.0;
+  double openMm = 0.0, closeMm = 0.0; ///< of bone, 0: not at all
+  bool fill = false, keepLargest = false;
   std::optional<double> leastMm3; ///< of pieces that become fragments, where there are no seeds
 };
 

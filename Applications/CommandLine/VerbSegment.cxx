@@ -212,7 +212,8 @@ void AddSegmentVerb(CLI::App& app, Session& session)
     "Example: hasp segment head.mha --threshold 226 --seeds seeds.json --output case.seg.nrrd\n"
     "Bone is what the threshold takes; where none is given, 226 HU, or what the histogram\n"
     "proposes where values are not HU. Each voxel of it goes to the fragment whose stroke a\n"
-    "random walk meets first. Without seeds bone is label 1.\n"
+    "random walk meets first. Without seeds bone is label 1. A --recipe does more: it paints,\n"
+    "erases, merges and splits any label, in any order (Utilities/Docs/Formats.md).\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input.");
   verb->callback(
     [&session, options]

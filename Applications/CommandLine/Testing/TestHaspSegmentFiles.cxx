@@ -51,4 +51,28 @@ TEST_F(HaspSegment, WritesItsSeedsForSlicerAndBack)
   EXPECT_FALSE(std::filesystem::exists(this->Path("x.csv")));
 }
 
+TEST_F(HaspSegment, BoneIsOpenedClosedFilledAndItsLargestPieceKept)
+{
+  this->Phantom();
+  const auto bone = LabelsOf(this->Segment({ "--threshold", "226" })).at(1);
+  const auto with = [&](std::vector<std::string> more)
+  {
+    more.insert(more.begin(), { "--threshold", "226" });
+    return LabelsOf(this->Segment(more)).at(1);
+  };
+  EXPECT_LT(with({ "--open", "2" }), bone);
+  EXPECT_GT(with({ "--close", "3" }), bone);
+  EXPECT_LT(with({ "--keep-largest" }), bone);
+  const HaspRun all = this->Segment({ "--threshold", "226", "--keep-largest", "--fill", "--close",
+    "2", "--open", "2", "--write-recipe", this->Path("recipe.json") });
+  LabelsOf(all);
+  const json recipe = json::parse(ReadBytes(this->Path("recipe.json")));
+  std::vector<std::string> steps;
+  for (const json& step : recipe.at("steps"))
+    steps.push_back(step.at("step"));
+  EXPECT_EQ(steps,
+    (std::vector<std::string>{ "threshold", "morphology", "morphology", "fill", "components" }));
+  ExpectFailure(this->Segment({ "--recipe", this->Path("recipe.json"), "--fill" }), 1, "--recipe");
+}
+
 } // namespace
