@@ -1,6 +1,6 @@
 #include "LabelReport.h"
 
-#include "SegmentationText.h"
+#include "SegmentationWarnings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +18,7 @@ SegmentationFinding ReadFinding(const Json& json)
 {
   SegmentationFinding finding;
   finding.changed = json.at("changed").get<std::uint64_t>();
+  finding.changedNothing = json.at("changed_nothing").get<bool>();
   if (json.contains("cycles"))
   {
     finding.walk.emplace();
@@ -25,6 +26,7 @@ SegmentationFinding ReadFinding(const Json& json)
     finding.walk->error = json.at("error").get<double>();
     finding.walk->converged = json.at("converged").get<bool>();
     finding.besideBone = json.at("beside_bone").get<std::vector<std::size_t>>();
+    finding.withoutSeeds = json.at("without_seeds").get<std::vector<std::uint16_t>>();
     finding.unreached = json.at("unreached").get<std::uint64_t>();
   }
   return finding;
@@ -36,11 +38,12 @@ std::string FormatLabelReport(std::span<const SegmentationFinding> findings, dou
   Json json{ { "format", Format }, { "voxel_mm3", voxelMm3 }, { "steps", Json::array() } };
   for (const SegmentationFinding& finding : findings)
   {
-    Json& step = json["steps"].emplace_back(Json{ { "changed", finding.changed } });
+    Json& step = json["steps"].emplace_back(
+      Json{ { "changed", finding.changed }, { "changed_nothing", finding.changedNothing } });
     if (finding.walk)
       step.update({ { "cycles", finding.walk->iterations }, { "error", finding.walk->error },
         { "converged", finding.walk->converged }, { "beside_bone", finding.besideBone },
-        { "unreached", finding.unreached } });
+        { "without_seeds", finding.withoutSeeds }, { "unreached", finding.unreached } });
   }
   return json.dump(1) + "\n";
 }

@@ -7,7 +7,7 @@
 
 /// What was found when a label map was made, as the plan keeps it beside the map: JSON. Who can
 /// write the plan's folder can write such a report, so that it is numbers alone, and what is said
-/// of them are words of ours (SegmentationText.h).
+/// of them are words of ours (SegmentationWarnings.h).
 namespace hasp
 {
 

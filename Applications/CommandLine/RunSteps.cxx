@@ -1,7 +1,7 @@
 #include "RunSteps.h"
 
 #include "LabelReport.h"
-#include "SegmentationText.h"
+#include "SegmentationWarnings.h"
 #include "Session.h"
 #include "VerbWork.h"
 

@@ -15,7 +15,7 @@ struct Session;
 struct StepLabels
 {
   vtkSmartPointer<vtkImageData> labels; ///< unsigned short, on the scan's grid
-  std::vector<std::string> warnings;    ///< as WarningsOf says them (SegmentationText.h)
+  std::vector<std::string> warnings;    ///< as WarningsOf says them (SegmentationWarnings.h)
   std::string report;                   ///< that says them again (LabelReport.h)
   double milliseconds = 0.0;
 };

@@ -6,13 +6,14 @@
 #include "vtkHaspVolumeFile.h"
 #include "vtkHaspVolumeView.h"
 
-#include "Planning/SeedsFile.h"
 #include "Planning/SegmentationRecipeFile.h"
 #include "Segmentation/ThresholdPresets.h"
 #include "Segmentation/ThresholdProposal.h"
 #include "vtkImageData.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 
 namespace hasp
 {
@@ -37,6 +38,17 @@ Seeds ReadSeedFiles(const SegmentationChoices& choices)
     [&] { return ReadSeeds(choices.seeds, { .radiusMm = choices.seedRadiusMm }); });
 }
 
+/// Strokes of label 1 say what shall stay bone without a name. Few users mean that.
+void SayUnnamedBone(const Seeds& seeds, Session& session)
+{
+  const auto isBone = [](const BrushStroke& stroke) { return stroke.label == 1; };
+  if (std::any_of(seeds.strokes.begin(), seeds.strokes.end(), isBone) &&
+      !std::all_of(seeds.strokes.begin(), seeds.strokes.end(), isBone))
+    SayWarning(session,
+      "strokes of label 1 keep bone that nobody has named: what goes to them cannot be told from "
+      "bone that no stroke is connected to; number fragments from 2 on");
+}
+
 std::vector<SegmentationStep> FiltersOf(const SegmentationChoices& choices)
 {
   std::vector<SegmentationStep> steps;
@@ -47,6 +59,19 @@ std::vector<SegmentationStep> FiltersOf(const SegmentationChoices& choices)
   if (choices.gaussianMm > 0.0)
     steps.push_back(GaussianStep{ choices.gaussianMm });
   return steps;
+}
+
+/// What is done to bone before it is shared out.
+void AddBoneSteps(const SegmentationChoices& choices, std::vector<SegmentationStep>& steps)
+{
+  if (choices.openMm > 0.0)
+    steps.push_back(MorphologyStep{ 1, Morphology::Open, choices.openMm });
+  if (choices.closeMm > 0.0)
+    steps.push_back(MorphologyStep{ 1, Morphology::Close, choices.closeMm });
+  if (choices.fill)
+    steps.push_back(FillStep{ 1 });
+  if (choices.keepLargest)
+    steps.push_back(ComponentsStep{ 1, 0.0, true });
 }
 
 /// None: it is left open.
@@ -67,6 +92,22 @@ std::optional<ThresholdStep> Threshold(
   if (passport.hounsfield && !choices.coneBeam)
     return ThresholdStep{};
   return std::nullopt;
+}
+
+/// Steps between the threshold and the seeds, in their order. Other orders and labels are for
+/// recipes.
+std::vector<CLI::Option*> AddBoneOptions(CLI::App& verb, SegmentationChoices& choices)
+{
+  return { verb
+             .add_option("--open", choices.openMm,
+               "After the threshold: take off what is thinner than a ball of this radius, mm")
+             ->check(Within(0.01, 50.0)),
+    verb
+      .add_option("--close", choices.closeMm, "Then bridge gaps that such a ball does not fit in")
+      ->check(Within(0.01, 50.0)),
+    verb.add_flag("--fill", choices.fill, "Then fill cavities of bone"),
+    verb.add_flag("--keep-largest", choices.keepLargest,
+      "Then keep its largest piece alone: no table, no head-rest") };
 }
 
 } // namespace
@@ -148,6 +189,8 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
   for (CLI::Option* option : { threshold, preset, seeds, radius, beta, crack, norm, components,
          gaussian, median, coneBeam, field, inside })
     recipe->excludes(option);
+  for (CLI::Option* option : AddBoneOptions(verb, choices))
+    recipe->excludes(option);
 }
 
 ChosenSegmentation ChooseSegmentation(
@@ -162,18 +205,23 @@ ChosenSegmentation ChooseSegmentation(
   SplitStep split;
   if (!choices.seeds.empty())
   {
-    Seeds seeds = ReadSeedFiles(choices);
+    chosen.seeds = ReadSeedFiles(choices);
+    const Seeds& seeds = *chosen.seeds;
     if (seeds.notPlaced > 0)
-      SayWarning(session,
-        std::to_string(seeds.notPlaced) + " control points have no place yet; they are left out");
-    split = { 1, std::move(seeds.strokes), choices.beta, choices.crack, choices.norm };
-    chosen.recipe.names = std::move(seeds.names);
+      SayWarning(session, seeds.notPlaced == 1
+                            ? "1 control point has no place yet; it is left out"
+                            : std::to_string(seeds.notPlaced) +
+                                " control points have no place yet; they are left out");
+    SayUnnamedBone(seeds, session);
+    split = { 1, seeds.strokes, choices.beta, choices.crack, choices.norm };
+    chosen.recipe.names = seeds.names;
   }
   chosen.recipe.steps = FiltersOf(choices);
   const std::optional<ThresholdStep> threshold = Threshold(choices, passport, session);
   if (!threshold)
     chosen.openThreshold = chosen.recipe.steps.size();
   chosen.recipe.steps.push_back(threshold.value_or(ThresholdStep{}));
+  AddBoneSteps(choices, chosen.recipe.steps);
   if (!choices.seeds.empty())
     chosen.recipe.steps.push_back(std::move(split));
   else if (choices.leastMm3)

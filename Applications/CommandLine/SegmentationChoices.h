@@ -1,4 +1,5 @@
 #pragma once
+#include "Planning/SeedsFile.h"
 #include "Planning/SegmentationRecipe.h"
 
 #include <optional>
@@ -28,6 +29,8 @@ struct SegmentationChoices
   double gaussianMm = 0.0, medianMm = 0.0; ///< 0: none
   bool coneBeam = false;
   double fieldMm = 60.0, insideAbove = 0.0;
+  double openMm = 0.0, closeMm = 0.0; ///< of bone, 0: not at all
+  bool fill = false, keepLargest = false;
   std::optional<double> leastMm3; ///< of pieces that become fragments, where there are no seeds
 };
 
@@ -38,6 +41,7 @@ struct ChosenSegmentation
 {
   SegmentationRecipe recipe;
   std::optional<std::size_t> openThreshold; ///< a step that ProposeThresholdStep is for
+  std::optional<Seeds> seeds;               ///< that its split and its names are made of
 };
 
 /// Reads what is to be read. Where no threshold is given it is 226 where the values are HU, else

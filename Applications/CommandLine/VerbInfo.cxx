@@ -3,6 +3,7 @@
 #include "Evaluation/MeshCheck.h"
 #include "Failure.h"
 #include "PassportText.h"
+#include "SegmentList.h"
 #include "Session.h"
 #include "SurfaceInput.h"
 #include "SurfacePassportText.h"
@@ -19,6 +20,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace hasp
 {
@@ -61,18 +63,43 @@ void RunOnSurface(const VolumeChoices& choices, Session& session)
     std::cout << SurfacePassportText(read.passport, mesh);
 }
 
+/// None: it is no segmentation, or its faults tell more than the first of them.
+std::optional<LoadedVolume> ReadSegmentation(const VolumeChoices& choices, Session& session)
+{
+  if (!IsSegmentationName(choices.input))
+    return {};
+  try
+  {
+    return ReadVolume(choices, session);
+  }
+  catch (const Failure& failure)
+  {
+    if (failure.code == ExitCode::WrongUse)
+      throw;
+    return {};
+  }
+}
+
 void Run(const VolumeChoices& choices, Session& session)
 {
   if (IsCellFileName(choices.input))
     return RunOnCells(choices, session);
   if (IsSurfaceName(choices.input))
     return RunOnSurface(choices, session);
-  const Passport passport = InspectVolume(choices, session);
+  const std::optional<LoadedVolume> segmentation = ReadSegmentation(choices, session);
+  const Passport passport = segmentation ? segmentation->passport : InspectVolume(choices, session);
   session.progress.Wipe();
+  nlohmann::ordered_json segments = nlohmann::ordered_json::array();
+  if (segmentation)
+    segments = DescribeSegments(*segmentation, session.showNames);
   if (session.json)
+  {
     session.result["passport"] = PassportJson(passport);
+    if (segmentation)
+      session.result["segments"] = segments;
+  }
   else
-    std::cout << PassportText(passport);
+    std::cout << PassportText(passport) << SegmentsText(segments);
   if (passport.faults.empty())
     return;
   session.resultStands = true;
@@ -102,6 +129,7 @@ void AddInfoVerb(CLI::App& app, Session& session)
     "  hasp info slices/ --resample\n"
     "  hasp info guide.stl\n"
     "  hasp info head.hcells\n"
+    "  hasp info case.seg.nrrd --show-names   # its segments, with their names\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input: the volume has faults.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

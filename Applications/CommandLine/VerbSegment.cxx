@@ -1,13 +1,14 @@
 #include "Failure.h"
 #include "Files.h"
+#include "LabelInput.h"
 #include "RecipePart.h"
+#include "SegmentText.h"
 #include "SegmentationChoices.h"
-#include "SegmentationText.h"
+#include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #include "Session.h"
 #include "VerbWork.h"
 #include "Verbs.h"
-#include "Version.h"
 #include "VolumeInput.h"
 #include "vtkHaspFileNames.h"
 #include "vtkHaspLabelFile.h"
@@ -15,6 +16,7 @@
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/ThreadLimit.h"
+#include "Planning/SeedsFile.h"
 #include "Planning/SegmentationRecipeFile.h"
 #include "vtkImageData.h"
 
@@ -22,6 +24,8 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -32,28 +36,10 @@ struct SegmentOptions
 {
   VolumeChoices volume;
   SegmentationChoices segmentation;
-  std::string labels, output, writeRecipe;
+  std::string labels, output, writeRecipe, writeSeeds;
   double tolerance = RandomWalkerSettings{}.tolerance;
   int threads = 0;
 };
-
-double VoxelMm3(vtkImageData* image)
-{
-  const glm::dvec3 spacing = ImageGeometry(image).spacing;
-  return spacing.x * spacing.y * spacing.z;
-}
-
-/// The labels to begin with, on the scan's grid.
-vtkSmartPointer<vtkImageData> ReadLabels(
-  const SegmentOptions& options, vtkImageData* scan, Session& session)
-{
-  if (options.labels.empty())
-    return nullptr;
-  RequireInput(options.labels);
-  session.progress.Step("reading " + FileLabel(options.labels));
-  return Try(ExitCode::BadInput, "",
-    [&] { return LoadLabels(OpenVolume(options.labels), ImageGeometry(scan)).image; });
-}
 
 /// Throws Failure: BadInput if a split has strokes and none of them is on bone: no user means that.
 void RequireSeeds(const SegmentationStep& step, const SegmentationFinding& found, std::size_t n)
@@ -65,11 +51,33 @@ void RequireSeeds(const SegmentationStep& step, const SegmentationFinding& found
         std::to_string(split->label) + ": points are LPS in mm, and of this scan");
 }
 
+/// Says which labels have a name and no voxel. A recipe's names stay: who wrote them asked for the
+/// same segments whatever the scan. Those of seeds go, so that no segment is empty for no reason
+/// that its user knows.
+void SayEmptyNames(ChosenSegmentation& chosen, vtkImageData* labels, Session& session)
+{
+  const std::vector<std::size_t> voxels =
+    CountLabels(std::get<GridView<const Label>>(ViewImage(labels)));
+  const auto isEmpty = [&](const LabelName& name)
+  { return name.label >= voxels.size() || voxels[name.label] == 0; };
+  std::vector<LabelName>& names = chosen.recipe.names;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (isEmpty(names[n]))
+      SayWarning(session, (chosen.seeds ? "" : "names[" + std::to_string(n) + "]: ") + "label " +
+                            std::to_string(names[n].label) + " has no voxel in the end; " +
+                            (chosen.seeds ? "it becomes no segment" : "its segment is empty"));
+  if (chosen.seeds)
+    std::erase_if(names, isEmpty);
+}
+
 /// Does all steps, and fills in a threshold that is open.
 SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
   const LoadedVolume& volume, Session& session)
 {
-  Segmenter segmenter(volume.image, ReadLabels(options, volume.image, session));
+  vtkSmartPointer<vtkImageData> given;
+  if (!options.labels.empty())
+    given = ReadLabels(options.labels, ImageGeometry(volume.image), session).image;
+  Segmenter segmenter(volume.image, given);
   segmenter.SetWalkerSettings({ .tolerance = options.tolerance });
   SegmentedScan made;
   for (std::size_t n = 0; n < chosen.recipe.steps.size(); ++n)
@@ -91,82 +99,58 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
     segmenter.ForgetUndo(); // nobody will
     made.findings.push_back(segmenter.Finding());
     RequireSeeds(step, segmenter.Finding(), n);
-    for (const std::string& warning : WarningsOf(step, segmenter.Finding(), VoxelMm3(volume.image)))
-      SayWarning(session, "steps[" + std::to_string(n) + "]: " + warning);
+    const StepPlace place{ "steps[" + std::to_string(n) + "]",
+      chosen.seeds ? chosen.seeds->places : std::vector<std::string>() };
+    for (const std::string& warning :
+      WarningsOf(step, segmenter.Finding(), place, VoxelMm3(volume.image)))
+      SayWarning(session, warning);
   }
   made.labels = segmenter.Labels();
-  NameLabels(made.labels, chosen.recipe.names);
+  SayEmptyNames(chosen, made.labels, session);
+  NameLabels(made.labels, chosen.recipe.names, given ? GetLabelTable(given) : LabelTable());
   return made;
 }
 
-/// Numbers and no names: those are the user's words.
-nlohmann::ordered_json Describe(const ChosenSegmentation& chosen, const SegmentedScan& made)
-{
-  using Json = nlohmann::ordered_json;
-  const std::vector<std::size_t> voxels =
-    CountLabels(std::get<GridView<const Label>>(ViewImage(made.labels)));
-  Json json{ { "labels", Json::array() }, { "steps", Json::array() } };
-  for (std::size_t label = 1; label < voxels.size(); ++label)
-    if (voxels[label] > 0)
-      json["labels"].push_back({ { "label", label }, { "voxels", voxels[label] },
-        { "volume_mm3", double(voxels[label]) * VoxelMm3(made.labels) } });
-  for (std::size_t n = 0; n < chosen.recipe.steps.size(); ++n)
-  {
-    Json step{ { "step", StepLabel(chosen.recipe.steps[n]) } };
-    if (const auto* threshold = std::get_if<ThresholdStep>(&chosen.recipe.steps[n]))
-      step.update({ { "lowest", threshold->lowest }, { "highest", threshold->highest } });
-    const SegmentationFinding& found = made.findings[n];
-    step["changed_voxels"] = found.changed;
-    if (found.walk)
-      step.update({ { "cycles", found.walk->iterations }, { "error", found.walk->error },
-        { "unreached_voxels", found.unreached } });
-    json["steps"].push_back(std::move(step));
-  }
-  json["program"] = std::string("hasp ") + Version() + ", commit " + Commit();
-  json["intended_use"] = "research use only, not a medical device";
-  return json;
-}
+using NamedFiles = std::vector<std::pair<std::string, std::string>>; ///< path, option
 
-void Print(const nlohmann::ordered_json& json)
-{
-  for (const auto& step : json["steps"])
-  {
-    std::cout << step["step"].get<std::string>();
-    if (step.contains("lowest"))
-      std::cout << Line(
-        ": %.6g to %.6g", step["lowest"].get<double>(), step["highest"].get<double>());
-    if (step.contains("cycles"))
-      std::cout << Line(": %d cycles, probabilities within %.1e", step["cycles"].get<int>(),
-        step["error"].get<double>());
-    std::cout << "\n";
-  }
-  for (const auto& label : json["labels"])
-    std::cout << Line("label %5d  %12.1f mm3  %10lld voxels\n", label["label"].get<int>(),
-      label["volume_mm3"].get<double>(), label["voxels"].get<long long>());
-}
-
-/// Throws Failure: WrongUse if a file that is written is one that is read.
+/// Throws Failure: WrongUse if a file that is written is one that is read, or written, too.
 void RequireFreshFiles(const SegmentOptions& options)
 {
   RequireWritable(options.output, { ".seg.nrrd", ".nrrd", ".mha", ".nii", ".nii.gz", ".vti" });
-  if (!options.writeRecipe.empty())
-  {
-    RequireWritable(options.writeRecipe, { ".json" });
-    RequireDifferent(options.writeRecipe, options.output, "--write-recipe and --output");
-  }
-  const auto check = [&](const std::string& input, const std::string& name)
-  {
-    if (input.empty())
-      return;
-    RequireDifferent(options.output, input, "--output and " + name);
-    if (!options.writeRecipe.empty())
-      RequireDifferent(options.writeRecipe, input, "--write-recipe and " + name);
-  };
-  check(options.volume.input, "IN");
-  check(options.labels, "--labels");
-  check(options.segmentation.recipe, "--recipe");
+  NamedFiles outputs{ { options.output, "--output" } }, inputs{ { options.volume.input, "IN" },
+    { options.labels, "--labels" }, { options.segmentation.recipe, "--recipe" } };
+  if (!options.labels.empty())
+    RequireDifferent(options.labels, options.volume.input, "--labels and IN");
   for (const std::string& seeds : options.segmentation.seeds)
-    check(seeds, "--seeds");
+    inputs.emplace_back(seeds, "--seeds");
+  for (const auto& [path, name] : NamedFiles{
+         { options.writeRecipe, "--write-recipe" }, { options.writeSeeds, "--write-seeds" } })
+    if (!path.empty())
+    {
+      RequireWritable(path, { ".json" });
+      outputs.emplace_back(path, name);
+    }
+  for (std::size_t n = 0; n < outputs.size(); ++n)
+  {
+    for (std::size_t before = 0; before < n; ++before)
+      RequireDifferent(outputs[n].first, outputs[before].first,
+        outputs[n].second + " and " + outputs[before].second);
+    for (const auto& [path, name] : inputs)
+      if (!path.empty())
+        RequireDifferent(outputs[n].first, path, outputs[n].second + " and " + name);
+  }
+}
+
+void WriteFiles(
+  const SegmentOptions& options, const ChosenSegmentation& chosen, const SegmentedScan& made)
+{
+  WriteLabels(made.labels, GetLabelTable(made.labels), options.output);
+  if (!options.writeRecipe.empty())
+    WriteSegmentationRecipe(options.writeRecipe, chosen.recipe);
+  if (options.writeSeeds.ends_with(".mrk.json"))
+    WriteMarkups(options.writeSeeds, *chosen.seeds);
+  else if (!options.writeSeeds.empty())
+    WriteSeeds(options.writeSeeds, *chosen.seeds);
 }
 
 void Run(const SegmentOptions& options, Session& session)
@@ -174,25 +158,20 @@ void Run(const SegmentOptions& options, Session& session)
   RequireFreshFiles(options);
   const LoadedVolume volume = ReadVolume(options.volume, session);
   SayWarnings(volume.passport, session);
+  RequireScan(volume, options.volume.input, session);
   ChosenSegmentation chosen = ChooseSegmentation(options.segmentation, volume.passport, session);
   const SegmentedScan made =
     Try(ExitCode::BadInput, "", [&] { return Segment(options, chosen, volume, session); });
-  const nlohmann::ordered_json described = Describe(chosen, made);
+  const nlohmann::ordered_json described = DescribeSegmentation(chosen.recipe, made);
   if (described["labels"].empty())
     throw Failure(ExitCode::BadInput, "no voxel has a label: the threshold finds no bone, or a "
                                       "step leaves none; hasp info shows the "
                                       "range of values");
   session.progress.Step("writing the labels");
-  Try(ExitCode::WrongUse, "",
-    [&]
-    {
-      WriteLabels(made.labels, GetLabelTable(made.labels), options.output);
-      if (!options.writeRecipe.empty())
-        WriteSegmentationRecipe(options.writeRecipe, chosen.recipe);
-    });
+  Try(ExitCode::WrongUse, "", [&] { WriteFiles(options, chosen, made); });
   session.progress.Wipe();
   if (!session.json)
-    Print(described);
+    PrintSegmentation(described);
   session.result["output"] = FileLabel(options.output);
   session.result.update(described);
 }
@@ -217,6 +196,10 @@ void AddSegmentVerb(CLI::App& app, Session& session)
     "Write what was done to this .json file: --recipe makes the same labels, with the same "
     "--labels\n"
     "and --tolerance");
+  verb
+    ->add_option("--write-seeds", options->writeSeeds,
+      "Write the seeds to this file: .mrk.json for 3D Slicer, .json as Hasp has them")
+    ->needs(verb->get_option("--seeds"));
   verb->add_option("--tolerance", options->tolerance, "Of the walker's probabilities")
     ->check(Within(1e-6, 0.1))
     ->capture_default_str();
@@ -229,7 +212,8 @@ void AddSegmentVerb(CLI::App& app, Session& session)
     "Example: hasp segment head.mha --threshold 226 --seeds seeds.json --output case.seg.nrrd\n"
     "Bone is what the threshold takes; where none is given, 226 HU, or what the histogram\n"
     "proposes where values are not HU. Each voxel of it goes to the fragment whose stroke a\n"
-    "random walk meets first. Without seeds bone is label 1.\n"
+    "random walk meets first. Without seeds bone is label 1. A --recipe does more: it paints,\n"
+    "erases, merges and splits any label, in any order (Utilities/Docs/Formats.md).\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input.");
   verb->callback(
     [&session, options]

@@ -16,6 +16,7 @@ void AddVerbs(CLI::App& app, Session& session)
 #if HASP_WITH_SEGMENTATION
   AddSegmentVerb(app, session);
 #endif
+  AddCompareVerb(app, session);
 #if HASP_WITH_GUIDES
   AddCutVerb(app, session);
   AddGuideVerb(app, session);

@@ -17,6 +17,7 @@ void AddVerbs(CLI::App& app, Session& session);
 
 void AddInfoVerb(CLI::App& app, Session& session);
 void AddConvertVerb(CLI::App& app, Session& session);
+void AddCompareVerb(CLI::App& app, Session& session);
 void AddCellsVerb(CLI::App& app, Session& session);
 void AddRenderVerb(CLI::App& app, Session& session);
 void AddViewVerb(CLI::App& app, Session& session);

@@ -106,6 +106,7 @@ protected:
   void VolumeVerbs(const std::string& path)
   {
     this->ExpectNoneTwice({ "info", path });
+    this->ExpectNoneTwice({ "compare", path, path });
     for (const std::string ending : { "x.mha", "x.vti", "x.nrrd", "x.nii", "x.nii.gz", "x.seg.nrrd",
            "slices", "x.stl", "x.unknown" })
       this->ExpectNone({ "convert", path, this->OutFile(ending) });

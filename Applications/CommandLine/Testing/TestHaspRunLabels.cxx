@@ -108,7 +108,7 @@ TEST_F(HaspRunLabels, AreMadeOnceAndFoundAgainAfterAnUndo)
   EXPECT_EQ(LabelMap(first), "made");
   EXPECT_GT(Resource(first).at("bytes"), 0);
   EXPECT_GT(Resource(first).at("ms"), 0.0);
-  const std::string beside = "segmentation 2: steps[1]: strokes[1] touches no voxel of label 1\n";
+  const std::string beside = "segmentation 2: steps[1].strokes[1] touches no voxel of label 1\n";
   EXPECT_NE(first.err.find(beside), std::string::npos) << first.err;
   // The middle between strokes at -60 and 100, within a slice and a voxel of the mesh.
   EXPECT_NEAR(this->Reach("first", "fragment-4.stl").second, 20.0, 6.0);

@@ -1,46 +1,26 @@
-#include "HaspProcess.h"
+#include "SegmentFixture.h"
 
-#include <nlohmann/json.hpp>
-
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
-#include <map>
 
 namespace
 {
 
-using nlohmann::json;
-
-class HaspSegment : public HaspTest
+/// A .mha file of short samples as one of unsigned short, 2000 above them.
+std::string Unsigned(std::string bytes)
 {
-protected:
-  void Phantom(const std::vector<std::string>& more = {})
+  bytes.replace(bytes.find("MET_SHORT"), 9, "MET_USHORT");
+  const std::size_t samples = bytes.find('\n', bytes.find("ElementDataFile")) + 1;
+  for (std::size_t n = samples; n + 1 < bytes.size(); n += sizeof(std::uint16_t))
   {
-    std::vector<std::string> words{ "phantom", "--broken", "mandible", "--spacing", "2,2,2",
-      "--output", this->Path("jaw.mha") };
-    words.insert(words.end(), more.begin(), more.end());
-    ASSERT_EQ(RunHasp(words).exitCode, 0);
+    std::uint16_t value = 0;
+    std::memcpy(&value, &bytes[n], sizeof value);
+    value = static_cast<std::uint16_t>(value + 2000);
+    std::memcpy(&bytes[n], &value, sizeof value);
   }
-  HaspRun Segment(const std::vector<std::string>& more, const std::string& output = "case.seg.nrrd")
-  {
-    std::vector<std::string> words{ "segment", this->Path("jaw.mha"), "--output",
-      this->Path(output), "--json" };
-    words.insert(words.end(), more.begin(), more.end());
-    return RunHasp(words);
-  }
-  /// Voxels of each label.
-  static std::map<int, std::size_t> LabelsOf(const HaspRun& run)
-  {
-    std::map<int, std::size_t> labels;
-    EXPECT_EQ(run.exitCode, 0) << run.err;
-    if (run.exitCode != 0)
-      return labels;
-    const json document = json::parse(run.out);
-    for (const json& label : document.at("labels"))
-      labels[label.at("label")] = label.at("voxels");
-    return labels;
-  }
-  static std::string Seeds() { return HASP_BROKEN_MANDIBLE_SEEDS; }
-};
+  return bytes;
+}
 
 TEST_F(HaspSegment, PartsTheBrokenJawByStrokesAndItsRecipeDoesSoAgain)
 {
@@ -72,6 +52,102 @@ TEST_F(HaspSegment, IsReadBackAsTheLabelsThatItBeginsWith)
   EXPECT_FALSE(merged.contains(4));
   EXPECT_TRUE(merged.contains(3));
   EXPECT_TRUE(std::filesystem::exists(this->Path("m.mha")));
+}
+
+TEST_F(HaspSegment, KeepsTheNamesOfTheLabelsThatItBeginsWith)
+{
+  this->Phantom();
+  this->WriteText("bone.json",
+    R"({ "format": "hasp-segmentation-1", "names": [{ "label": 1, "name": "jaw", "colour": "#ff0000" }],
+         "steps": [{ "step": "threshold", "lowest": 226, "highest": 1000000 }] })");
+  this->WriteText("fill.json",
+    R"({ "format": "hasp-segmentation-1", "names": [], "steps": [{ "step": "fill", "label": 1 }] })");
+  LabelsOf(this->Segment({ "--recipe", this->Path("bone.json") }, "bone.seg.nrrd"));
+  LabelsOf(this->Segment(
+    { "--recipe", this->Path("fill.json"), "--labels", this->Path("bone.seg.nrrd") }));
+  const std::string header = ReadBytes(this->Path("case.seg.nrrd")).substr(0, 4000);
+  EXPECT_NE(header.find("Segment0_Name:=jaw\n"), std::string::npos);
+  EXPECT_NE(header.find("Segment0_Color:=1 0 0\n"), std::string::npos);
+}
+
+TEST_F(HaspSegment, SaysWhichStepsOfARecipeChangeNothing)
+{
+  this->Phantom();
+  this->WriteText("idle.json",
+    R"({ "format": "hasp-segmentation-1", "names": [],
+         "steps": [{ "step": "threshold", "lowest": 226, "highest": 1000000 },
+                   { "step": "merge", "from": 4, "into": 3 }] })");
+  const HaspRun run = this->Segment({ "--recipe", this->Path("idle.json") });
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_NE(run.err.find("steps[1]: changes nothing: no voxel has label 4"), std::string::npos)
+    << run.err;
+  EXPECT_EQ(run.err.find("steps[0]"), std::string::npos) << run.err;
+}
+
+TEST_F(HaspSegment, LabelsWithoutVoxelsAreSaidAndOnlyARecipeNamesThemInTheFile)
+{
+  this->Phantom();
+  this->WriteText("seeds.json",
+    R"({ "format": "hasp-seeds-1", "labels": [
+         { "label": 1, "name": "rest", "colour": "#010203",
+           "strokes": [{ "radiusMm": 9, "points": [[0, -60, -60], [0, -90, -60]] }] },
+         { "label": 2, "name": "covered", "colour": "#010203",
+           "strokes": [{ "radiusMm": 3, "points": [[0, -80, -75]] }] },
+         { "label": 3, "name": "chin", "colour": "#010203",
+           "strokes": [{ "radiusMm": 9, "points": [[0, -60, -75], [0, -90, -75]] }] }] })");
+  const HaspRun run = this->Segment(
+    { "--seeds", this->Path("seeds.json"), "--write-recipe", this->Path("recipe.json") });
+  const auto labels = LabelsOf(run);
+  EXPECT_FALSE(labels.contains(2));
+  EXPECT_TRUE(labels.contains(3));
+  for (const std::string said :
+    { "strokes of label 1 keep bone that nobody has named", "steps[1]: label 2 gets no voxel",
+      "label 2 has no voxel in the end; it becomes no segment" })
+    EXPECT_NE(run.err.find(said), std::string::npos) << said << "\n" << run.err;
+  EXPECT_EQ(ReadBytes(this->Path("case.seg.nrrd")).find("Segment2_"), std::string::npos);
+  const HaspRun again = this->Segment({ "--recipe", this->Path("recipe.json") }, "again.seg.nrrd");
+  EXPECT_EQ(LabelsOf(again), labels);
+  EXPECT_EQ(ReadBytes(this->Path("case.seg.nrrd")), ReadBytes(this->Path("again.seg.nrrd")));
+
+  this->WriteText("named.json",
+    R"({ "format": "hasp-segmentation-1", "names": [{ "label": 9, "name": "tooth", "colour": "#ff0000" }],
+         "steps": [{ "step": "threshold", "lowest": 226, "highest": 1000000 }] })");
+  const HaspRun named = this->Segment({ "--recipe", this->Path("named.json") });
+  EXPECT_NE(named.err.find("names[0]: label 9 has no voxel in the end; its segment is empty"),
+    std::string::npos)
+    << named.err;
+  EXPECT_NE(ReadBytes(this->Path("case.seg.nrrd")).find(":=tooth"), std::string::npos);
+}
+
+TEST_F(HaspSegment, TellsAScanFromALabelMap)
+{
+  this->Phantom({ "--truth", this->Path("truth.seg.nrrd") });
+  const auto segment = [&](const std::string& in, std::vector<std::string> more)
+  {
+    more.insert(
+      more.begin(), { "segment", this->Path(in), "--output", this->Path("case.seg.nrrd") });
+    return RunHasp(more);
+  };
+  ExpectFailure(segment("truth.seg.nrrd", {}), 2, "is a segmentation; give the scan as IN");
+  EXPECT_FALSE(std::filesystem::exists(this->Path("case.seg.nrrd")));
+  ASSERT_EQ(
+    RunHasp({ "convert", this->Path("truth.seg.nrrd"), this->Path("mask.nrrd") }).exitCode, 0);
+  const HaspRun mask = segment("mask.nrrd", { "--threshold", "2" });
+  EXPECT_EQ(mask.exitCode, 0);
+  EXPECT_NE(mask.err.find("as a label map has"), std::string::npos) << mask.err;
+  EXPECT_EQ(segment("jaw.mha", {}).err.find("label map"), std::string::npos);
+
+  this->WriteText("fill.json",
+    R"({ "format": "hasp-segmentation-1", "names": [], "steps": [{ "step": "fill", "label": 1 }] })");
+  this->WriteText("grey.mha", Unsigned(ReadBytes(this->Path("jaw.mha"))));
+  const auto begin = [&](const std::string& labels)
+  {
+    return this->Segment(
+      { "--recipe", this->Path("fill.json"), "--labels", this->Path(labels) }, "x.nrrd");
+  };
+  ExpectFailure(begin("grey.mha"), 2, "is a scan by its values");
+  ExpectFailure(begin("jaw.mha"), 1, "--labels and IN");
+  EXPECT_EQ(begin("mask.nrrd").exitCode, 0);
 }
 
 TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
@@ -129,7 +205,8 @@ TEST_F(HaspSegment, BadInputIsTwoWrongUseIsOneAndNothingIsLeft)
                      { "radiusMm": 9, "points": [[0, -60, -60], [0, -90, -60]] }] }] })");
   const HaspRun beside = this->Segment({ "--seeds", this->Path("two.json") });
   EXPECT_EQ(beside.exitCode, 0) << beside.err;
-  EXPECT_NE(beside.err.find("strokes[0] touches no voxel of label 1"), std::string::npos);
+  EXPECT_NE(beside.err.find("labels[0].strokes[0] touches no voxel of label 1"), std::string::npos)
+    << beside.err;
 }
 
 } // namespace

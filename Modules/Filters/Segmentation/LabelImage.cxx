@@ -42,4 +42,15 @@ vtkSmartPointer<vtkImageData> MakeLabelImage(vtkImageData* scan, vtkImageData* g
   return image;
 }
 
+bool HaveSameSamples(vtkImageData* a, vtkImageData* b)
+{
+  return std::visit(
+    [](const auto& first, const auto& second)
+    {
+      return std::equal(first.data, first.data + first.geometry.Size(), second.data,
+        [](float one, float other) { return one == other; }); // holds all of their types
+    },
+    ViewImage(a), ViewImage(b));
+}
+
 } // namespace hasp

@@ -10,4 +10,8 @@ namespace hasp
 /// std::invalid_argument if those are of another grid or type. Private to this module.
 vtkSmartPointer<vtkImageData> MakeLabelImage(vtkImageData* scan, vtkImageData* given);
 
+/// Whether two images of one grid have the same values, whatever their types. Ends at the first
+/// that differs. Private to this module.
+bool HaveSameSamples(vtkImageData* a, vtkImageData* b);
+
 } // namespace hasp

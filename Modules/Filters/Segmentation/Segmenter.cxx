@@ -7,6 +7,7 @@
 #include "Segmentation/LabelMorphology.h"
 #include "Segmentation/LabelSplit.h"
 #include "Segmentation/PackedDelta.h"
+#include "SplitFinding.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Grid/ProgressPart.h"
@@ -88,7 +89,9 @@ struct Segmenter::Internals
   template <typename Step>
   LabelDelta Do(const Step& step, const ProgressFunction& progress) requires IsFilter<Step>
   {
-    this->image = ApplyStep(this->image, step, progress);
+    const vtkSmartPointer<vtkImageData> before = this->image;
+    this->image = ApplyStep(before, step, progress);
+    this->sameImage = HaveSameSamples(before, this->image);
     return { this->Map().geometry.dims, {} };
   }
 
@@ -197,17 +200,6 @@ struct Segmenter::Internals
       std::get<SplitStep>(this->recipe.steps.back()), { before.data(), now.geometry }, progress);
   }
 
-  void FindSplit(SegmentationFinding& found) const
-  {
-    if (!this->split)
-      return;
-    found.walk = this->split->LastRun();
-    for (std::size_t n = 0; n < this->strokes.size(); ++n)
-      if (!this->split->Touches(this->strokes[n]))
-        found.besideBone.push_back(n);
-    found.unreached = this->split->Unreached();
-  }
-
   /// Runs what keeps a change that was made; takes the change back if there is no memory for it.
   template <typename Keeping>
   void Keep(const LabelDelta& delta, const Keeping& keeping)
@@ -216,7 +208,9 @@ struct Segmenter::Internals
     {
       SegmentationFinding found;
       found.changed = delta.Voxels();
-      this->FindSplit(found);
+      found.changedNothing = found.changed == 0 && this->sameImage;
+      if (this->split)
+        FindSplit(*this->split, this->strokes, found);
       keeping();
       this->finding = std::move(found);
       this->Changed();
@@ -242,6 +236,7 @@ struct Segmenter::Internals
   bool IsSettled() const { return this->done.empty() || this->done.back().isSettled; }
 
   vtkSmartPointer<vtkImageData> image, labels;
+  bool sameImage = true; ///< whether the last step left the samples as they were
   SegmentationRecipe recipe;
   std::vector<Entry> done;
   SegmentationFinding finding;
@@ -285,6 +280,7 @@ LabelDelta Segmenter::Apply(const SegmentationStep& step, const ProgressFunction
     entry.imageBefore = image;
   // A split's solver is the largest thing there is; its step is not the last one any more.
   in.Close();
+  in.sameImage = true;
   const LabelDelta delta = Named(name,
     [&]
     {

@@ -1,6 +1,7 @@
 #ifndef Segmenter_h
 #define Segmenter_h
 
+#include "Grid/LabelTable.h"                  // for LabelTable
 #include "Grid/Progress.h"                    // for ProgressFunction
 #include "Planning/SegmentationRecipe.h"      // for the steps
 #include "Segmentation/LabelDelta.h"          // for what a step changes
@@ -20,10 +21,13 @@ namespace hasp
 /// What a step came to.
 struct SegmentationFinding
 {
-  std::uint64_t changed = 0; ///< voxels that have another label than before
+  std::uint64_t changed = 0;   ///< voxels that have another label than before
+  bool changedNothing = false; ///< no label, and of a filter no sample
   /// Of a SplitStep.
   std::optional<RandomWalkerRun> walk;
   std::vector<std::size_t> besideBone; ///< strokes that touch no voxel of the step's label
+  /// Labels of strokes that get no voxel: those lie beside it, or later ones paint over them.
+  std::vector<std::uint16_t> withoutSeeds;
   std::uint64_t unreached = 0; ///< voxels that no stroke is connected to: they keep the label
 };
 
@@ -95,12 +99,14 @@ struct SegmentedScan
   std::vector<SegmentationFinding> findings; ///< one a step
 };
 
-/// Gives labels (unsigned short) a LabelTable: these names, and UnnamedLabel for others that occur.
+/// Gives labels (unsigned short) a LabelTable: these names; of other labels that occur the entry in
+/// `given`, what those that the steps began with were called, or else UnnamedLabel.
 VTKHASPFILTERSSEGMENTATION_EXPORT void NameLabels(
-  vtkImageData* labels, const std::vector<LabelName>& names);
+  vtkImageData* labels, const std::vector<LabelName>& names, const LabelTable& given = {});
 
 /// All of a recipe at once; the same labels to the last bit as those of a Segmenter that is
-/// settled. Throws as ValidateSegmentationRecipe and Segmenter do.
+/// settled. What a LabelTable of `labels` calls them stays, but where the recipe names them. Throws
+/// as ValidateSegmentationRecipe, Segmenter and GetLabelTable do.
 VTKHASPFILTERSSEGMENTATION_EXPORT SegmentedScan SegmentScan(vtkImageData* scan,
   const SegmentationRecipe& recipe, vtkImageData* labels = nullptr,
   const RandomWalkerSettings& settings = {}, const ProgressFunction& progress = {});

@@ -1,5 +1,6 @@
 #include "vtkHaspSegmentationFilter.h"
 
+#include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #include "vtkHaspFilterRun.h"
 #if HASP_WITH_JSON
@@ -13,6 +14,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
+#include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkHaspSegmentationFilter);
 
@@ -101,9 +104,16 @@ int vtkHaspSegmentationFilter::RequestData(
   return hasp::RunFilter(this, this->ErrorCode,
     [&](const hasp::ProgressFunction& progress)
     {
-      output->ShallowCopy(
-        hasp::SegmentScan(scan, *this->Recipe, labels, { .tolerance = this->Tolerance }, progress)
-          .labels);
+      if (!(this->Tolerance > 0.0 && this->Tolerance <= 0.1)) // also where no step asks for it
+        throw std::invalid_argument(
+          "Tolerance is " + std::to_string(this->Tolerance) + ", must be in (0, 0.1]");
+      const hasp::SegmentedScan made =
+        hasp::SegmentScan(scan, *this->Recipe, labels, { .tolerance = this->Tolerance }, progress);
+      output->ShallowCopy(made.labels);
+      const double* spacing = output->GetSpacing();
+      for (const std::string& warning :
+        hasp::WarningsOf(*this->Recipe, made.findings, spacing[0] * spacing[1] * spacing[2]))
+        vtkWarningMacro(<< warning);
     });
 }
 

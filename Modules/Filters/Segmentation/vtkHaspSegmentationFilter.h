@@ -6,16 +6,19 @@
  * extent, spacing and direction. Input 1, may be left out: labels that the recipe's steps begin
  * with, unsigned char or unsigned short, on the grid of input 0. Output: "Labels", unsigned short,
  * on the same grid: 0 nothing, 1 bone that nobody has named, 2 and above a fragment each; with what
- * labels are called as field data (vtkHaspLabelTable.h), which vtkHaspSegmentationWriter writes.
+ * labels are called as field data (vtkHaspLabelTable.h), which vtkHaspSegmentationWriter writes: as
+ * the recipe says, else as input 1 does.
  *
  * The recipe's steps (Planning/SegmentationRecipe.h) are done in order: filters of the samples, a
  * threshold, random walker splits by strokes (Grady 2006; BoneSplit; thesis 2.1.3), edits. The same
  * labels with any number of threads. For a user who adds a stroke at a time hasp::Segmenter is the
  * door: it goes on where the last stroke ended.
  *
- * Errors (vtkErrorMacro, empty output): a recipe or an input that is out of order, with the step
- * and the key. AbortExecute gives an empty output without an error. Threads: as any VTK filter, one
- * at a time; uses all cores. Cost and memory: hasp::Segmenter, RandomWalker.h.
+ * Warnings (vtkWarningMacro): what SegmentationWarnings.h says of steps that changed nothing and
+ * strokes that marked nothing, once a run. Errors (vtkErrorMacro, empty output): a recipe or an
+ * input that is out of order, with the step and the key. AbortExecute gives an empty output without
+ * an error. Threads: as any VTK filter, one at a time; uses all cores. Cost and memory:
+ * hasp::Segmenter, RandomWalker.h.
  */
 #ifndef vtkHaspSegmentationFilter_h
 #define vtkHaspSegmentationFilter_h
@@ -53,7 +56,8 @@ public:
   bool ReadRecipe(const std::string& path);
 
   ///@{
-  /// How exactly splits are solved: the error of probabilities, (0, 0.1]. Default: RandomWalker.h.
+  /// How exactly splits are solved: the error of probabilities, (0, 0.1], checked when the filter
+  /// runs, whatever the recipe. Default: RandomWalker.h.
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   ///@}

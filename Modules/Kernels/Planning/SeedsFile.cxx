@@ -15,6 +15,12 @@ namespace
 const std::string Subject = "seeds";
 constexpr const char* Format = "hasp-seeds-1";
 
+/// "file 2: " where there are several
+std::string FileOf(std::size_t file, std::size_t files)
+{
+  return files == 1 ? "" : "file " + std::to_string(file + 1) + ": ";
+}
+
 /// "seeds", or "seeds: file 2"
 std::string SubjectOf(std::size_t file, std::size_t files)
 {
@@ -40,6 +46,7 @@ Seeds SeedsFromJson(const Json& json, const std::string& subject)
       seeds.strokes.push_back({ seeds.names.back().label, stroke.Number("radiusMm"),
         stroke.Vectors("points", MostStrokePoints) });
       ValidateBrushStroke(seeds.strokes.back(), subject + ": " + at);
+      seeds.places.push_back(at);
     }
   }
   ValidateLabelNames(seeds.names, subject, "labels");
@@ -113,7 +120,13 @@ Seeds ParseAnySeeds(const std::vector<std::string>& texts, const MarkupsChoices&
       [&](const Json& json)
       {
         if (IsMarkups(json))
+        {
+          const std::size_t before = markups.size();
           ReadMarkups(json, subject, choices.radiusMm, markups, notPlaced);
+          for (std::size_t m = before; m < markups.size(); ++m)
+            for (std::string& place : markups[m].places)
+              place.insert(0, FileOf(n, texts.size()));
+        }
         else if (json.is_object() && !json.contains("format"))
           ValueChecks(subject).Refuse(
             "the file", std::string("is of no kind that is known: it has neither a format, '") +

@@ -16,7 +16,16 @@ struct Seeds
   std::vector<BrushStroke> strokes; ///< of labels that have a name; at most MostStrokes
   /// Control points of Slicer's markups that were left out, because nobody had placed them yet.
   std::size_t notPlaced = 0;
-  bool operator==(const Seeds&) const noexcept = default;
+  /// Where each stroke stands in the file that it was read from, for messages:
+  /// "labels[0].strokes[1]", "markups[2].controlPoints[4]", of several files "file 2: markups[0]".
+  /// Empty if it was not read. Does not count when seeds are compared.
+  std::vector<std::string> places = {};
+
+  bool operator==(const Seeds& other) const noexcept
+  {
+    return this->names == other.names && this->strokes == other.strokes &&
+           this->notPlaced == other.notPlaced;
+  }
 };
 
 /// Throws std::invalid_argument unless names and strokes are legal in a recipe and each stroke's
@@ -30,7 +39,8 @@ void ValidateSeeds(const Seeds& seeds);
 ///                  "strokes": [{ "radiusMm": 2, "points": [[x,y,z], …] }, …] }, …] }
 ///
 /// Strict: every key must be there, and no other. What is read back has its strokes in the order of
-/// their labels in `names`, those of a label in the order that they had; notPlaced is not kept.
+/// their labels in `names`, those of a label in the order that they had; notPlaced is not kept, and
+/// places are those of the file.
 /// Errors are std::runtime_error (file, syntax) or std::invalid_argument (content) and say which
 /// key, never the file's name or text. Needs HASP_ENABLE_JSON. Any thread.
 Seeds ParseSeeds(const std::string& json);

@@ -26,8 +26,7 @@ struct StepWriter
   }
   Json operator()(const EdgePreservingStep& s) const
   {
-    return { { "step", "anisotropic-diffusion" }, { "edge", s.edge },
-      { "iterations", s.iterations } };
+    return { { "step", "edge-preserving" }, { "edge", s.edge }, { "iterations", s.iterations } };
   }
   Json operator()(const ConeBeamStep& s) const
   {
@@ -158,7 +157,7 @@ SegmentationStep ReadMorphology(const StepText& text)
 
 using ReadStep = SegmentationStep (*)(const StepText&);
 constexpr std::pair<ReadStep, const char*> Steps[] = { { ReadGaussian, "gaussian" },
-  { ReadMedian, "median" }, { ReadEdgePreserving, "anisotropic-diffusion" },
+  { ReadMedian, "median" }, { ReadEdgePreserving, "edge-preserving" },
   { ReadConeBeam, "cone-beam-correction" }, { ReadThreshold, "threshold" }, { ReadSplit, "split" },
   { ReadPaint, "paint" }, { ReadMerge, "merge" }, { ReadComponents, "components" },
   { ReadFill, "fill" }, { ReadMorphology, "morphology" } };

@@ -34,7 +34,7 @@ struct MedianStep
   bool operator==(const MedianStep&) const noexcept = default;
 };
 
-/// Anisotropic diffusion: noise goes, edges stay.
+/// Edge-preserving filter (anisotropic diffusion): noise goes, edges stay.
 struct EdgePreservingStep
 {
   double edge = 100.0; ///< steps from voxel to voxel above this are edges, grey values, (0, 1e6]

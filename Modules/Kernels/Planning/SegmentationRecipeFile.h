@@ -11,7 +11,7 @@ namespace hasp
 ///   { "format": "hasp-segmentation-1",
 ///     "steps": [{ "step": "gaussian", "sigmaMm": 0.5 },
 ///               { "step": "median", "radiusMm": 1 },
-///               { "step": "anisotropic-diffusion", "edge": 100, "iterations": 4 },
+///               { "step": "edge-preserving", "edge": 100, "iterations": 4 },
 ///               { "step": "cone-beam-correction", "fieldMm": 60, "contrastMm": 0,
 ///                 "insideAbove": 0 },
 ///               { "step": "threshold", "lowest": 226, "highest": 1000000 },

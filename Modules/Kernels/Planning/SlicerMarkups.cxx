@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -115,16 +116,23 @@ std::uint16_t MarkedLabel(const std::string& description)
   return error == std::errc() && end == last ? label : 0;
 }
 
-/// The markup's control points that have a place, mm, LPS.
-std::vector<glm::dvec3> ReadPoints(const StrictJson& read, const std::string& subject,
-  const std::string& name, SlicerMarkup& markup, std::size_t& notPlaced)
+/// The markup's control points that have a place, mm, LPS, and how they are called.
+struct PlacedPoints
+{
+  std::vector<glm::dvec3> points;
+  std::vector<std::string> places;
+};
+
+PlacedPoints ReadPoints(const StrictJson& read, const std::string& subject, const std::string& name,
+  SlicerMarkup& markup, std::size_t& notPlaced)
 {
   const glm::dvec3 scale = ScaleOf(read, subject, name);
-  std::vector<glm::dvec3> points;
+  PlacedPoints placed;
   std::size_t number = 0;
   for (const Json& value : read.List("controlPoints", MostStrokePoints))
   {
-    const StrictJson point(value, subject, name + "." + ListKey("controlPoints", number++));
+    const std::string place = name + "." + ListKey("controlPoints", number++);
+    const StrictJson point(value, subject, place);
     if (markup.label == 0 && point.Has("description"))
       markup.label = MarkedLabel(point.Text("description"));
     const PositionStatus status = point.Has("positionStatus")
@@ -133,11 +141,14 @@ std::vector<glm::dvec3> ReadPoints(const StrictJson& read, const std::string& su
     if (status != PositionStatus::Defined || !point.Has("position"))
       ++notPlaced;
     else
-      points.push_back(point.Vector("position") * scale + 0.0); // no -0
+    {
+      placed.points.push_back(point.Vector("position") * scale + 0.0); // no -0
+      placed.places.push_back(place);
+    }
   }
-  if (points.empty())
+  if (placed.points.empty())
     read.Fail("controlPoints", "has no point with a place; place one, or take the markup out");
-  return points;
+  return placed;
 }
 
 SlicerMarkup ReadMarkup(const Json& json, const std::string& subject, const std::string& name,
@@ -150,15 +161,19 @@ SlicerMarkup ReadMarkup(const Json& json, const std::string& subject, const std:
     markup.name.name = read.Text("name");
   if (read.Has("display"))
     ReadDisplay(StrictJson(read.Get("display"), subject, name + ".display"), markup, radiusMm);
-  std::vector<glm::dvec3> points = ReadPoints(read, subject, name, markup, notPlaced);
+  auto [points, places] = ReadPoints(read, subject, name, markup, notPlaced);
   if (type == MarkupType::Fiducial)
+  {
     for (const glm::dvec3& point : points)
       markup.strokes.push_back({ 0, radiusMm, { point } });
+    markup.places = std::move(places);
+  }
   else
   {
     if (type == MarkupType::ClosedCurve && points.size() > 1)
       points.push_back(points.front());
     markup.strokes.push_back({ 0, radiusMm, std::move(points) });
+    markup.places.push_back(name);
   }
   // Said here, where the markup is known, and not of the seeds that are made of it.
   ValueChecks(subject).Text(name + ".name", markup.name.name);
@@ -245,6 +260,7 @@ Seeds SeedsOfMarkups(std::vector<SlicerMarkup> markups, std::uint16_t firstLabel
       stroke.label = markup.label;
       seeds.strokes.push_back(std::move(stroke));
     }
+    std::move(markup.places.begin(), markup.places.end(), std::back_inserter(seeds.places));
   }
   return seeds;
 }

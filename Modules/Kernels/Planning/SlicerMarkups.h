@@ -15,6 +15,7 @@ struct SlicerMarkup
   LabelName name;          ///< its label is not set
   bool hasColour = false;
   std::vector<BrushStroke> strokes; ///< their labels are not set
+  std::vector<std::string> places;  ///< one a stroke: Seeds::places
 };
 
 /// Whether it is a file of markups, sound or not.

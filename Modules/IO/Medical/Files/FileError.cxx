@@ -1,6 +1,7 @@
 #include "Files/FileError.h"
 #include "Files/Utf8.h"
 #include "Files/Words.h"
+#include "vtkHaspPrintableText.h"
 
 #include <algorithm>
 #include <atomic>
@@ -27,9 +28,11 @@ bool Commands(char32_t c)
          (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
 }
 
+} // namespace
+
 /// A name is anybody's text, and terminals obey what they are sent: what commands them, or is no
 /// UTF-8, becomes a question mark.
-std::string Printable(const std::string& name)
+std::string PrintableText(const std::string& name)
 {
   std::string text;
   for (std::size_t at = 0; at < name.size();)
@@ -41,8 +44,6 @@ std::string Printable(const std::string& name)
   }
   return text;
 }
-
-} // namespace
 
 void ShowFileNames(bool shown)
 {
@@ -59,7 +60,7 @@ std::string FileLabel(const std::filesystem::path& path)
   if (NamesShown)
   {
     const auto whole = path.lexically_normal();
-    return Printable((whole.has_filename() ? whole : whole.parent_path()).filename().string());
+    return PrintableText((whole.has_filename() ? whole : whole.parent_path()).filename().string());
   }
   const std::string ending = LowerExtension(path);
   std::error_code error;

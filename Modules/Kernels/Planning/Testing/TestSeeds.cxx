@@ -119,6 +119,21 @@ TEST(Seeds, StrokesAreKeptInTheOrderOfTheirLabels)
   EXPECT_EQ(back, seeds);
 }
 
+TEST(Seeds, EachStrokeSaysWhereItStandsInItsFile)
+{
+  using Places = std::vector<std::string>;
+  EXPECT_EQ(ParseSeeds(FormatSeeds(Valid())).places,
+    (Places{ "labels[0].strokes[0]", "labels[0].strokes[1]", "labels[1].strokes[0]",
+      "labels[1].strokes[1]", "labels[1].strokes[2]" }));
+  const std::string points =
+    Point("[1, 2, 3]") + "," + Point("[0, 0, 0]", "undefined") + "," + Point("[4, 5, 6]");
+  EXPECT_EQ(ParseAnySeeds({ Markups("Fiducial", points) }).places,
+    (Places{ "markups[0].controlPoints[0]", "markups[0].controlPoints[2]" }));
+  EXPECT_EQ(ParseAnySeeds({ Markups("Curve", points), Markups("Line", points) }).places,
+    (Places{ "file 1: markups[0]", "file 2: markups[0]" }));
+  EXPECT_TRUE(Valid().places.empty());
+}
+
 TEST(Seeds, OurOwnFileIsReadStrictly)
 {
   const std::string text = FormatSeeds(Valid());

@@ -206,7 +206,7 @@ TEST(SegmentationRecipe, AFileIsReadStrictly)
   EXPECT_EQ(fault("0.5", "1e999"), begin + "no JSON: a number is too large for any double");
   EXPECT_EQ(fault("0.5", "1e300"), begin + "steps[0]: sigmaMm is 1e+300, must be in (0, 10]");
   EXPECT_EQ(fault("\"gaussian\"", "\"Erika\""),
-    begin + "steps[0].step must be gaussian, median, anisotropic-diffusion, cone-beam-correction, "
+    begin + "steps[0].step must be gaussian, median, edge-preserving, cone-beam-correction, "
             "threshold, split, paint, merge, components, fill or morphology");
   EXPECT_EQ(fault("\"step\": \"gaussian\",", ""), begin + "steps[0].step is missing");
   EXPECT_EQ(fault("\"gaussian\"", "7"), begin + "steps[0].step must be text");

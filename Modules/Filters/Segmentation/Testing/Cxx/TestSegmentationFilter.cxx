@@ -4,10 +4,12 @@
 #include "vtkHaspLabelTable.h"
 #include "vtkHaspSegmentationFilter.h"
 
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -51,6 +53,28 @@ TEST(SegmentationFilter, BeginsWithTheLabelsOfItsSecondInput)
   EXPECT_EQ(hasp::testing::LabelAt(filter->GetOutput(), 1, 2, 3), 9);
 }
 
+TEST(SegmentationFilter, KeepsNamesAndColoursOfTheLabelsThatItBeginsWith)
+{
+  const hasp::GridGeometry grid = hasp::testing::BonesGrid();
+  std::vector<std::uint8_t> labels(grid.Size(), 9);
+  labels[0] = 5;
+  labels[1] = 3;
+  const auto given = hasp::MakeImage(grid, labels);
+  const hasp::LabelEntry five{ 5, "ramus", { 9, 8, 7 }, false };
+  hasp::SetLabelTable(given, { five, { 3, "chin" }, { 9, "tooth" }, { 4, "gone" } });
+  vtkNew<vtkHaspSegmentationFilter> filter;
+  filter->SetInputData(TwoBones());
+  filter->SetInputData(1, given);
+  filter->SetRecipe({ { hasp::MergeStep{ 3, 7 } }, { { 9, "molar", { 1, 2, 3 } } } });
+  filter->Update();
+  // The recipe's word counts, then the input's; what has no voxel any more is not listed.
+  const hasp::LabelTable expected{ { 9, "molar", { 1, 2, 3 } }, five, hasp::UnnamedLabel(7) };
+  EXPECT_EQ(hasp::GetLabelTable(filter->GetOutput()), expected);
+  given->GetFieldData()->RemoveArray("LabelColors");
+  given->Modified();
+  EXPECT_NE(ErrorsOfUpdate(filter).find("LabelColors"), std::string::npos);
+}
+
 TEST(SegmentationFilter, SaysWhatIsWrongAndIsEmptyThen)
 {
   vtkNew<vtkHaspSegmentationFilter> filter;
@@ -61,14 +85,35 @@ TEST(SegmentationFilter, SaysWhatIsWrongAndIsEmptyThen)
   EXPECT_NE(ErrorsOfUpdate(filter).find("steps[2]"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   filter->SetRecipe(BonesRecipe());
-  filter->SetTolerance(0.5);
-  EXPECT_NE(ErrorsOfUpdate(filter).find("tolerance"), std::string::npos);
+  filter->SetRecipe({}); // nothing that would ask for it
+  for (const double tolerance : { 0.5, 0.0, -1.0, std::nan("") })
+  {
+    filter->SetTolerance(tolerance);
+    EXPECT_NE(ErrorsOfUpdate(filter).find("Tolerance is"), std::string::npos) << tolerance;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << tolerance;
+  }
+  filter->SetRecipe(BonesRecipe());
   filter->SetTolerance(1e-3);
   EXPECT_EQ(ErrorsOfUpdate(filter), "");
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("Steps: 3"), std::string::npos);
+}
+
+TEST(SegmentationFilter, WarnsOfStepsThatChangeNothing)
+{
+  vtkNew<vtkHaspSegmentationFilter> filter;
+  filter->SetInputData(TwoBones());
+  hasp::SegmentationRecipe recipe = BonesRecipe();
+  filter->SetRecipe(recipe);
+  EXPECT_EQ(SaidInUpdate(filter, vtkCommand::WarningEvent), "");
+  recipe.steps.push_back(hasp::MergeStep{ 9, 1 });
+  filter->SetRecipe(recipe);
+  EXPECT_NE(SaidInUpdate(filter, vtkCommand::WarningEvent)
+              .find("steps[3]: changes nothing: no voxel has label 9"),
+    std::string::npos);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST(SegmentationFilter, AnAbortIsNoErrorAndGivesNothing)

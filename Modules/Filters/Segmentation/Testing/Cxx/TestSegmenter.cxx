@@ -1,3 +1,4 @@
+#include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #include "TwoBones.h"
 
@@ -90,6 +91,78 @@ TEST(Segmenter, SaysWhatNoStrokeReachesAndWhichStrokesTouchNoBone)
   EXPECT_EQ(LabelAt(made.labels, 35, 18, 15), 1);
   EXPECT_EQ(made.findings[2].unreached, made.findings[1].changed - made.findings[2].changed);
   EXPECT_GT(made.findings[2].unreached, 1000U);
+}
+
+TEST(Segmenter, SaysWhichLabelsGetNoVoxel)
+{
+  SegmentationRecipe recipe = BonesRecipe();
+  auto& strokes = std::get<SplitStep>(recipe.steps[2]).strokes;
+  strokes.insert(strokes.begin(), StrokeAt(8, 7, 0.7)); // the next paints over all of it
+  strokes.insert(strokes.begin(), StrokeAt(9, 8, 1.5)); // and over some of this
+  strokes.push_back(StrokeAt(38, 9, 0.3));              // beside the bone
+  const SegmentedScan made = SegmentScan(TwoBones(), recipe);
+  EXPECT_EQ(made.findings[2].withoutSeeds, (std::vector<std::uint16_t>{ 7, 9 }));
+  const std::vector<std::size_t> voxels =
+    CountLabels(std::get<GridView<const Label>>(ViewImage(made.labels)));
+  EXPECT_EQ(voxels[7], 0U);
+  EXPECT_GT(voxels[8], 0U);
+  const std::vector<std::string> said = WarningsOf(recipe, made.findings, 0.24);
+  ASSERT_EQ(said.size(), 3U);
+  EXPECT_EQ(said[0], "steps[2].strokes[5] touches no voxel of label 1");
+  EXPECT_EQ(said[1], "steps[2]: label 7 gets no voxel: its strokes touch none of label 1, or later "
+                     "ones paint over them");
+}
+
+TEST(Segmenter, SaysWhichStepsChangeNothing)
+{
+  SegmentationRecipe recipe = BonesRecipe();
+  recipe.steps.insert(recipe.steps.begin(), GaussianStep{ 0.01 }); // of a spacing of 0.5
+  recipe.steps.insert(recipe.steps.end(),
+    { PaintStep{ StrokeAt(8, 2), 0 }, PaintStep{ StrokeAt(8, 5), 4 }, MergeStep{ 9, 1 },
+      ComponentsStep{ 4 }, FillStep{ 2 }, MorphologyStep{ 3, Morphology::Erode, 0.1 },
+      MorphologyStep{ 9, Morphology::Dilate, 2.0 }, MergeStep{ 4, 0 } });
+  const SegmentedScan made = SegmentScan(TwoBones(), recipe);
+  const std::vector<std::string> nothing{
+    "steps[0]: changes nothing: the samples are even, or sigmaMm is small against their spacing",
+    "steps[4]: changes nothing: within the stroke there is no voxel that does not have label 2 "
+    "already",
+    "steps[5]: changes nothing: within the stroke there is no voxel of label 4 to be painted",
+    "steps[6]: changes nothing: no voxel has label 9",
+    "steps[7]: changes nothing: label 4 is one piece, or no voxel has it",
+    "steps[8]: changes nothing: label 2 has no cavity, or no voxel has it",
+    "steps[9]: changes nothing: no voxel has label 3, or 0.1 mm reach nothing that would change",
+    "steps[10]: changes nothing: no voxel has label 9, or 2 mm reach nothing that would change",
+  };
+  EXPECT_EQ(WarningsOf(recipe, made.findings, 0.24), nothing);
+  SegmentationRecipe twice{
+    { ThresholdStep{ 5000.0, 1e6 }, ThresholdStep{ 226.0, 1e6 }, ThresholdStep{ 226.0, 1e6 } }, {}
+  };
+  const std::vector<std::string> said =
+    WarningsOf(twice, SegmentScan(TwoBones(), twice).findings, 0.24);
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_EQ(said[0].find("steps[0]: changes nothing: no value is in [5000, 1e+06], or"), 0U);
+  EXPECT_EQ(said[1].find("steps[2]: changes nothing: "), 0U);
+}
+
+TEST(Segmenter, NamesStrokesThatMarkNothingByTheirPlaces)
+{
+  SplitStep split{ 1, std::vector<BrushStroke>(13, StrokeAt(38, 4, 0.3)) };
+  SegmentationFinding found;
+  found.besideBone = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12 };
+  found.changedNothing = true;
+  found.unreached = 1;
+  std::vector<std::string> said = WarningsOf(split, found, { "steps[3]" }, 0.24);
+  ASSERT_EQ(said.size(), 12U);
+  EXPECT_EQ(said[0], "steps[3].strokes[0] touches no voxel of label 1");
+  EXPECT_EQ(said[9], "steps[3].strokes[9] touches no voxel of label 1");
+  EXPECT_EQ(said[10], "steps[3]: 2 more of its strokes touch no voxel of label 1");
+  EXPECT_EQ(said[11], "steps[3]: 1 voxel (0.2 mm3) that no stroke is connected to keeps label 1");
+  found.besideBone = { 1 };
+  found.unreached = 2;
+  said = WarningsOf(split, found, { "steps[3]", { "", "labels[0].strokes[1]" } }, 0.24);
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_EQ(said[0], "labels[0].strokes[1] touches no voxel of label 1");
+  EXPECT_EQ(said[1], "steps[3]: 2 voxels (0.5 mm3) that no stroke is connected to keep label 1");
 }
 
 /// With a norm: by the least cut, which each stroke leaves settled, and by the random walk.
