@@ -1,5 +1,6 @@
 #include "ReportSegmentation.h"
 
+#include "ImageSteps.h"
 #include "ReportRegistry.h"
 #include "ReportVolume.h"
 #include "SegmentationTrials.h"
@@ -7,6 +8,7 @@
 
 #include "vtkImageData.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace hasp
@@ -42,13 +44,26 @@ RealSkull ReadSkull(const std::string& path)
   return skull;
 }
 
+/// By VTK's filter, as a threshold of a recipe blurs.
+std::vector<float> Blur(const AnyGridView& samples, double sigmaMm)
+{
+  const GridGeometry grid = GeometryOf(samples);
+  std::vector<float> values(grid.Size());
+  std::visit(
+    [&](const auto& view) { std::copy_n(view.data, grid.Size(), values.begin()); }, samples);
+  const vtkSmartPointer<vtkImageData> blurred =
+    ApplyStep(MakeImage(grid, values), GaussianStep{ sigmaMm }, {});
+  const auto view = std::get<GridView<const float>>(ViewImage(blurred));
+  return { view.data, view.data + grid.Size() };
+}
+
 } // namespace
 
 void ReportSegmentation(ReportContext& context)
 {
   const RealSkull skull = ReadSkull(context.settings.volume);
   TrySegmentation(context, skull);
-  TryConeBeam(context, skull);
+  TryConeBeam(context, skull, Blur);
   TryResolve(context);
   TryDirect(context);
   AddUnusedSegmentation(context);

@@ -35,7 +35,8 @@ nlohmann::ordered_json DescribeSegmentation(
   {
     Json step{ { "step", StepLabel(recipe.steps[n]) } };
     if (const auto* threshold = std::get_if<ThresholdStep>(&recipe.steps[n]))
-      step.update({ { "lowest", threshold->lowest }, { "highest", threshold->highest } });
+      step.update({ { "lowest", threshold->lowest }, { "highest", threshold->highest },
+        { "smoothMm", threshold->smoothMm } });
     const SegmentationFinding& found = made.findings[n];
     step["changed_voxels"] = found.changed;
     if (found.walk)

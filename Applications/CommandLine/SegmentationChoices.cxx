@@ -1,5 +1,6 @@
 #include "SegmentationChoices.h"
 
+#include "ImageSteps.h"
 #include "RecipePart.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -112,18 +113,24 @@ std::vector<CLI::Option*> AddBoneOptions(CLI::App& verb, SegmentationChoices& ch
 
 } // namespace
 
-ThresholdStep ProposeThresholdStep(vtkImageData* image, Session& session)
+ThresholdStep ProposeThresholdStep(vtkImageData* image, double smoothMm, Session& session)
 {
   session.progress.Step("proposing a threshold");
-  const ThresholdProposal proposal =
-    Try(ExitCode::BadInput, "", [&] { return ProposeThreshold(ViewImage(image)); });
+  const ThresholdProposal proposal = Try(ExitCode::BadInput, "",
+    [&]
+    {
+      vtkSmartPointer<vtkImageData> values = image;
+      if (smoothMm > 0.0)
+        values = ApplyStep(image, GaussianStep{ smoothMm }, {});
+      return ProposeThreshold(ViewImage(values));
+    });
   SayWarning(session,
     Line("the threshold is proposed from the histogram, since nothing says that the values are HU: "
          "%.6g; bone and soft tissue are %.1f deviations apart%s",
       proposal.threshold, proposal.separation,
       proposal.separation < 2.0 ? ", which no threshold parts well" : "") +
       "; thin bone may be lost: look at it, and give --threshold (226 where the values are HU)");
-  return { proposal.threshold };
+  return { proposal.threshold, ThresholdStep{}.highest, smoothMm };
 }
 
 void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
@@ -174,6 +181,10 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
     verb.add_option("--gaussian", choices.gaussianMm, "Blur before, mm")->check(Within(1e-3, 10.0));
   CLI::Option* median =
     verb.add_option("--median", choices.medianMm, "Median before, mm")->check(Within(1e-3, 10.0));
+  CLI::Option* smooth = verb
+                          .add_option("--smooth", choices.smoothMm,
+                            "Blur for the threshold alone, mm: splits still see cracks")
+                          ->check(Within(1e-3, 10.0));
   CLI::Option* coneBeam =
     verb.add_flag("--cone-beam", choices.coneBeam, "Take cupping out of a cone-beam scan before");
   CLI::Option* field =
@@ -187,7 +198,7 @@ void AddSegmentationOptions(CLI::App& verb, SegmentationChoices& choices)
       ->capture_default_str()
       ->needs(coneBeam);
   for (CLI::Option* option : { threshold, preset, seeds, radius, beta, crack, norm, components,
-         gaussian, median, coneBeam, field, inside })
+         gaussian, median, smooth, coneBeam, field, inside })
     recipe->excludes(option);
   for (CLI::Option* option : AddBoneOptions(verb, choices))
     recipe->excludes(option);
@@ -220,7 +231,9 @@ ChosenSegmentation ChooseSegmentation(
   const std::optional<ThresholdStep> threshold = Threshold(choices, passport, session);
   if (!threshold)
     chosen.openThreshold = chosen.recipe.steps.size();
-  chosen.recipe.steps.push_back(threshold.value_or(ThresholdStep{}));
+  ThresholdStep bone = threshold.value_or(ThresholdStep{});
+  bone.smoothMm = choices.smoothMm;
+  chosen.recipe.steps.push_back(bone);
   AddBoneSteps(choices, chosen.recipe.steps);
   if (!choices.seeds.empty())
     chosen.recipe.steps.push_back(std::move(split));

@@ -27,6 +27,7 @@ struct SegmentationChoices
   std::vector<std::string> seeds;
   double seedRadiusMm = 2.0, beta = 90.0, crack = 0.1, norm = 1.0;
   double gaussianMm = 0.0, medianMm = 0.0; ///< 0: none
+  double smoothMm = 0.0;                   ///< of the threshold's values alone, 0: not at all
   bool coneBeam = false;
   double fieldMm = 60.0, insideAbove = 0.0;
   double openMm = 0.0, closeMm = 0.0; ///< of bone, 0: not at all
@@ -49,7 +50,8 @@ struct ChosenSegmentation
 ChosenSegmentation ChooseSegmentation(
   const SegmentationChoices& choices, const Passport& passport, Session& session);
 
-/// What the histogram of a scan proposes, as the steps before left it; it is said.
-ThresholdStep ProposeThresholdStep(vtkImageData* image, Session& session);
+/// What the histogram of a scan proposes, as the steps before left it and smoothMm blurs it; it is
+/// said.
+ThresholdStep ProposeThresholdStep(vtkImageData* image, double smoothMm, Session& session);
 
 } // namespace hasp

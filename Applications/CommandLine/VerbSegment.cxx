@@ -84,7 +84,8 @@ SegmentedScan Segment(const SegmentOptions& options, ChosenSegmentation& chosen,
   {
     SegmentationStep& step = chosen.recipe.steps[n];
     if (chosen.openThreshold == n)
-      step = ProposeThresholdStep(segmenter.Image(), session);
+      step =
+        ProposeThresholdStep(segmenter.Image(), std::get<ThresholdStep>(step).smoothMm, session);
     session.progress.Step(StepLabel(step));
     const auto start = std::chrono::steady_clock::now();
     const std::size_t before = segmenter.UndoBytes();

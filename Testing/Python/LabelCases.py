@@ -82,7 +82,7 @@ class Labels(unittest.TestCase):
         recipe = os.path.join(os.path.dirname(self.path), "recipe.json")
         with open(recipe, "w", encoding="utf-8") as file:
             file.write("""{ "format": "hasp-segmentation-1", "steps": [
-                { "step": "threshold", "lowest": 0, "highest": 1000000 } ],
+                { "step": "threshold", "lowest": 0, "highest": 1000000, "smoothMm": 0 } ],
                 "names": [{ "label": 1, "name": "ball", "colour": "#ff8000" }] }""")
         segmentation = hasp.vtkHaspSegmentationFilter()
         segmentation.SetInputData(ball())

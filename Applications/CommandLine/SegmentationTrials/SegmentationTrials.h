@@ -1,7 +1,8 @@
 #pragma once
-#include "Grid/GridGeometry.h"
+#include "Grid/GridView.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,12 @@ struct RealSkull
 /// watershed and for thresholds with components; in quick reports of the mandible alone.
 void TrySegmentation(ReportContext& context, const RealSkull& skull);
 
+/// Samples after a Gaussian blur of a standard deviation, mm.
+using BlurSamples = std::function<std::vector<float>(const AnyGridView&, double)>;
+
 /// segmentation.dice.cbct, segmentation.surface.cbct: of simulated cone-beam scans, at most 15
 /// strokes, with correction and without.
-void TryConeBeam(ReportContext& context, const RealSkull& skull);
+void TryConeBeam(ReportContext& context, const RealSkull& skull, const BlurSamples& blur);
 
 /// segmentation.first, segmentation.resolve, segmentation.memory, segmentation.undo,
 /// segmentation.warm: a skull of at least 8 M voxels of bone; a smaller one in quick reports.

@@ -80,18 +80,22 @@ void ForEachTrialScan(const TrialScanSettings& settings, const RealSkull& skull,
   plant("cranium_hairline", FractureCaseSettings{}.crackMm, false);
 }
 
-TrialBone::TrialBone(const AnyGridView& grey, double threshold, double closeMm)
+TrialBone::TrialBone(const AnyGridView& grey, double threshold)
   : Samples(grey),
     Geometry(GeometryOf(grey)),
     Mask(GeometryOf(grey).Size())
 {
+  ThresholdLabels(grey, threshold, 1e6, { this->Mask.data(), this->Geometry });
+}
+
+TrialBone::TrialBone(
+  const AnyGridView& grey, const AnyGridView& smooth, double threshold, double closeMm)
+  : TrialBone(smooth, threshold)
+{
+  this->Samples = grey;
   const GridView<Label> mask{ this->Mask.data(), this->Geometry };
-  ThresholdLabels(grey, threshold, 1e6, mask);
-  if (closeMm > 0.0)
-  {
-    CloseLabel(mask, 1, closeMm);
-    FillCavities(mask, 1);
-  }
+  CloseLabel(mask, 1, closeMm);
+  FillCavities(mask, 1);
 }
 
 std::vector<SeedVoxels> TrialBone::Seeds(const std::vector<BrushStroke>& strokes) const

@@ -51,8 +51,10 @@ class TrialBone
 {
 public:
   /// grey   of the scan, corrected or as it is; lives as long as this
-  /// closeMm  above 0: what is above the threshold is closed by a ball, and its cavities filled
-  TrialBone(const AnyGridView& grey, double threshold, double closeMm = 0.0);
+  TrialBone(const AnyGridView& grey, double threshold);
+  /// Bone is where `smooth`, the same without its noise, is above the threshold; closed by a ball,
+  /// and its cavities filled.
+  TrialBone(const AnyGridView& grey, const AnyGridView& smooth, double threshold, double closeMm);
 
   GridView<const Label> View() const { return { this->Mask.data(), this->Geometry }; }
   const AnyGridView& Grey() const { return this->Samples; }

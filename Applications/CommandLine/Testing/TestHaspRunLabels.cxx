@@ -40,7 +40,7 @@ protected:
   /// At the middle between the lower stroke and the upper one, at z = 100.
   static json Split(double lowerZ)
   {
-    return { { { "step", "threshold" }, { "lowest", 226 }, { "highest", 1e6 } },
+    return { { { "step", "threshold" }, { "lowest", 226 }, { "highest", 1e6 }, { "smoothMm", 0 } },
       { { "step", "split" }, { "label", 1 }, { "beta", 0 }, { "crack", 0 }, { "norm", 2 },
         { "strokes", { Stroke(2, 0, lowerZ), Stroke(3, 80, 0), Stroke(3, 0, 100) } } } };
   }

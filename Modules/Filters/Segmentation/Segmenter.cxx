@@ -98,9 +98,12 @@ struct Segmenter::Internals
   LabelDelta Do(const ThresholdStep& step, const ProgressFunction& progress)
   {
     const GridView<Label> map = this->Map();
+    vtkSmartPointer<vtkImageData> values = this->image;
+    if (step.smoothMm > 0.0)
+      values = ApplyStep(values, GaussianStep{ step.smoothMm }, PartOf(progress, 0.0, 0.6));
     std::vector<Label> bone(map.geometry.Size());
-    ThresholdLabels(ViewImage(this->image), step.lowest, step.highest,
-      { bone.data(), map.geometry }, PartOf(progress, 0.0, 0.8));
+    ThresholdLabels(ViewImage(values), step.lowest, step.highest, { bone.data(), map.geometry },
+      PartOf(progress, step.smoothMm > 0.0 ? 0.6 : 0.0, 0.8));
     LabelDelta delta = DifferenceOf(this->ReadOnlyMap(), { bone.data(), map.geometry },
       VoxelBox{ glm::ivec3(0), map.geometry.dims });
     ReportProgress(progress, 1.0);

@@ -35,7 +35,8 @@ struct StepWriter
   }
   Json operator()(const ThresholdStep& s) const
   {
-    return { { "step", "threshold" }, { "lowest", s.lowest }, { "highest", s.highest } };
+    return { { "step", "threshold" }, { "lowest", s.lowest }, { "highest", s.highest },
+      { "smoothMm", s.smoothMm } };
   }
   Json operator()(const SplitStep& s) const
   {
@@ -108,8 +109,8 @@ SegmentationStep ReadConeBeam(const StepText& text)
 
 SegmentationStep ReadThreshold(const StepText& text)
 {
-  const StrictJson read = text.Read({ "step", "lowest", "highest" });
-  return ThresholdStep{ read.Number("lowest"), read.Number("highest") };
+  const StrictJson read = text.Read({ "step", "lowest", "highest", "smoothMm" });
+  return ThresholdStep{ read.Number("lowest"), read.Number("highest"), read.Number("smoothMm") };
 }
 
 SegmentationStep ReadSplit(const StepText& text)

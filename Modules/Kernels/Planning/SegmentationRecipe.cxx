@@ -45,6 +45,7 @@ struct CheckStep
   {
     this->check.Closed("lowest", step.lowest, -LargestGrey, LargestGrey);
     this->check.Closed("highest", step.highest, step.lowest, LargestGrey);
+    this->check.Closed("smoothMm", step.smoothMm, 0.0, 10.0);
   }
   void operator()(const SplitStep& step) const
   {

@@ -57,6 +57,9 @@ struct ThresholdStep
 {
   double lowest = 226.0; ///< [-1e6, 1e6]
   double highest = 1e6;  ///< [lowest, 1e6]
+  /// Values are blurred before, by a Gaussian of this standard deviation, 0: not at all, else up to
+  /// 10. For this step alone: a split sees cracks that such a blur would close.
+  double smoothMm = 0.0;
   bool operator==(const ThresholdStep&) const noexcept = default;
 };
 

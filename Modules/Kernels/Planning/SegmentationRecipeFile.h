@@ -14,7 +14,7 @@ namespace hasp
 ///               { "step": "edge-preserving", "edge": 100, "iterations": 4 },
 ///               { "step": "cone-beam-correction", "fieldMm": 60, "contrastMm": 0,
 ///                 "insideAbove": 0 },
-///               { "step": "threshold", "lowest": 226, "highest": 1000000 },
+///               { "step": "threshold", "lowest": 226, "highest": 1000000, "smoothMm": 0 },
 ///               { "step": "split", "label": 1, "beta": 90, "crack": 0.1, "norm": 1,
 ///                 "strokes": [{ "label": 2, "radiusMm": 2, "points": [[x,y,z], …] }, …] },
 ///               { "step": "paint", "only": 0,

@@ -91,14 +91,16 @@ TEST(SegmentationRecipe, EveryNumberOfAStepOutOfItsRangeIsNamed)
     begin + "4]: highest is 225, must be in [226, 1e+06]");
   EXPECT_EQ(Spoilt<ThresholdStep>([](auto& s) { s.lowest = nan; }),
     begin + "4]: lowest is nan, must be in [-1e+06, 1e+06]");
+  EXPECT_EQ(Spoilt<ThresholdStep>([](auto& s) { s.smoothMm = -1; }),
+    begin + "4]: smoothMm is -1, must be in [0, 10]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.label = 0; }),
     begin + "5]: label is 0, must be in [1, 65535]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.beta = -1; }),
     begin + "5]: beta is -1, must be in [0, 1e+12]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.crack = 1.5; }),
     begin + "5]: crack is 1.5, must be in [0, 1]");
-  EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.norm = 2.5; }),
-    begin + "5]: norm is 2.5, must be in [1, 2]");
+  EXPECT_EQ(
+    Spoilt<SplitStep>([](auto& s) { s.norm = 2.5; }), begin + "5]: norm is 2.5, must be in [1, 2]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.strokes[1].label = 0; }),
     begin + "5].strokes[1]: label is 0, must be in [1, 65535]");
   EXPECT_EQ(Spoilt<SplitStep>([](auto& s) { s.strokes[1].radiusMm = 51; }),
@@ -287,7 +289,8 @@ TEST(SegmentationRecipe, MoreThanThereIsRoomForIsRefusedBeforeItIsRead)
     points += ",1";
   const std::string begin = "segmentation recipe: ";
   EXPECT_EQ(fault(steps), begin + "steps has 10001 entries, at most 10000 are read");
-  EXPECT_EQ(fault(R"({"step":"split","label":1,"beta":1,"crack":0,"norm":1,"strokes":[)" + steps + "]}"),
+  EXPECT_EQ(
+    fault(R"({"step":"split","label":1,"beta":1,"crack":0,"norm":1,"strokes":[)" + steps + "]}"),
     begin + "steps[0].strokes has 10001 entries, at most 10000 are read");
   EXPECT_EQ(fault(R"({"step":"paint","only":0,"stroke":{"label":1,"radiusMm":1,"points":[)" +
                   points + "]}}"),

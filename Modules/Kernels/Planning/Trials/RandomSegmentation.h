@@ -50,7 +50,7 @@ public:
       case 0:
       {
         const double lowest = this->Real(-1e6, 1e6);
-        return hasp::ThresholdStep{ lowest, this->Real(lowest, 1e6) };
+        return hasp::ThresholdStep{ lowest, this->Real(lowest, 1e6), this->Real(0.0, 10.0) };
       }
       case 1:
       {

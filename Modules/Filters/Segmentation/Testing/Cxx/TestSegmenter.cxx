@@ -223,6 +223,19 @@ TEST(Segmenter, AStepBehindAddedStrokesGivesBackAllThatChanged)
   EXPECT_EQ(HashOf(mirror), HashOf(SegmentScan(scan, recipe).labels));
 }
 
+TEST(Segmenter, AThresholdSmoothsForItselfAlone)
+{
+  const auto scan = TwoBones();
+  Segmenter blurred(scan), smooth(scan), plain(scan);
+  blurred.Apply(GaussianStep{ 0.6 });
+  blurred.Apply(ThresholdStep{});
+  smooth.Apply(ThresholdStep{ 226.0, 1e6, 0.6 });
+  plain.Apply(ThresholdStep{});
+  EXPECT_EQ(HashOf(smooth.Labels()), HashOf(blurred.Labels()));
+  EXPECT_NE(HashOf(smooth.Labels()), HashOf(plain.Labels()));
+  EXPECT_EQ(smooth.Image(), scan.GetPointer());
+}
+
 TEST(Segmenter, GivesTheSameLabelsWithAnyNumberOfThreads)
 {
   const auto scan = TwoBones();
