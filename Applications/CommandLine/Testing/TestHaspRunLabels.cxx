@@ -181,7 +181,7 @@ TEST_F(HaspRunLabels, AreShownWithWhatWasFoundOnThem)
   };
   EXPECT_NE(show().find("the label map of segmentation 2 has not been made\n"), std::string::npos);
   ASSERT_EQ(this->MakeJson("first").exitCode, 0);
-  const std::string beside = "steps[1]: strokes[1] touches no voxel of label 1";
+  const std::string beside = "steps[1].strokes[1] touches no voxel of label 1";
   EXPECT_NE(
     show().find("the label map of segmentation 2 is in date\n  " + beside), std::string::npos);
   const json map = shown().at(0);

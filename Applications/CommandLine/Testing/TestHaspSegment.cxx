@@ -157,7 +157,7 @@ TEST_F(HaspSegment, WithoutSeedsBoneIsOneLabelOrItsPieces)
   ASSERT_EQ(bone.size(), 1U);
   const auto adult = LabelsOf(this->Segment({ "--preset", "adult compact bone" }));
   EXPECT_LT(adult.at(1), bone.at(1));
-  const auto pieces = LabelsOf(this->Segment({ "--components", "1000" }));
+  const auto pieces = LabelsOf(this->Segment({ "--threshold", "400", "--components", "1000" }));
   EXPECT_GE(pieces.size(), 2U);
   EXPECT_LE(pieces.at(1), bone.at(1));
 }

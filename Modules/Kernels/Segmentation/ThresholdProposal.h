@@ -40,7 +40,7 @@ struct ThresholdProposal
 /// metal and without, its Dice with what 226 HU and more is in a clean CT is within 0.002 of the
 /// best that any threshold has (ThresholdProposal.IsNearlyTheBestOfAllOnThePhantom holds it to
 /// 0.005). Like 226 HU it is low: the surface of thick bone lies a tenth of a millimetre outside.
-/// Bayes' threshold of a mixture of Gaussians is hit to a fifteenth of the way between the means.
+/// Bayes' threshold of a mixture of Gaussians is hit to a twentieth of the way between the means.
 ///
 /// Throws std::invalid_argument if fewer than two values occur, or classes is not 2 or 3. Two
 /// values are parted whatever `classes` says. Any thread; no state kept; some milliseconds.
