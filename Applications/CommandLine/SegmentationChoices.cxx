@@ -85,9 +85,10 @@ std::optional<ThresholdStep> Threshold(
   {
     const ThresholdPreset& preset = PresetOf(choices.preset);
     if (!passport.hounsfield || choices.coneBeam)
-      SayWarning(session, "--preset is a range of HU, and the file does not say that its values "
-                          "are, or --cone-beam changed them: leave it out, and a threshold is "
-                          "proposed");
+      SayWarning(session, std::string("--preset is a range of HU, and ") +
+                            (choices.coneBeam ? "--cone-beam changes values"
+                                              : "the file does not say that its values are") +
+                            ": leave it out, and a threshold is proposed");
     return ThresholdStep{ preset.lowest, preset.highest };
   }
   if (passport.hounsfield && !choices.coneBeam)
@@ -108,7 +109,8 @@ std::vector<CLI::Option*> AddBoneOptions(CLI::App& verb, SegmentationChoices& ch
       ->check(Within(0.01, 50.0)),
     verb.add_flag("--fill", choices.fill, "Then fill cavities of bone"),
     verb.add_flag("--keep-largest", choices.keepLargest,
-      "Then keep its largest piece alone: no table, no head-rest") };
+      "Then keep its largest piece alone: no head-rest, and no jaw that does not touch the "
+      "skull") };
 }
 
 } // namespace

@@ -89,8 +89,8 @@ void Print(const SegmentationDice& dice, double toleranceMm)
     "worst        Dice %.4f (label %d), surface Dice within %.3g mm %.4f (label %d)\n",
     dice.Worst().Dice(), int(dice.Worst().truth), toleranceMm, dice.WorstSurface().SurfaceDice(),
     int(dice.WorstSurface().truth));
-  std::cout << "stray        " << dice.strayVoxels
-            << " voxels of labels that stand for none of the truth's\n";
+  std::cout << "stray        " << dice.strayVoxels << (dice.strayVoxels == 1 ? " voxel" : " voxels")
+            << " of labels that stand for none of the truth's\n";
 }
 
 /// Throws Failure: FailedCheck.

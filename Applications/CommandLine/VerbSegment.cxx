@@ -201,7 +201,7 @@ void AddSegmentVerb(CLI::App& app, Session& session)
     ->add_option("--write-seeds", options->writeSeeds,
       "Write the seeds to this file: .mrk.json for 3D Slicer, .json as Hasp has them")
     ->needs(verb->get_option("--seeds"));
-  verb->add_option("--tolerance", options->tolerance, "Of the walker's probabilities")
+  verb->add_option("--tolerance", options->tolerance, "Of the probabilities that are solved for")
     ->check(Within(1e-6, 0.1))
     ->capture_default_str();
   verb
@@ -212,9 +212,10 @@ void AddSegmentVerb(CLI::App& app, Session& session)
   verb->footer(
     "Example: hasp segment head.mha --threshold 226 --seeds seeds.json --output case.seg.nrrd\n"
     "Bone is what the threshold takes; where none is given, 226 HU, or what the histogram\n"
-    "proposes where values are not HU. Each voxel of it goes to the fragment whose stroke a\n"
-    "random walk meets first. Without seeds bone is label 1. A --recipe does more: it paints,\n"
-    "erases, merges and splits any label, in any order (Utilities/Docs/Formats.md).\n"
+    "proposes where values are not HU. It is cut between strokes where that costs least, along\n"
+    "cracks and edges (--norm 1), or each voxel goes to the stroke that a random walk meets\n"
+    "first (--norm 2), or between the two. Without seeds bone is label 1. A --recipe does more:\n"
+    "it paints, erases, merges and splits any label, in any order (Utilities/Docs/Formats.md).\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input.");
   verb->callback(
     [&session, options]

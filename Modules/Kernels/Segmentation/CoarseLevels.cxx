@@ -205,9 +205,8 @@ CoarseLevels::CoarseLevels(CoarseGraph finest)
     std::vector<std::int32_t>().swap(level->graph.to); // the links have it
 }
 
-void CoarseLevels::Fix(const std::vector<FixedLink>& links, const std::vector<std::int32_t>& free)
+void CoarseLevels::Fix(std::vector<FixedLink> here, const std::vector<std::int32_t>& free)
 {
-  std::vector<FixedLink> here = links;
   levels.front()->free = free;
   for (std::size_t l = 0; l < levels.size(); ++l)
   {

@@ -34,8 +34,8 @@ class LabelSplit
 {
 public:
   /// The voxels that have `label` in `labels`, tied to each other by the samples of `grid`. Keeps
-  /// neither. Throws std::invalid_argument if norm is out of its range, and as VoxelGraph's
-  /// constructor does.
+  /// neither. Throws std::invalid_argument if norm is out of its range or two labels would take too
+  /// much memory, and as VoxelGraph's constructor does.
   LabelSplit(const AnyGridView& grid, GridView<const Label> labels, Label label,
     const SplitSettings& settings = {}, const ProgressFunction& progress = {});
 

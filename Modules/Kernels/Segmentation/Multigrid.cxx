@@ -86,9 +86,10 @@ void Multigrid::Fix(const std::vector<std::int32_t>& nodes)
   std::vector<CoarseLevels::FixedLink> links;
   const auto add = [&](std::int32_t n, std::int32_t to, float weight)
   {
-    // A link of two fixed nodes is met twice, and counts once.
-    if (weight > 0.0F && (fixed[to] == 0 || n < to))
-      links.push_back({ aggregates.of[n], aggregates.of[to], weight, fixed[to] != 0 });
+    // A link of two fixed nodes is met twice, and counts once; within an aggregate it is in no sum.
+    const bool bothFixed = fixed[to] != 0;
+    if (weight > 0.0F && (!bothFixed || (n < to && aggregates.of[n] != aggregates.of[to])))
+      links.push_back({ aggregates.of[n], aggregates.of[to], weight, bothFixed });
   };
   for (const Block& block : blocks)
     for (std::int64_t s = block.firstSpan; s < block.endSpan; ++s)
@@ -119,7 +120,7 @@ void Multigrid::Fix(const std::vector<std::int32_t>& nodes)
   std::vector<std::int32_t> free(static_cast<std::size_t>(aggregates.Count()));
   for (std::size_t n = 0; n < inverse.size(); ++n)
     free[aggregates.of[n]] += inverse[n] > 0.0F ? 1 : 0;
-  coarse.Fix(links, free);
+  coarse.Fix(std::move(links), free);
 }
 
 void Multigrid::Residual(const NodeValues& x, NodeValues& residual) const

@@ -28,7 +28,7 @@ public:
     bool bothFixed;
   };
   /// free: how many free voxels each node of level 0 has.
-  void Fix(const std::vector<FixedLink>& links, const std::vector<std::int32_t>& free);
+  void Fix(std::vector<FixedLink> links, const std::vector<std::int32_t>& free);
 
   /// z is about the inverse of level 0 times r: one cycle.
   void Precondition(const NodeValues& r, NodeValues& z);

@@ -28,6 +28,16 @@ namespace
 constexpr double coarseTolerance = 2e-2;
 constexpr double mostLocal = 0.1; ///< of all voxels: above, a part is not worth being cut out
 
+/// Hands `most` back. Throws std::invalid_argument if a solve takes more.
+std::size_t CheckedBytes(const VoxelGraph& graph, std::size_t labels, std::size_t most)
+{
+  constexpr std::size_t ofSolver = 240; ///< a voxel, while it solves, with seeds everywhere
+  const auto voxels = static_cast<std::size_t>(graph.Nodes());
+  walk::CheckBytes(
+    voxels * (ofSolver + walk::BatchesOf(labels) * sizeof(walk::Lanes)), graph, labels, most);
+  return most;
+}
+
 /// Pieces of the graph, by span.
 std::vector<std::int32_t> FindPieces(const VoxelGraph& graph, std::int32_t& pieces)
 {
@@ -86,7 +96,7 @@ struct RandomWalker::Internals
 
   Internals(std::shared_ptr<const VoxelGraph> g, const ProgressFunction& progress, std::size_t most)
     : graph(std::move(g)),
-      mostBytes(walk::CheckBytes(*graph, 2, most)),
+      mostBytes(CheckedBytes(*graph, 2, most)),
       multigrid(graph, progress)
   {
     std::int32_t pieces = 0;
@@ -218,7 +228,7 @@ void RandomWalker::SetSeeds(std::vector<WalkerSeed> seeds)
   std::vector<WalkerSeed> each = walk::OrderSeeds(*in.graph, std::move(seeds));
   const std::vector<Label> labels = walk::LabelsOf(each);
   // A lane that is free stays: at most one batch more than there are labels now for.
-  walk::CheckBytes(*in.graph, std::max(labels.size(), in.systems.lanes.size() + 1), in.mostBytes);
+  CheckedBytes(*in.graph, std::max(labels.size(), in.systems.lanes.size() + 1), in.mostBytes);
   in.AssignLanes(labels);
   in.seeds = std::move(each);
   in.FindPieceLabels();

@@ -104,7 +104,7 @@ void Fix(CoarseLevels& levels, const CoarseGraph& graph, const std::vector<std::
         links.push_back({ a, b, graph.weight[l], fixed[b] != 0 });
     }
   }
-  levels.Fix(links, free);
+  levels.Fix(std::move(links), free);
 }
 
 void Residual(const CoarseGraph& graph, const std::vector<std::uint8_t>& fixed, const NodeValues& x,
@@ -129,7 +129,7 @@ std::shared_ptr<const VoxelGraph> Reweigh(const VoxelGraph& graph, const LinkFac
 {
   std::array<std::vector<float>, 3> weights;
   for (std::vector<float>& axis : weights)
-    axis.resize(static_cast<std::size_t>(graph.Nodes()));
+    axis.resize(static_cast<std::size_t>(graph.Nodes()) + 2);
   const auto spans = static_cast<std::int64_t>(graph.Spans().size());
   ParallelFor(0, spans, nodesAPass,
     [&](std::int64_t first, std::int64_t last)
@@ -140,14 +140,14 @@ std::shared_ptr<const VoxelGraph> Reweigh(const VoxelGraph& graph, const LinkFac
         for (std::int32_t n = span.first; n < span.first + span.count; ++n)
         {
           if (n + 1 < span.first + span.count || span.joined != 0)
-            weights[0][n] = graph.Along(0)[n] * factor(n, n + 1);
+            weights[0][n + 1] = graph.Along(0)[n] * factor(n, n + 1);
           for (int axis = 1; axis < 3; ++axis)
             if (const std::int32_t on = span.above[axis - 1]; on != 0)
-              weights[axis][n] = graph.Along(axis)[n] * factor(n, n + on);
+              weights[axis][n + 1] = graph.Along(axis)[n] * factor(n, n + on);
         }
       }
     });
-  return std::make_shared<const VoxelGraph>(graph, weights);
+  return std::make_shared<const VoxelGraph>(graph, std::move(weights));
 }
 
 } // namespace

@@ -21,8 +21,9 @@ namespace hasp
 /// that with a norm near 2 borders lie nearer to weak links than the walk's do. Held to the walks
 /// on all voxels in TestSharpWalker and to the truth in `hasp report segmentation`. The answer
 /// depends on the seeds alone, not on what was solved before. The same bits with any number of
-/// threads. Memory: 12 bytes a voxel; while it solves 160 more for each voxel near a border, and 16
-/// for each four labels. WORKER threads: one caller at a time.
+/// threads. Memory: 8 bytes a voxel, and 80 while it is made or solves; then up to 400 more for
+/// each voxel near a border, 16 for each four labels there, and 300 for each voxel of an aggregate
+/// that has seeds of several labels. WORKER threads: one caller at a time.
 class SharpWalker
 {
 public:

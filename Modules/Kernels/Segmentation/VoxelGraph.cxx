@@ -234,7 +234,7 @@ VoxelGraph::VoxelGraph(
   }
 }
 
-VoxelGraph::VoxelGraph(const VoxelGraph& like, const std::array<std::vector<float>, 3>& weights)
+VoxelGraph::VoxelGraph(const VoxelGraph& like, std::array<std::vector<float>, 3> weights)
   : geometry(like.geometry),
     nodes(like.nodes),
     runs(like.runs),
@@ -243,10 +243,9 @@ VoxelGraph::VoxelGraph(const VoxelGraph& like, const std::array<std::vector<floa
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (weights[axis].size() != static_cast<std::size_t>(nodes))
-      throw std::invalid_argument("a weight a voxel and axis is needed");
-    along[axis].assign(static_cast<std::size_t>(nodes) + 2, 0.0F);
-    std::copy(weights[axis].begin(), weights[axis].end(), along[axis].begin() + 1);
+    if (weights[axis].size() != static_cast<std::size_t>(nodes) + 2)
+      throw std::invalid_argument("a weight a voxel and axis is needed, and two more");
+    along[axis] = std::move(weights[axis]);
   }
 }
 

@@ -67,8 +67,9 @@ public:
   /// are gone.
   VoxelGraph(const VoxelGraph& whole, std::vector<Run> part, std::vector<std::int32_t> rowRuns);
 
-  /// The same links with other weights: of each axis, Nodes() values, 0 where there is no link.
-  VoxelGraph(const VoxelGraph& like, const std::array<std::vector<float>, 3>& weights);
+  /// The same links with other weights: of each axis those that Along() has of n = -1 to Nodes().
+  /// Throws std::invalid_argument if there are more or less.
+  VoxelGraph(const VoxelGraph& like, std::array<std::vector<float>, 3> weights);
 
   const GridGeometry& Geometry() const { return geometry; }
   std::int64_t Nodes() const { return nodes; }

@@ -7,18 +7,18 @@
 namespace hasp::walk
 {
 
-std::size_t CheckBytes(const VoxelGraph& graph, std::size_t labels, std::size_t most)
+void CheckBytes(std::size_t bytes, const VoxelGraph& graph, std::size_t labels, std::size_t most)
 {
-  constexpr std::size_t ofSolver = 160; ///< a voxel, while it solves
-  const std::size_t batches = labels < 2 ? 0 : (labels - 1 + LaneCount - 1) / LaneCount;
-  const auto voxels = static_cast<std::size_t>(graph.Nodes());
-  const std::size_t bytes = voxels * (ofSolver + batches * sizeof(Lanes));
   if (bytes > most)
     throw std::invalid_argument(
-      "sharing " + std::to_string(voxels) + " voxels out among " + std::to_string(labels) +
+      "sharing " + std::to_string(graph.Nodes()) + " voxels out among " + std::to_string(labels) +
       " labels takes " + std::to_string(bytes >> 20) + " MiB, may take " +
       std::to_string(most >> 20) + "; use fewer labels, or split in parts");
-  return most;
+}
+
+std::size_t BatchesOf(std::size_t labels)
+{
+  return labels < 2 ? 0 : (labels - 1 + LaneCount - 1) / LaneCount;
 }
 
 std::vector<WalkerSeed> OrderSeeds(const VoxelGraph& graph, std::vector<WalkerSeed> seeds)

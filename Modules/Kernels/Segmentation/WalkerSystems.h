@@ -8,8 +8,11 @@
 namespace hasp::walk
 {
 
-/// Hands `most` back. Throws std::invalid_argument if a solve takes more.
-std::size_t CheckBytes(const VoxelGraph& graph, std::size_t labels, std::size_t most);
+/// Throws std::invalid_argument if a solve takes more than it may.
+void CheckBytes(std::size_t bytes, const VoxelGraph& graph, std::size_t labels, std::size_t most);
+
+/// How many values a voxel has, four labels each; of one label none.
+std::size_t BatchesOf(std::size_t labels);
 
 /// In order of nodes, one each: of two on one node the last. Throws std::invalid_argument if a node
 /// is not of the graph, or a label is 0.

@@ -324,7 +324,7 @@ TEST(RandomWalker, MemoryIsRefusedBeforeItIsTaken)
   const RandomBone bone({ 20, 20, 20 }, glm::dvec3(1.0), 1.0, 32);
   const auto graph = bone.Graph();
   EXPECT_THROW(RandomWalker(graph, {}, 100 * 8000), std::invalid_argument);
-  RandomWalker walker(graph, {}, 200 * 8000); // for two batches
+  RandomWalker walker(graph, {}, 280 * 8000); // for two batches
   std::vector<WalkerSeed> seeds;
   for (int label = 1; label <= 9; ++label)
     seeds.push_back({ 100 * label, static_cast<Label>(label) });

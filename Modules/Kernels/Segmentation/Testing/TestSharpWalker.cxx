@@ -216,6 +216,36 @@ TEST(SharpWalker, KeepsSeedsAndSharesOutAllTheyReach)
     }
 }
 
+TEST(SharpWalker, LabelsHangTogetherWithTheirSeedsHoweverCloseThoseAre)
+{
+  // Strokes against each other, at all places within aggregates; all links are alike.
+  const glm::ivec3 dims(24, 10, 8);
+  const std::vector<std::array<float, 3>> weights(
+    std::size_t(dims.x * dims.y * dims.z), { 1.0F, 1.0F, 1.0F });
+  const auto graph = std::make_shared<const VoxelGraph>(Box(dims), weights);
+  const SharpWalker walker(graph);
+  for (int x = 8; x < 16; ++x)
+  {
+    Seeds seeds;
+    for (int k = 0; k < dims.z; ++k)
+      for (int j = 0; j < dims.y; ++j)
+        for (const int side : { 0, 1 })
+          seeds.push_back({ graph->NodeAt(x + side, j, k), Label(2 + side) });
+    const std::vector<Label> labels = walker.Solve(seeds, 1.0).labels;
+    for (std::size_t n = 0; n < labels.size(); ++n)
+      ASSERT_EQ(labels[n], int(n) % dims.x <= x ? 2 : 3) << "seeds at " << x << ", node " << n;
+  }
+  const auto row = std::make_shared<const VoxelGraph>(
+    Box({ 140, 1, 1 }), std::vector<std::array<float, 3>>(140, { 1.0F, 0.0F, 0.0F }));
+  for (int x = 60; x < 80; ++x)
+  {
+    const std::vector<Label> labels =
+      SharpWalker(row).Solve({ { x, 2 }, { x + 1, 3 } }, 1.0).labels;
+    EXPECT_EQ(std::count(labels.begin(), labels.end(), 2), x + 1) << x;
+    EXPECT_TRUE(std::is_sorted(labels.begin(), labels.end())) << x;
+  }
+}
+
 TEST(SharpWalker, HoldsOnStiffGraphs)
 {
   const Seeds corners{ { 0, 2 }, { 19, 3 }, { 20 * 16 * 14 - 1, 4 } };
@@ -248,16 +278,27 @@ TEST(SharpWalker, TellsItsProgressAndCanBeCancelled)
 {
   const TwoParts parts(1);
   const SharpWalker walker(parts.graph);
-  std::vector<double> told;
-  walker.Solve(parts.seeds, 1.0, {},
-    [&](double share)
-    {
-      told.push_back(share);
-      return true;
-    });
-  ASSERT_GT(told.size(), 4U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.back(), 1.0);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> decade(-12.0, 0.0);
+  std::vector<std::array<float, 3>> weights(30 * 30 * 30);
+  for (std::array<float, 3>& w : weights)
+    for (float& axis : w)
+      axis = static_cast<float>(std::pow(10.0, decade(random)));
+  const SharpWalker stiff(std::make_shared<const VoxelGraph>(Box({ 30, 30, 30 }), weights));
+  const Seeds ends{ { 0, 2 }, { 29, 3 }, { 26999, 4 }, { 13000, 5 }, { 14, 6 }, { 20000, 7 } };
+  for (const auto& [which, seeds] : { std::pair(&walker, parts.seeds), { &stiff, ends } })
+  {
+    std::vector<double> told;
+    which->Solve(seeds, 1.0, {},
+      [&](double share)
+      {
+        told.push_back(share);
+        return true;
+      });
+    ASSERT_GT(told.size(), 4U);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 1.0);
+  }
   for (const double at : { 0.0, 0.3, 0.5, 0.99 })
     EXPECT_THROW(
       walker.Solve(parts.seeds, 1.0, {}, [&](double share) { return share < at; }), hasp::Cancelled)
@@ -274,12 +315,12 @@ TEST(SharpWalker, RefusesWhatItCannotDo)
   EXPECT_THROW(walker.Solve({ { 0, 0 } }, 1.0), std::invalid_argument);
   EXPECT_THROW(walker.Solve(parts.seeds, 1.0, { .tolerance = 0.0 }), std::invalid_argument);
   EXPECT_THROW(SharpWalker(parts.graph, {}, 1000), std::invalid_argument);
-  const std::size_t little = static_cast<std::size_t>(parts.graph->Nodes()) * 176;
   Seeds many;
   for (Label label = 2; label < 60; ++label)
-    many.push_back({ label, label });
-  EXPECT_THROW(SharpWalker(parts.graph, {}, little).Solve(many, 1.0), std::invalid_argument);
-  EXPECT_NO_THROW(SharpWalker(parts.graph, {}, little).Solve(parts.seeds, 1.0));
+    many.push_back({ 7 * label, label });
+  const auto voxels = static_cast<std::size_t>(parts.graph->Nodes());
+  EXPECT_THROW(SharpWalker(parts.graph, {}, 100 * voxels).Solve(many, 1.0), std::invalid_argument);
+  EXPECT_NO_THROW(SharpWalker(parts.graph, {}, 1000 * voxels).Solve(many, 1.0));
 }
 
 } // namespace
