@@ -63,7 +63,6 @@ StrokeByStroke Draw(ReportContext& context, const CrackedSkull& skull, double no
     });
   std::vector<Label> labels = skull.bone;
   result.first = ShareOnce(*split, skull, CrackedSkull::First, labels);
-  result.undoBytes = double(result.first.undoBytes);
   result.first.time.wallS += made.wallS;
   result.first.time.cpuS += made.cpuS;
   for (std::size_t strokes = CrackedSkull::First + 1; strokes <= skull.strokes.size(); ++strokes)
@@ -151,10 +150,14 @@ void AddRows(ReportContext& context, const std::string& at, const StrokeByStroke
   undo.value = 1e-6 * drawn.undoBytes;
   undo.unit = "MB";
   undo.better = Better::Lower;
-  char text[80];
+  char text[120];
   std::snprintf(text, sizeof text, "a copy of the label map: %.0f MB", drawn.mapMB);
   undo.rival = text;
-  undo.data = data + ", the stroke that changes most, the first four together";
+  std::snprintf(text, sizeof text,
+    ", of three more strokes the one that changes most; first four "
+    "together: %.2f MB",
+    1e-6 * double(drawn.first.undoBytes));
+  undo.data = data + text;
   undo.bars = { { {}, 1.0 } };
   rows.push_back(undo);
 }
