@@ -28,7 +28,7 @@ struct SplitOutcome
   std::vector<LabelDelta> changes; ///< to be made in this order, whether or not it is done
   SegmentationFinding finding;     ///< of what is done
   std::string error;               ///< why it failed; empty: it did not
-  bool owed = false; ///< there is no memory to take all of it back: what is left stays for now
+  bool owed = false; ///< memory ended while it was taken back: the next drag or undo does the rest
   std::size_t undoBytes = 0;
 };
 

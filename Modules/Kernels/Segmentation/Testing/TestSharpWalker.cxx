@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -249,7 +250,9 @@ TEST(SharpWalker, LabelsHangTogetherWithTheirSeedsHoweverCloseThoseAre)
 TEST(SharpWalker, HoldsOnStiffGraphs)
 {
   const Seeds corners{ { 0, 2 }, { 19, 3 }, { 20 * 16 * 14 - 1, 4 } };
-  const auto check = [&](const std::shared_ptr<const VoxelGraph>& graph, const char* what)
+  // mostCut: of norm 1; none given: what the random walk's border cuts.
+  const auto check = [&](const std::shared_ptr<const VoxelGraph>& graph, const char* what,
+                       std::optional<double> mostCut = {})
   {
     for (const double norm : { 1.0, 1.5, 2.0 })
     {
@@ -257,6 +260,12 @@ TEST(SharpWalker, HoldsOnStiffGraphs)
       EXPECT_TRUE(shares.run.converged) << what;
       std::set<Label> found(shares.labels.begin(), shares.labels.end());
       EXPECT_EQ(found, (std::set<Label>{ 2, 3, 4 })) << what;
+      if (norm == 1.0)
+      {
+        EXPECT_LE(
+          CutOf(*graph, shares.labels), mostCut ? *mostCut : CutOf(*graph, Walk(graph, corners)))
+          << what;
+      }
     }
   };
   RandomBone noise({ 20, 16, 14 }, { 0.4, 0.4, 0.6 }, 1.0, 6);
@@ -271,7 +280,8 @@ TEST(SharpWalker, HoldsOnStiffGraphs)
   for (std::array<float, 3>& w : weights)
     for (float& axis : w)
       axis = static_cast<float>(std::pow(10.0, decade(random)));
-  check(std::make_shared<const VoxelGraph>(Box({ 20, 16, 14 }), weights), "twelve decades");
+  // 224 links across the box cost 8 at random; the walk finds 5.6e-6 and aggregates miss that.
+  check(std::make_shared<const VoxelGraph>(Box({ 20, 16, 14 }), weights), "twelve decades", 1e-4);
 }
 
 TEST(SharpWalker, TellsItsProgressAndCanBeCancelled)
