@@ -10,18 +10,7 @@
 namespace hasp
 {
 
-namespace
-{
-/// An edge of a triangle, its points as places in the order of all that differ.
-struct Edge
-{
-  std::uint32_t low, high;
-  int turn; ///< +1 from low to high
-  auto Ends() const { return std::tie(this->low, this->high); }
-};
-
-/// For each point the first that is equal to it.
-std::vector<std::uint32_t> FirstEqual(const std::vector<glm::dvec3>& points)
+std::vector<std::uint32_t> FirstEqualPoints(const std::vector<glm::dvec3>& points)
 {
   std::vector<std::uint32_t> order(points.size()), first(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -34,6 +23,16 @@ std::vector<std::uint32_t> FirstEqual(const std::vector<glm::dvec3>& points)
     first[order[n]] = n > 0 && key(order[n]) == key(order[n - 1]) ? first[order[n - 1]] : order[n];
   return first;
 }
+
+namespace
+{
+/// An edge of a triangle, its points as places in the order of all that differ.
+struct Edge
+{
+  std::uint32_t low, high;
+  int turn; ///< +1 from low to high
+  auto Ends() const { return std::tie(this->low, this->high); }
+};
 
 [[noreturn]] void Refuse(const std::string& who, const glm::dvec3& edge, bool wound)
 {
@@ -50,7 +49,7 @@ std::vector<std::uint32_t> FirstEqual(const std::vector<glm::dvec3>& points)
 /// in comes out.
 void CheckClosed(const std::string& who, const TriangleMesh& mesh)
 {
-  const std::vector<std::uint32_t> first = FirstEqual(mesh.points);
+  const std::vector<std::uint32_t> first = FirstEqualPoints(mesh.points);
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (const glm::uvec3& t : mesh.triangles)
@@ -75,7 +74,7 @@ void CheckClosed(const std::string& who, const TriangleMesh& mesh)
 }
 } // namespace
 
-void RequireClosedMesh(const std::string& who, const TriangleMesh& mesh)
+void RequireFiniteMesh(const std::string& who, const TriangleMesh& mesh)
 {
   for (const glm::dvec3& p : mesh.points)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -85,6 +84,11 @@ void RequireClosedMesh(const std::string& who, const TriangleMesh& mesh)
       throw std::invalid_argument(who + ": a triangle names point " +
                                   std::to_string(std::max({ t.x, t.y, t.z })) + " of " +
                                   std::to_string(mesh.points.size()));
+}
+
+void RequireClosedMesh(const std::string& who, const TriangleMesh& mesh)
+{
+  RequireFiniteMesh(who, mesh);
   CheckClosed(who, mesh);
 }
 
