@@ -8,7 +8,7 @@
 namespace hasp
 {
 
-/// Least squares of N unknowns by the normal equations, for what is well conditioned: N up to 5,
+/// Least squares of N unknowns by the normal equations, for what is well conditioned: N up to 6,
 /// unknowns of similar size. One thread.
 template <std::size_t N>
 class NormalEquations

@@ -12,12 +12,15 @@
 namespace hasp
 {
 
-/// Rays against the triangles of a mesh, whatever its faults: a tree of boxes, halved at the
-/// median. Double precision; a ray through an edge or a point meets one of its triangles (a sum of
-/// areas within 1e-9 counts as inside). Triangles without an area are never met.
+/// Rays against the triangles of a mesh, and the places of it that are nearest to others, whatever
+/// its faults: a tree of boxes, halved at the median. Double precision; a ray through an edge or a
+/// point meets one of its triangles (a sum of areas within 1e-9 counts as inside). Triangles
+/// without an area are never met by a ray; they are near as the lines and points that they are.
 ///
 /// Immutable; any thread may ask. O(n log n) to make, 100 ms for 100,000 triangles, 120 bytes each;
-/// about 1 us a ray. Throws std::invalid_argument on a triangle whose points are not there.
+/// about 1 us a ray, 2.5 us a nearest place within 1.5 mm of 100,000 triangles, one core of two
+/// that were busy (NearestTriangle.ManyAskedForArePrinted). Throws std::invalid_argument on a
+/// triangle whose points are not there.
 class TriangleTree
 {
 public:
@@ -32,6 +35,19 @@ public:
   /// The first triangle with from < t < to; `direction` need not be unit.
   std::optional<Hit> First(const glm::dvec3& origin, const glm::dvec3& direction, double from = 0.0,
     double to = std::numeric_limits<double>::infinity()) const;
+
+  struct Near
+  {
+    glm::dvec3 point;       ///< of the triangle, nearest to the place
+    double distanceMm;      ///< >= 0
+    std::uint32_t triangle; ///< of the mesh; one of those that are equally near
+    glm::dvec3 normal;      ///< unit, of that triangle, out of the solid; 0 without an area
+  };
+  /// The nearest place of the mesh, if it is nearer than reachMm. Exact but for rounding; where a
+  /// triangle is lower than 1e-4 of its longest side, to 1e-7 of that side (NearestTriangle.cxx).
+  /// Nothing for a place that is not finite.
+  std::optional<Near> Nearest(
+    const glm::dvec3& place, double reachMm = std::numeric_limits<double>::infinity()) const;
 
   /// Is the place in the solid? By what side the first triangle towards `direction` shows: the mesh
   /// must be closed, and turned outwards.
