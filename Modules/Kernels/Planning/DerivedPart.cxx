@@ -77,6 +77,7 @@ private:
     }
     this->Shape(object.volume);
   }
+  void ShapeOf(const PlanSurface& object) { this->Add(object, {}); }
   void ShapeOf(const PlanFragment& object)
   {
     if (!this->Add(object, { "colour", "state", "scanToPlanned", "locked" }))
@@ -85,6 +86,8 @@ private:
       this->Shape(label->segmentation);
     if (const auto* component = std::get_if<ComponentSource>(&object.source))
       this->Shape(component->volume);
+    if (const auto* surface = std::get_if<SurfaceSource>(&object.source))
+      this->Shape(surface->surface);
     if (const auto* piece = std::get_if<PieceSource>(&object.source))
     {
       this->Shape(piece->fragment);
@@ -140,6 +143,7 @@ private:
       this->LayOut(*transplant);
   }
   void ShapeOf(const PlanMeasure&) {}
+  void ShapeOf(const PlanMirror&) {}
   /// Where a donor is cut: without the bones that its segments come to.
   void LayOut(const PlanTransplant& object)
   {
@@ -210,10 +214,22 @@ template <>
 constexpr bool MakesParts<PlanTransplant> = true;
 template <>
 constexpr bool MakesParts<PlanMitreGuide> = true;
+
+/// A surface's fragment, or a group with one: the surface's file is there already, and the scan's
+/// parts are made of voxels.
+bool HoldsSurface(const Plan& plan, PlanId object)
+{
+  if (const PlanGroup* group = FindPlanObject<PlanGroup>(plan, object))
+    return std::any_of(group->fragments.begin(), group->fragments.end(),
+      [&](PlanId id) { return !IsOfScan(plan, id); });
+  return FindPlanObject<PlanFragment>(plan, object) && !IsOfScan(plan, object);
+}
 } // namespace
 
 bool IsPartObject(const Plan& plan, PlanId object)
 {
+  if (HoldsSurface(plan, object))
+    return false;
   bool is = false;
   ForEachPlanList([&]<typename T>(const PlanList<T>&)
     { is = is || (MakesParts<T> && FindPlanObject<T>(plan, object) != nullptr); });
@@ -226,7 +242,7 @@ std::vector<PlanId> PartObjects(const Plan& plan)
   ForEachPlanObject(plan,
     [&]<typename T>(const T& object)
     {
-      if (MakesParts<T> && !IsDivided(plan, object.id))
+      if (MakesParts<T> && !IsDivided(plan, object.id) && !HoldsSurface(plan, object.id))
         objects.push_back(object.id);
     });
   return objects;
@@ -234,6 +250,10 @@ std::vector<PlanId> PartObjects(const Plan& plan)
 
 std::vector<PartInput> PartInputs(const Plan& plan, PlanId object)
 {
+  if (HoldsSurface(plan, object))
+    throw std::invalid_argument(CalledObject(plan, object) +
+                                ": nothing is made of a surface's fragment, nor of a group with "
+                                "one; the surface's own file is its part");
   if (!IsPartObject(plan, object))
     throw std::invalid_argument(
       CalledObject(plan, object) +

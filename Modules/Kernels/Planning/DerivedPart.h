@@ -52,10 +52,10 @@ struct DerivedPart
   bool operator==(const DerivedPart&) const noexcept = default;
 };
 
-/// A mesh is made of such an object: a fragment (in the scan), a group (its kept fragments as
-/// planned), a guide, a plate, an implant, a transplant (all its segments in the defect; the jaw's
-/// fragments are among its inputs, since its joints are measured to them), a mitre guide (on the
-/// donor, in its scan).
+/// A mesh is made of such an object: a fragment of a scan (there), a group of such (its kept
+/// fragments as planned), a guide, a plate, an implant, a transplant (all its segments in the
+/// defect; the jaw's fragments are among its inputs, since its joints are measured to them), a
+/// mitre guide (on the donor, in its scan).
 bool IsPartObject(const Plan& plan, PlanId object);
 /// All objects whose meshes are parts, by kind and id: those, but for fragments that are cut into
 /// pieces.

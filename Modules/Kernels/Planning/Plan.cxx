@@ -83,6 +83,12 @@ std::string CalledObject(const Plan& plan, PlanId id)
   return std::string(noun ? noun : "object") + " " + std::to_string(id);
 }
 
+bool IsOfScan(const Plan& plan, PlanId fragment)
+{
+  const PlanFragment* found = FindPlanObject<PlanFragment>(plan, fragment);
+  return found && !std::holds_alternative<SurfaceSource>(found->source);
+}
+
 bool IsDivided(const Plan& plan, PlanId fragment)
 {
   return std::any_of(plan.fragments.begin(), plan.fragments.end(),

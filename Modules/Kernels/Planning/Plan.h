@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,6 +54,17 @@ struct PlanSegmentation
   bool operator==(const PlanSegmentation&) const noexcept = default;
 };
 
+/// Triangles that stand for a body of their own: a sherd, a dental scan, a plate. By what they are,
+/// not by where the file lies. They lie in the scan's world, or are a world of their own.
+struct PlanSurface
+{
+  PlanId id = 0;
+  std::string name;
+  std::string hash; ///< SurfaceHash: 64 hexadecimal digits, lower case
+
+  bool operator==(const PlanSurface&) const noexcept = default;
+};
+
 /// A fragment that is a label of a segmentation.
 struct LabelSource
 {
@@ -85,18 +97,39 @@ struct PieceSource
   bool operator==(const PieceSource&) const noexcept = default;
 };
 
+/// Where the material of an open surface is.
+enum class SheetSide
+{
+  Behind, ///< the face that its winding shows is outside
+  Both    ///< half of the thickness on either side
+};
+
+/// A fragment that is a surface: a closed one with what it encloses, or an open one as a sheet.
+struct SurfaceSource
+{
+  PlanId surface = 0;
+  double thicknessMm = 0.0; ///< of an open surface's sheet, (0, 50]; 0: it is closed
+  SheetSide side = SheetSide::Behind;
+  double spacingMm = 0.5; ///< of the grid that it is measured on, [0.1, 2]
+
+  bool operator==(const SurfaceSource&) const noexcept = default;
+};
+
 enum class FragmentState
 {
   Kept,
   Resected ///< taken out of the patient
 };
 
-/// A piece of bone.
+/// What a fragment is. One of a scan stays of a scan, one of a surface of a surface.
+using FragmentSource = std::variant<LabelSource, ComponentSource, PieceSource, SurfaceSource>;
+
+/// A piece of bone, or of what else is put together.
 struct PlanFragment
 {
   PlanId id = 0;
   std::string name;
-  std::variant<LabelSource, ComponentSource, PieceSource> source;
+  FragmentSource source;
   std::array<std::uint8_t, 3> colour{ 227, 218, 201 }; ///< red, green, blue
   FragmentState state = FragmentState::Kept;
   PlanPose scanToPlanned; ///< the reduction
@@ -122,7 +155,7 @@ struct PlanCut
   PlanId id = 0;
   std::string name;
   Osteotomy blade;
-  std::vector<PlanId> fragments; ///< that it cuts; all others are left alone
+  std::vector<PlanId> fragments; ///< that it cuts, of scans; all others are left alone
   double reachMm = 8.0;          ///< as BoneCut's: farther bone of theirs stays whole, [0, 500]
 
   bool operator==(const PlanCut&) const noexcept = default;
@@ -228,6 +261,22 @@ struct PlanMeasure
   bool operator==(const PlanMeasure&) const noexcept = default;
 };
 
+/// What lies mirrored beside the plan, to reduce the other side by: a ghost, which touches nothing
+/// and is no part.
+struct PlanMirror
+{
+  PlanId id = 0;
+  std::string name;
+  PlanId volume = 0;             ///< the scan whose bone is mirrored; 0: the fragments
+  std::vector<PlanId> fragments; ///< where they were scanned, each once
+  double isovalue = 226.0;       ///< of the volume: bone is value >= isovalue, [-1e6, 1e6]
+  /// None: the plane at which that bone is most like its own mirror image, found when it is asked
+  /// for.
+  std::optional<MirrorPlane> plane;
+
+  bool operator==(const PlanMirror&) const noexcept = default;
+};
+
 /// Each list is in the order of its ids, which is the order in which the objects were made.
 struct Plan
 {
@@ -235,6 +284,7 @@ struct Plan
   PlanId nextId = 1;     ///< all ids below have been given
   std::vector<PlanVolume> volumes;
   std::vector<PlanSegmentation> segmentations;
+  std::vector<PlanSurface> surfaces;
   std::vector<PlanFragment> fragments;
   std::vector<PlanGroup> groups;
   std::vector<PlanCut> cuts;
@@ -244,6 +294,7 @@ struct Plan
   std::vector<PlanTransplant> transplants;
   std::vector<PlanMitreGuide> mitreGuides;
   std::vector<PlanMeasure> measures;
+  std::vector<PlanMirror> mirrors;
 
   bool operator==(const Plan&) const noexcept = default;
 };
@@ -255,6 +306,9 @@ struct Plan
 /// text of the plan. O(objects log objects).
 void ValidatePlan(const Plan& plan);
 
+/// Whether a fragment is of a scan, and so can be cut, guided and plated; false for a surface's,
+/// and if there is none.
+bool IsOfScan(const Plan& plan, PlanId fragment);
 /// The fragment has been cut: there are pieces of it.
 bool IsDivided(const Plan& plan, PlanId fragment);
 /// The cuts that go through a fragment; those whose planes are a guide's slots. In the plan's order

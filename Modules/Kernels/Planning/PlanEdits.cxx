@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace hasp
 {
@@ -52,7 +53,13 @@ struct Applied
   void operator()(const ChangeObject<T>& edit) const
   {
     T& object = Existing<T>(this->plan, edit.object.id);
-    CheckInPlan(this->plan, edit.object, Called(PlanListOf<T>().noun, edit.object.id));
+    const std::string subject = Called(PlanListOf<T>().noun, edit.object.id);
+    CheckInPlan(this->plan, edit.object, subject);
+    if constexpr (std::is_same_v<T, PlanFragment>)
+      if (std::holds_alternative<SurfaceSource>(object.source) !=
+          std::holds_alternative<SurfaceSource>(edit.object.source))
+        Refuse(
+          subject, "a scan's fragment stays a scan's, and a surface's a surface's; add another");
     object = edit.object;
   }
   void operator()(const RemoveObject& edit) const
@@ -207,6 +214,23 @@ std::string EditLabel(const Plan& before, const PlanEdit& edit)
   return std::visit(Labelled{ before }, edit);
 }
 
+namespace
+{
+PlanPose MovedPose(const PlanPose& motion, const PlanPose& pose)
+{
+  return { motion.position + motion.orientation * pose.position,
+    glm::normalize(motion.orientation * pose.orientation) };
+}
+} // namespace
+
+PoseFragments MovedFragment(const Plan& plan, PlanId fragment, const PlanPose& motion)
+{
+  const PlanFragment* found = FindPlanObject<PlanFragment>(plan, fragment);
+  if (!found)
+    Refuse(Called("fragment", fragment), "the plan has none");
+  return { { { fragment, MovedPose(motion, found->scanToPlanned) } } };
+}
+
 PoseFragments MovedGroup(const Plan& plan, PlanId group, const PlanPose& motion)
 {
   const PlanGroup* found = FindPlanObject<PlanGroup>(plan, group);
@@ -216,8 +240,7 @@ PoseFragments MovedGroup(const Plan& plan, PlanId group, const PlanPose& motion)
   for (const PlanId id : found->fragments)
   {
     const PlanPose& pose = FindPlanObject<PlanFragment>(plan, id)->scanToPlanned;
-    edit.poses.push_back({ id, { motion.position + motion.orientation * pose.position,
-                                 glm::normalize(motion.orientation * pose.orientation) } });
+    edit.poses.push_back({ id, MovedPose(motion, pose) });
   }
   return edit;
 }

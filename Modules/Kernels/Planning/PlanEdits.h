@@ -20,7 +20,8 @@ struct AddObject
   bool operator==(const AddObject&) const noexcept = default;
 };
 
-/// The object of that id and kind as it is to be.
+/// The object of that id and kind as it is to be. A fragment of a scan stays of a scan, one of a
+/// surface of a surface: what names it may rest on that.
 template <typename T>
 struct ChangeObject
 {
@@ -92,6 +93,7 @@ using PlanEdit = std::variant<RemoveObject, RenameObject, PoseFragments, SetFrag
   SetCaseLabel, AddSegmentationStep, AddSegmentationStroke,    //
   AddObject<PlanVolume>, ChangeObject<PlanVolume>,             //
   AddObject<PlanSegmentation>, ChangeObject<PlanSegmentation>, //
+  AddObject<PlanSurface>, ChangeObject<PlanSurface>,           //
   AddObject<PlanFragment>, ChangeObject<PlanFragment>,         //
   AddObject<PlanGroup>, ChangeObject<PlanGroup>,               //
   AddObject<PlanCut>, ChangeObject<PlanCut>,                   //
@@ -100,7 +102,8 @@ using PlanEdit = std::variant<RemoveObject, RenameObject, PoseFragments, SetFrag
   AddObject<PlanImplant>, ChangeObject<PlanImplant>,           //
   AddObject<PlanTransplant>, ChangeObject<PlanTransplant>,     //
   AddObject<PlanMitreGuide>, ChangeObject<PlanMitreGuide>,     //
-  AddObject<PlanMeasure>, ChangeObject<PlanMeasure>>;
+  AddObject<PlanMeasure>, ChangeObject<PlanMeasure>,           //
+  AddObject<PlanMirror>, ChangeObject<PlanMirror>>;
 
 /// The plan after the edit. A valid plan stays valid: else std::invalid_argument, which names the
 /// object by kind and id ("cut 3: blade.kerfMm is 9, must be in (0, 5]"), and no text of the plan.
@@ -114,6 +117,9 @@ std::string EditLabel(const Plan& before, const PlanEdit& edit);
 /// The edit that moves a group as one: `motion` after the pose that each fragment has. Locked ones
 /// too: Apply then refuses. Throws std::invalid_argument if there is no such group.
 PoseFragments MovedGroup(const Plan& plan, PlanId group, const PlanPose& motion);
+
+/// The same of one fragment. Throws std::invalid_argument if there is no such fragment.
+PoseFragments MovedFragment(const Plan& plan, PlanId fragment, const PlanPose& motion);
 
 /// Ids of all objects that name `id`: what must go before it can be removed.
 std::vector<PlanId> UsersOf(const Plan& plan, PlanId id);

@@ -9,7 +9,7 @@ namespace hasp
 
 /// Edits as JSON, for those who write them by hand or by a program:
 ///
-///   { "format": "hasp-edits-4", "edits": [{ "add": "cut", "object": { "id": 3, … } }, …] }
+///   { "format": "hasp-edits-5", "edits": [{ "add": "cut", "object": { "id": 3, … } }, …] }
 ///
 /// each as in a plan's history (Utilities/Docs/Formats.md#plans). The number is that of the plan's
 /// own format; older ones are read. Strict, and what an edit holds is checked by Apply. Errors are

@@ -22,6 +22,9 @@ constexpr std::pair<MeasureKind, const char*> MeasureKinds[] = {
 constexpr std::pair<BodySide, const char*> BodySides[] = { { BodySide::None, "none" },
   { BodySide::Left, "left" }, { BodySide::Right, "right" } };
 
+constexpr std::pair<SheetSide, const char*> SheetSides[] = { { SheetSide::Behind, "behind" },
+  { SheetSide::Both, "both" } };
+
 StrictJson Read(const Json& json, const std::string& name, std::initializer_list<const char*> keys)
 {
   return StrictJson(json, "plan", name, keys);
@@ -53,11 +56,21 @@ struct SourceToJson
   {
     return { { "fragment", source.fragment }, { "seed", ToJson(source.seed) } };
   }
+  Json operator()(const SurfaceSource& source) const
+  {
+    return { { "surface", source.surface }, { "thicknessMm", source.thicknessMm },
+      { "side", NameOf(source.side, SheetSides) }, { "spacingMm", source.spacingMm } };
+  }
 };
 
-std::variant<LabelSource, ComponentSource, PieceSource> ReadSource(
-  const Json& json, const std::string& name)
+FragmentSource ReadSource(const Json& json, const std::string& name)
 {
+  if (json.contains("surface"))
+  {
+    const StrictJson source = Read(json, name, { "surface", "thicknessMm", "side", "spacingMm" });
+    return SurfaceSource{ ReadId(source, "surface"), source.Number("thicknessMm"),
+      source.Named("side", SheetSides), source.Number("spacingMm") };
+  }
   if (json.contains("segmentation"))
   {
     const StrictJson source =
@@ -146,6 +159,17 @@ void ReadObject(const Json& json, const std::string& name, PlanSegmentation& obj
   const StrictJson read = Read(json, name, { "id", "name", "volume", "labels", "recipe" });
   object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume"), read.Text("labels"),
     ReadRecipe(read, "recipe", SegmentationRecipeFromJson) };
+}
+
+Json ObjectToJson(const PlanSurface& object)
+{
+  return { { "id", object.id }, { "name", object.name }, { "hash", object.hash } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanSurface& object)
+{
+  const StrictJson read = Read(json, name, { "id", "name", "hash" });
+  object = { ReadId(read, "id"), read.Text("name"), read.Text("hash") };
 }
 
 Json ObjectToJson(const PlanFragment& object)
@@ -290,6 +314,29 @@ void ReadObject(const Json& json, const std::string& name, PlanMeasure& object)
       Read(value, Below(name, ListKey("points", object.points.size())), { "fragment", "point" });
     object.points.push_back({ ReadId(point, "fragment", 0), point.Vector("point") });
   }
+}
+
+Json ObjectToJson(const PlanMirror& object)
+{
+  Json plane = nullptr;
+  if (object.plane)
+    plane = { { "point", ToJson(object.plane->point) },
+      { "normal", ToJson(object.plane->normal) } };
+  return { { "id", object.id }, { "name", object.name }, { "volume", object.volume },
+    { "fragments", object.fragments }, { "isovalue", object.isovalue },
+    { "plane", std::move(plane) } };
+}
+
+void ReadObject(const Json& json, const std::string& name, PlanMirror& object)
+{
+  const StrictJson read =
+    Read(json, name, { "id", "name", "volume", "fragments", "isovalue", "plane" });
+  object = { ReadId(read, "id"), read.Text("name"), ReadId(read, "volume", 0),
+    ReadIds(read, "fragments"), read.Number("isovalue"), std::nullopt };
+  if (read.Get("plane").is_null())
+    return;
+  const StrictJson plane = Read(read.Get("plane"), Below(name, "plane"), { "point", "normal" });
+  object.plane = MirrorPlane{ plane.Vector("point"), plane.Vector("normal") };
 }
 
 Json PlanToJson(const Plan& plan)

@@ -23,6 +23,7 @@ DerivedPart PartFromJson(const Json& json, const std::string& name);
 /// An object of a plan as in the plan's file; an overload for each kind.
 Json ObjectToJson(const PlanVolume& object);
 Json ObjectToJson(const PlanSegmentation& object);
+Json ObjectToJson(const PlanSurface& object);
 Json ObjectToJson(const PlanFragment& object);
 Json ObjectToJson(const PlanGroup& object);
 Json ObjectToJson(const PlanCut& object);
@@ -32,8 +33,10 @@ Json ObjectToJson(const PlanImplant& object);
 Json ObjectToJson(const PlanTransplant& object);
 Json ObjectToJson(const PlanMitreGuide& object);
 Json ObjectToJson(const PlanMeasure& object);
+Json ObjectToJson(const PlanMirror& object);
 void ReadObject(const Json& json, const std::string& name, PlanVolume& object);
 void ReadObject(const Json& json, const std::string& name, PlanSegmentation& object);
+void ReadObject(const Json& json, const std::string& name, PlanSurface& object);
 void ReadObject(const Json& json, const std::string& name, PlanFragment& object);
 void ReadObject(const Json& json, const std::string& name, PlanGroup& object);
 void ReadObject(const Json& json, const std::string& name, PlanCut& object);
@@ -43,6 +46,7 @@ void ReadObject(const Json& json, const std::string& name, PlanImplant& object);
 void ReadObject(const Json& json, const std::string& name, PlanTransplant& object);
 void ReadObject(const Json& json, const std::string& name, PlanMitreGuide& object);
 void ReadObject(const Json& json, const std::string& name, PlanMeasure& object);
+void ReadObject(const Json& json, const std::string& name, PlanMirror& object);
 Json PoseToJson(const PlanPose& pose);
 PlanPose PoseFromJson(const Json& json, const std::string& name);
 

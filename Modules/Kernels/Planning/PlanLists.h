@@ -27,6 +27,7 @@ struct PlanList
 inline constexpr std::tuple PlanLists{
   PlanList<PlanVolume>{ "volume", "volumes", &Plan::volumes },
   PlanList<PlanSegmentation>{ "segmentation", "segmentations", &Plan::segmentations },
+  PlanList<PlanSurface>{ "surface", "surfaces", &Plan::surfaces },
   PlanList<PlanFragment>{ "fragment", "fragments", &Plan::fragments },
   PlanList<PlanGroup>{ "group", "groups", &Plan::groups },
   PlanList<PlanCut>{ "cut", "cuts", &Plan::cuts },
@@ -36,6 +37,7 @@ inline constexpr std::tuple PlanLists{
   PlanList<PlanTransplant>{ "transplant", "transplants", &Plan::transplants },
   PlanList<PlanMitreGuide>{ "mitre-guide", "mitreGuides", &Plan::mitreGuides },
   PlanList<PlanMeasure>{ "measure", "measures", &Plan::measures },
+  PlanList<PlanMirror>{ "mirror", "mirrors", &Plan::mirrors },
 };
 
 template <typename T>

@@ -105,6 +105,13 @@ void MendObjectOf3(const std::string& noun, Json& object)
       { { "format", "hasp-segmentation-1" }, { "steps", Json::array() },
         { "names", Json::array() } });
 }
+
+/// Version 5 has surfaces and mirrors.
+void AddListsOf5(Json& plan)
+{
+  for (const char* key : { "surfaces", "mirrors" })
+    SetIfMissing(plan, key, Json::array());
+}
 } // namespace
 
 void MigratePlanFile(Json& file, std::size_t version, std::span<const PlanMigration> steps)
@@ -138,7 +145,8 @@ std::size_t ReadFormatVersion(const StrictJson& file, const std::string& begin)
 std::span<const PlanMigration> PlanMigrations()
 {
   static constexpr PlanMigration steps[] = { { AddListsOf2, MendObjectOf1, MendPartOf1 },
-    { AddListOf3, MendObjectOf2, MendPartOf2 }, { nullptr, MendObjectOf3, nullptr } };
+    { AddListOf3, MendObjectOf2, MendPartOf2 }, { nullptr, MendObjectOf3, nullptr },
+    { AddListsOf5, nullptr, nullptr } };
   return steps;
 }
 

@@ -18,6 +18,11 @@ bool IsAny(const Plan& plan, PlanId id)
   return ((FindPlanObject<Ts>(plan, id) != nullptr) || ...);
 }
 
+bool IsBoneOfScan(const Plan& plan, PlanId id)
+{
+  return IsAny<PlanVolume>(plan, id) || IsOfScan(plan, id);
+}
+
 PlanReference ToVolume(const char* key, PlanId id)
 {
   return { id, IsAny<PlanVolume>, "the id of a volume of the plan", key };
@@ -36,6 +41,19 @@ std::vector<PlanReference> ToFragments(const std::vector<PlanId>& fragments)
   for (std::size_t n = 0; n < fragments.size(); ++n)
     references.push_back(ToFragment(fragments[n], "fragments", n));
   return references;
+}
+
+/// The same once more, for what is made of a scan's voxels.
+void AlsoOfScans(std::vector<PlanReference>& references)
+{
+  const std::size_t all = references.size();
+  for (std::size_t n = 0; n < all; ++n)
+    if (PlanReference reference = references[n]; reference.fits == IsAny<PlanFragment>)
+    {
+      reference.fits = IsOfScan;
+      reference.must = "a fragment of a scan: a surface's cannot be cut, guided or plated";
+      references.push_back(reference);
+    }
 }
 
 void CheckIds(const ValueChecks& check, const char* list, const std::vector<PlanId>& ids)
@@ -83,6 +101,11 @@ struct CheckSource
       this->check.Refuse("source.fragment", source.fragment, "older than the piece's id");
     this->check.Point("source.seed", source.seed);
   }
+  void operator()(const SurfaceSource& source) const
+  {
+    this->check.Closed("source.thicknessMm", source.thicknessMm, 0.0, 50.0);
+    this->check.Closed("source.spacingMm", source.spacingMm, 0.1, 2.0);
+  }
 };
 
 struct SourceReferences
@@ -98,7 +121,14 @@ struct SourceReferences
   }
   std::vector<PlanReference> operator()(const PieceSource& source) const
   {
-    return { ToFragment(source.fragment, "source.fragment") };
+    std::vector<PlanReference> references{ ToFragment(source.fragment, "source.fragment") };
+    AlsoOfScans(references);
+    return references;
+  }
+  std::vector<PlanReference> operator()(const SurfaceSource& source) const
+  {
+    return { { source.surface, IsAny<PlanSurface>, "the id of a surface of the plan",
+      "source.surface" } };
   }
 };
 } // namespace
@@ -120,6 +150,11 @@ std::vector<PlanReference> References(const PlanSegmentation& object)
   return { ToVolume("volume", object.volume) };
 }
 
+std::vector<PlanReference> References(const PlanSurface&)
+{
+  return {};
+}
+
 std::vector<PlanReference> References(const PlanFragment& object)
 {
   return std::visit(SourceReferences{}, object.source);
@@ -132,7 +167,9 @@ std::vector<PlanReference> References(const PlanGroup& object)
 
 std::vector<PlanReference> References(const PlanCut& object)
 {
-  return ToFragments(object.fragments);
+  std::vector<PlanReference> references = ToFragments(object.fragments);
+  AlsoOfScans(references);
+  return references;
 }
 
 std::vector<PlanReference> References(const PlanGuide& object)
@@ -142,12 +179,15 @@ std::vector<PlanReference> References(const PlanGuide& object)
   for (std::size_t n = 0; n < object.cuts.size(); ++n)
     references.push_back(
       { object.cuts[n], IsAny<PlanCut>, "the id of a cut of the plan", "cuts", n });
+  references.push_back({ object.bone, IsBoneOfScan,
+    "a volume, or a fragment of a scan: a surface's cannot be guided", "bone" });
   return references;
 }
 
 std::vector<PlanReference> References(const PlanPlate& object)
 {
   std::vector<PlanReference> references = ToFragments(object.fragments);
+  AlsoOfScans(references);
   if (object.volume != 0)
     references.push_back(ToVolume("volume", object.volume));
   return references;
@@ -170,6 +210,7 @@ std::vector<PlanReference> References(const PlanTransplant& object)
   };
   add(object.first, "first.cut", "first.fragment");
   add(object.last, "last.cut", "last.fragment");
+  AlsoOfScans(references);
   return references;
 }
 
@@ -188,6 +229,14 @@ std::vector<PlanReference> References(const PlanMeasure& object)
   return references;
 }
 
+std::vector<PlanReference> References(const PlanMirror& object)
+{
+  std::vector<PlanReference> references = ToFragments(object.fragments);
+  if (object.volume != 0)
+    references.push_back(ToVolume("volume", object.volume));
+  return references;
+}
+
 void CheckObject(const PlanVolume& object, const std::string& subject)
 {
   const ValueChecks check(subject);
@@ -202,6 +251,13 @@ void CheckObject(const PlanSegmentation& object, const std::string& subject)
   if (!object.labels.empty())
     check.Hash("labels", object.labels);
   CheckRecipe(check, "recipe", [&] { ValidateSegmentationRecipe(object.recipe); });
+}
+
+void CheckObject(const PlanSurface& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  check.Hash("hash", object.hash);
 }
 
 void CheckObject(const PlanFragment& object, const std::string& subject)
@@ -281,6 +337,20 @@ void CheckObject(const PlanMeasure& object, const std::string& subject)
     check.Refuse("the number of points", double(object.points.size()), std::to_string(needed));
   for (std::size_t n = 0; n < needed; ++n)
     check.Point(ListKey("points", n, "point"), object.points[n].point);
+}
+
+void CheckObject(const PlanMirror& object, const std::string& subject)
+{
+  const ValueChecks check(subject);
+  check.Text("name", object.name);
+  CheckIds(check, "fragments", object.fragments);
+  if ((object.volume == 0) == object.fragments.empty())
+    check.Refuse("volume and fragments", "must be one of the two: a scan's bone, or fragments");
+  check.Closed("isovalue", object.isovalue, -1e6, 1e6);
+  if (!object.plane)
+    return;
+  check.Point("plane.point", object.plane->point);
+  check.Unit("plane.normal", object.plane->normal);
 }
 
 void CheckPlanPose(const PlanPose& pose, const ValueChecks& check)

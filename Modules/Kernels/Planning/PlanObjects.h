@@ -27,6 +27,7 @@ struct PlanReference
 /// Everything that an object names, in its order.
 std::vector<PlanReference> References(const PlanVolume& object);
 std::vector<PlanReference> References(const PlanSegmentation& object);
+std::vector<PlanReference> References(const PlanSurface& object);
 std::vector<PlanReference> References(const PlanFragment& object);
 std::vector<PlanReference> References(const PlanGroup& object);
 std::vector<PlanReference> References(const PlanCut& object);
@@ -36,11 +37,13 @@ std::vector<PlanReference> References(const PlanImplant& object);
 std::vector<PlanReference> References(const PlanTransplant& object);
 std::vector<PlanReference> References(const PlanMitreGuide& object);
 std::vector<PlanReference> References(const PlanMeasure& object);
+std::vector<PlanReference> References(const PlanMirror& object);
 
 /// Throws std::invalid_argument unless the object's own values are legal, all but id and
 /// references.
 void CheckObject(const PlanVolume& object, const std::string& subject);
 void CheckObject(const PlanSegmentation& object, const std::string& subject);
+void CheckObject(const PlanSurface& object, const std::string& subject);
 void CheckObject(const PlanFragment& object, const std::string& subject);
 void CheckObject(const PlanGroup& object, const std::string& subject);
 void CheckObject(const PlanCut& object, const std::string& subject);
@@ -50,6 +53,7 @@ void CheckObject(const PlanImplant& object, const std::string& subject);
 void CheckObject(const PlanTransplant& object, const std::string& subject);
 void CheckObject(const PlanMitreGuide& object, const std::string& subject);
 void CheckObject(const PlanMeasure& object, const std::string& subject);
+void CheckObject(const PlanMirror& object, const std::string& subject);
 
 void CheckPlanPose(const PlanPose& pose, const ValueChecks& check);
 void CheckCaseLabel(const std::string& label);

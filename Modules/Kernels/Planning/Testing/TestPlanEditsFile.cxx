@@ -33,7 +33,7 @@ TEST(PlanEditsFile, EditsOfAllKindsSurviveTheRoundTrip)
 
 TEST(PlanEditsFile, StepsAndStrokesAreWrittenByHand)
 {
-  const std::string begin = R"({"format":"hasp-edits-4","edits":[)";
+  const std::string begin = R"({"format":"hasp-edits-5","edits":[)";
   const std::vector<PlanEdit> edits = ParseEdits(
     begin +
     R"({"addStep":2,"step":{"step":"split","label":1,"beta":90,"crack":0.1,"norm":1,"strokes":[]}},
@@ -68,7 +68,7 @@ TEST(PlanEditsFile, ErrorsNameTheKeyAndNothingElse)
   EXPECT_EQ(refusal("[Erika"), "edits: no JSON: a mistake at byte 2");
   EXPECT_EQ(refusal("[]"), "edits: the whole must be an object");
   EXPECT_EQ(refusal(R"({"format":"Erika","edits":[]})"),
-    "edits: format is none that this version of Hasp reads: hasp-edits-1 to 4");
+    "edits: format is none that this version of Hasp reads: hasp-edits-1 to 5");
   EXPECT_EQ(refusal(R"({"format":"hasp-edits-2","edits":{}})"), "edits: edits must be a list");
   EXPECT_EQ(refusal(R"({"format":"hasp-edits-2","edits":[{"remove":1},{"add":"Erika"}]})"),
     "plan: edits[1].add is of no kind that a plan holds");

@@ -86,8 +86,9 @@ TEST(PlanFile, TheHashIsThatOfTheText)
 {
   const std::string text =
     "{\"caseLabel\":\"K-17\",\"nextId\":1,\"volumes\":[],\"segmentations\":[],"
-    "\"fragments\":[],\"groups\":[],\"cuts\":[],\"guides\":[],\"plates\":[],"
-    "\"implants\":[],\"transplants\":[],\"mitreGuides\":[],\"measures\":[]}";
+    "\"surfaces\":[],\"fragments\":[],\"groups\":[],\"cuts\":[],\"guides\":[],\"plates\":[],"
+    "\"implants\":[],\"transplants\":[],\"mitreGuides\":[],\"measures\":[],"
+    "\"mirrors\":[]}";
   Plan plan;
   plan.caseLabel = "K-17";
   EXPECT_EQ(PlanHash(plan), Sha256(text));
@@ -294,8 +295,8 @@ TEST(PlanFile, ErrorsNameTheKeyAndNothingElse)
   document.history.Do({ AddObject<PlanVolume>{ { 1, "Erika", std::string(64, '0') } },
     AddObject<PlanCut>{ { 2, "Erika", {}, {} } } });
   const std::string text = FormatPlan(document);
-  EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-4", "hasp-plan-9")),
-    "plan: format is none that this version of Hasp reads: hasp-plan-1 to 4");
+  EXPECT_EQ(Refusal(Sealed(text, "hasp-plan-5", "hasp-plan-9")),
+    "plan: format is none that this version of Hasp reads: hasp-plan-1 to 5");
   EXPECT_EQ(Refusal(Sealed(text, "\"plan\"", "\"plans\"")),
     "plan: a key is unknown, the nearest known is 'plan'; mend its spelling or take it out");
   EXPECT_EQ(Refusal(Sealed(text, "\"name\": \"Erika\"", "\"name\": \"Erik\"")),

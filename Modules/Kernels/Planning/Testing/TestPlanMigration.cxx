@@ -103,7 +103,7 @@ TEST(PlanMigration, AKeptFileOfVersion2IsRead)
   ASSERT_EQ(document.parts.size(), 2U);
   EXPECT_EQ(hasp::WhyOutOfDate(plan, document.parts[0]), ""); // a fragment says what it did
   const std::string written = hasp::FormatPlan(document);
-  EXPECT_NE(written.find("hasp-plan-4"), std::string::npos);
+  EXPECT_NE(written.find("hasp-plan-5"), std::string::npos);
   EXPECT_EQ(hasp::ParsePlan(written), document);
   document.history.Redo();
   EXPECT_EQ(document.history.Current().transplants[0].transplant.kerfMm, 0.8);
@@ -130,11 +130,36 @@ TEST(PlanMigration, AKeptFileOfVersion3IsRead)
   EXPECT_EQ(hasp::WhyOutOfDate(plan, document.parts[0]), ""); // without steps it says what it did
   EXPECT_EQ(hasp::LabelMapOf(plan, document.parts, 2), std::string(64, 'b'));
   const std::string written = hasp::FormatPlan(document);
-  EXPECT_NE(written.find("hasp-plan-4"), std::string::npos);
+  EXPECT_NE(written.find("hasp-plan-5"), std::string::npos);
   EXPECT_EQ(hasp::ParsePlan(written), document);
   document.history.Redo();
   EXPECT_EQ(document.history.Current().segmentations[0].labels, std::string(64, 'c'));
   EXPECT_NE(hasp::WhyOutOfDate(document.history.Current(), document.parts[0]), "");
+  for (; document.history.ToUndo(); document.history.Undo())
+    hasp::ValidatePlan(document.history.Current());
+}
+
+/// A file that the fourth version wrote: a segmentation with a step, a group, a pose undone, a
+/// part.
+TEST(PlanMigration, AKeptFileOfVersion4IsRead)
+{
+  const std::string text = ReadBytes(HASP_KEPT_PLAN_4);
+  ASSERT_NE(text.find("hasp-plan-4"), std::string::npos);
+  hasp::PlanDocument document = hasp::ParsePlan(text);
+  const hasp::Plan& plan = document.history.Current();
+  EXPECT_EQ(plan.caseLabel, "K-19");
+  EXPECT_TRUE(plan.surfaces.empty() && plan.mirrors.empty());
+  ASSERT_EQ(plan.fragments.size(), 2U);
+  EXPECT_TRUE(plan.fragments[0].locked);
+  EXPECT_EQ(plan.fragments[1].scanToPlanned.position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(plan.groups.at(0).fragments, (std::vector<hasp::PlanId>{ 3, 4 }));
+  ASSERT_EQ(document.parts.size(), 1U);
+  EXPECT_EQ(hasp::WhyOutOfDate(plan, document.parts[0]), ""); // a scan's fragment says what it did
+  const std::string written = hasp::FormatPlan(document);
+  EXPECT_NE(written.find("hasp-plan-5"), std::string::npos);
+  EXPECT_EQ(hasp::ParsePlan(written), document);
+  document.history.Redo();
+  EXPECT_EQ(document.history.Current().fragments[1].scanToPlanned.position, glm::dvec3(4, 5, 6));
   for (; document.history.ToUndo(); document.history.Undo())
     hasp::ValidatePlan(document.history.Current());
 }

@@ -95,20 +95,40 @@ PlanEdit RandomEdits::OfSegmentation(const PlanSegmentation& segmentation)
     filters && this->Below(2) == 0 ? random.Filter() : random.Step() };
 }
 
+/// Those that can be cut, guided and plated.
+static std::vector<PlanFragment> ScanFragments(const Plan& plan)
+{
+  std::vector<PlanFragment> found;
+  std::copy_if(plan.fragments.begin(), plan.fragments.end(), std::back_inserter(found),
+    [&](const PlanFragment& fragment) { return IsOfScan(plan, fragment.id); });
+  return found;
+}
+
+FragmentSource RandomEdits::ScanSource(const Plan& plan, PlanId id)
+{
+  const int kind = this->Below(3);
+  const std::vector<PlanFragment> whole = ScanFragments(plan);
+  if (kind == 0 && !plan.segmentations.empty())
+    return LabelSource{ this->AnyOf(plan.segmentations), std::uint32_t(1 + this->Below(65535)),
+      this->Number(-1000, 3000), this->Number(0.1, 2) };
+  if (kind == 1 && !whole.empty() && whole[0].id < id)
+    return PieceSource{ whole[0].id, this->Point() };
+  return ComponentSource{ this->AnyOf(plan.volumes), this->Number(-1000, 3000), this->Point(),
+    this->Number(0.1, 2) };
+}
+
 PlanFragment RandomEdits::MakeFragment(const Plan& plan, PlanId id)
 {
   PlanFragment fragment;
   fragment.name = this->Text();
-  const int kind = this->Below(3);
-  const bool older = !plan.fragments.empty() && plan.fragments[0].id < id;
-  if (kind == 0 && !plan.segmentations.empty())
-    fragment.source = LabelSource{ this->AnyOf(plan.segmentations),
-      std::uint32_t(1 + this->Below(65535)), this->Number(-1000, 3000), this->Number(0.1, 2) };
-  else if (kind == 1 && older)
-    fragment.source = PieceSource{ plan.fragments[0].id, this->Point() };
+  const bool there = FindPlanObject<PlanFragment>(plan, id) != nullptr;
+  const bool surface =
+    !plan.surfaces.empty() && (there ? !IsOfScan(plan, id) : this->Below(4) == 0);
+  if (surface)
+    fragment.source = SurfaceSource{ this->AnyOf(plan.surfaces), this->Number(0, 50),
+      SheetSide(this->Below(2)), this->Number(0.1, 2) };
   else
-    fragment.source = ComponentSource{ this->AnyOf(plan.volumes), this->Number(-1000, 3000),
-      this->Point(), this->Number(0.1, 2) };
+    fragment.source = this->ScanSource(plan, id);
   for (std::uint8_t& part : fragment.colour)
     part = std::uint8_t(this->Below(256));
   fragment.state = this->Below(2) == 0 ? FragmentState::Kept : FragmentState::Resected;
@@ -125,15 +145,16 @@ PlanCut RandomEdits::MakeCut(const Plan& plan)
   return { 0, this->Text(),
     { this->Point(), normal, along, this->Number(0.01, 500), this->Number(0.01, 500),
       this->Number(0.01, 5) },
-    this->SomeOf(plan.fragments), this->Number(0, 500) };
+    this->SomeOf(ScanFragments(plan)), this->Number(0, 500) };
 }
 
 PlanGuide RandomEdits::MakeGuide(const Plan& plan)
 {
   PlanGuide guide;
   guide.name = this->Text();
-  guide.bone = plan.fragments.empty() || this->Below(2) == 0 ? this->AnyOf(plan.volumes)
-                                                             : this->AnyOf(plan.fragments);
+  const std::vector<PlanFragment> bones = ScanFragments(plan);
+  guide.bone =
+    bones.empty() || this->Below(2) == 0 ? this->AnyOf(plan.volumes) : this->AnyOf(bones);
   guide.recipe.note = this->Text();
   for (int n = 2 + this->Below(5); n > 0; --n)
     guide.recipe.landmarks.push_back(this->Point());
@@ -149,7 +170,7 @@ PlanPlate RandomEdits::MakePlate(const Plan& plan)
 {
   PlanPlate plate;
   plate.name = this->Text();
-  plate.fragments = this->SomeOf(plan.fragments);
+  plate.fragments = this->SomeOf(ScanFragments(plan));
   if (plate.fragments.empty())
     plate.volume = this->AnyOf(plan.volumes);
   plate.recipe.note = this->Text();
@@ -183,13 +204,14 @@ PlanTransplant RandomEdits::MakeTransplant(const Plan& plan)
 {
   PlanTransplant made;
   made.name = this->Text();
-  made.donor = this->AnyOf(plan.fragments);
+  const std::vector<PlanFragment> bones = ScanFragments(plan);
+  made.donor = this->AnyOf(bones);
   for (JawFace* face : { &made.first, &made.last })
   {
     if (!plan.cuts.empty() && this->Below(2) == 0)
       face->cut = this->AnyOf(plan.cuts);
     if (this->Below(2) == 0)
-      face->fragment = this->AnyOf(plan.fragments);
+      face->fragment = this->AnyOf(bones);
   }
   made.mostGapMm = this->Number(0, 10);
   made.mostOverlapMm = this->Number(0, 10);
@@ -239,6 +261,19 @@ PlanMeasure RandomEdits::MakeMeasure(const Plan& plan)
   return measure;
 }
 
+PlanMirror RandomEdits::MakeMirror(const Plan& plan)
+{
+  PlanMirror mirror;
+  mirror.name = this->Text();
+  mirror.fragments = this->SomeOf(plan.fragments);
+  if (mirror.fragments.empty())
+    mirror.volume = this->AnyOf(plan.volumes);
+  mirror.isovalue = this->Number(-1000, 3000);
+  if (this->Below(2) == 0)
+    mirror.plane = MirrorPlane{ this->Point(), this->Direction() };
+  return mirror;
+}
+
 template <typename T, typename Make>
 PlanEdit RandomEdits::AddOrChange(const std::vector<T>& objects, PlanId newId, Make make)
 {
@@ -265,7 +300,7 @@ PlanEdit RandomEdits::OfFragments(const Plan& plan)
 
 PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
 {
-  const int kind = this->Below(16);
+  const int kind = this->Below(18);
   if (plan.volumes.empty() || kind == 0)
     return this->AddOrChange(plan.volumes, newId, [&](PlanId) { return this->MakeVolume(); });
   if (kind == 1)
@@ -291,7 +326,14 @@ PlanEdit RandomEdits::Next(const Plan& plan, PlanId newId)
     return this->AddOrChange(plan.plates, newId, [&](PlanId) { return this->MakePlate(plan); });
   if (kind == 10)
     return this->AddOrChange(plan.implants, newId, [&](PlanId) { return this->MakeImplant(plan); });
-  if (kind == 11 && !plan.fragments.empty())
+  if (kind == 16)
+    return this->AddOrChange(plan.surfaces, newId,
+      [&](PlanId) {
+        return PlanSurface{ 0, this->Text(), this->Hash() };
+      });
+  if (kind == 17)
+    return this->AddOrChange(plan.mirrors, newId, [&](PlanId) { return this->MakeMirror(plan); });
+  if (kind == 11 && !ScanFragments(plan).empty())
     return this->AddOrChange(
       plan.transplants, newId, [&](PlanId) { return this->MakeTransplant(plan); });
   if (kind == 12 && !plan.transplants.empty())

@@ -32,6 +32,8 @@ private:
   hasp::PlanVolume MakeVolume();
   hasp::PlanSegmentation MakeSegmentation(const hasp::Plan& plan);
   hasp::PlanEdit OfSegmentation(const hasp::PlanSegmentation& segmentation);
+  hasp::FragmentSource ScanSource(const hasp::Plan& plan, hasp::PlanId id);
+  hasp::PlanMirror MakeMirror(const hasp::Plan& plan);
   hasp::PlanFragment MakeFragment(const hasp::Plan& plan, hasp::PlanId id);
   hasp::PlanCut MakeCut(const hasp::Plan& plan);
   hasp::PlanGuide MakeGuide(const hasp::Plan& plan);
