@@ -14,17 +14,23 @@ FractureSides::FractureSides(const FractureSettings& settings)
     Step(settings.scanner),
     ReachMm(0.5 * settings.crackMm + settings.erodedMm + Step.reachMm)
 {
+  for (const FractureChip& chip : settings.chips)
+    this->AddFaces(chip.bone, chip.faces);
   for (const FracturePiece& piece : settings.pieces)
+    this->AddFaces(piece.bone, piece.faces);
+}
+
+void FractureSides::AddFaces(std::size_t bone, const std::vector<FractureFace>& faces)
+{
+  this->FacesOf.emplace_back();
+  this->BoneOf.push_back(bone);
+  for (FractureFace face : faces)
   {
-    this->FacesOf.emplace_back();
-    for (FractureFace face : piece.faces)
-    {
-      this->FacesOf.back().push_back(static_cast<std::uint32_t>(this->Planes.size()));
-      this->Planes.emplace_back(face);
-      face.seed += 0x10000; // what is lost has heights of its own: 1 rms is about the most
-      face.roughMm = 1.0;
-      this->Losses.emplace_back(face);
-    }
+    this->FacesOf.back().push_back(static_cast<std::uint32_t>(this->Planes.size()));
+    this->Planes.emplace_back(face);
+    face.seed += 0x10000; // what is lost has heights of its own: 1 rms is about the most
+    face.roughMm = 1.0;
+    this->Losses.emplace_back(face);
   }
 }
 
@@ -70,13 +76,14 @@ NearSides FractureSides::Near(
 {
   const std::size_t bones = this->Settings.bones.size();
   const bool isPiece = fragment >= bones;
-  const std::size_t own = isPiece ? fragment - bones : this->Settings.pieces.size();
-  const std::size_t bone = isPiece ? this->Settings.pieces[own].bone : fragment;
+  const std::size_t own =
+    isPiece ? this->Settings.chips.size() + fragment - bones : this->FacesOf.size();
+  const std::size_t bone = isPiece ? this->BoneOf[own] : fragment;
   NearSides near;
   near.fragment = fragment;
   for (std::size_t piece = 0; piece < this->FacesOf.size() && piece <= own; ++piece)
   {
-    if (this->Settings.pieces[piece].bone != bone)
+    if (this->BoneOf[piece] != bone)
       continue;
     NearSides::Faces faces{ {}, piece == own };
     bool outside = false;

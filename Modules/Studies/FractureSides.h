@@ -14,7 +14,7 @@ struct NearSides
   bool none = true; ///< the fragment holds nothing of the ball
   bool all = false; ///< it holds all of it, and no face is near
   std::uint32_t fragment = 0;
-  /// Faces that are near, of the piece itself (if it is one) and of pieces before it.
+  /// Faces that are near, of the piece itself (if it is one), of chips and of pieces before it.
   struct Faces
   {
     std::vector<std::uint32_t> faces; ///< numbers of rough planes; the largest decides
@@ -42,6 +42,7 @@ public:
   double Share(const NearSides& sides, const glm::dvec3& point) const;
 
 private:
+  void AddFaces(std::size_t bone, const std::vector<FractureFace>& faces);
   struct Side
   {
     double mm; ///< NEGATIVE INSIDE the fragment, behind what its face has lost
@@ -60,7 +61,8 @@ private:
   SurfaceStep Step;
   double ReachMm; ///< further from its faces a fragment is as if it had none
   std::vector<RoughPlane> Planes, Losses;
-  std::vector<std::vector<std::uint32_t>> FacesOf; ///< of each piece
+  std::vector<std::vector<std::uint32_t>> FacesOf; ///< of each chip, then of each piece
+  std::vector<std::size_t> BoneOf;                 ///< likewise
 };
 
 } // namespace hasp

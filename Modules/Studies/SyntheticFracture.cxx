@@ -51,6 +51,11 @@ void CheckFracture(const FractureSettings& s)
     Require(!piece.faces.empty(), "the number of a piece's faces", 0.0, ">= 1");
     CheckPose(piece.moved);
   }
+  for (const FractureChip& chip : s.chips)
+  {
+    Require(chip.bone < s.bones.size(), "a chip's bone", double(chip.bone), "< bones");
+    Require(!chip.faces.empty(), "the number of a chip's faces", 0.0, ">= 1");
+  }
   Require(s.crackMm >= 0.0 && s.crackMm <= 10.0, "crackMm", s.crackMm, "in [0, 10]");
   Require(s.erodedMm >= 0.0 && s.erodedMm <= 10.0, "erodedMm", s.erodedMm, "in [0, 10]");
   Require(true, "crackHU", s.crackHU, "finite");
@@ -187,8 +192,8 @@ private:
     std::vector<Candidate> candidates;
     if (double(this->Largest.Around(n, 0.0)) > this->Settings.crackHU || this->AnyMoved())
       candidates = this->CandidatesOf(middle, radius, movedMm);
-    const bool bone =
-      !candidates.empty() && double(this->Largest.Around(n, movedMm)) > this->Settings.crackHU;
+    // Without candidates, too: what was there has gone elsewhere.
+    const bool bone = double(this->Largest.Around(n, movedMm)) > this->Settings.crackHU;
     const bool plain = candidates.size() == 1 && candidates[0].unmoved && candidates[0].sides.all;
     for (int k = block.from.z; k < block.to.z; ++k)
       for (int j = block.from.y; j < block.to.y; ++j)
@@ -278,7 +283,10 @@ private:
       if (unmoved && share == 1.0) // the others have none
         break;
     }
-    return { std::min(here, this->Settings.crackHU) + bone / std::max(1.0, shares), label };
+    bone /= std::max(1.0, shares);
+    const double crack = this->Settings.crackHU, before = std::min(here, crack);
+    const double covered = std::min(bone / (this->Settings.boneHU - crack), 1.0);
+    return { before + covered * (crack - before) + bone, label };
   }
 
   void Put(const glm::ivec3& at, const Mixed& mixed)
@@ -322,7 +330,7 @@ FracturedScan BreakScan(GridView<const std::int16_t> intact, const FractureSetti
   return broken;
 }
 
-FracturedScan BreakPhantom(
+std::vector<std::int16_t> IntactPhantom(
   const GridGeometry& geometry, const FractureSettings& settings, const ProgressFunction& progress)
 {
   CheckFracture(settings);
@@ -333,7 +341,15 @@ FracturedScan BreakPhantom(
   clean.fieldRadiusMm = 0.0;
   clean.metal.streakHU = clean.metal.bandHU = 0.0;
   std::vector<std::int16_t> intact(geometry.Size());
-  SamplePhantomSlab(geometry, clean, 0, geometry.dims.z, intact, PartOf(progress, 0.0, 0.6));
+  SamplePhantomSlab(geometry, clean, 0, geometry.dims.z, intact, progress);
+  return intact;
+}
+
+FracturedScan BreakPhantom(
+  const GridGeometry& geometry, const FractureSettings& settings, const ProgressFunction& progress)
+{
+  const std::vector<std::int16_t> intact =
+    IntactPhantom(geometry, settings, PartOf(progress, 0.0, 0.6));
   return BreakScan(GridView<const std::int16_t>{ intact.data(), geometry }, settings, {},
     PartOf(progress, 0.6, 1.0));
 }

@@ -36,11 +36,19 @@ struct FracturePiece
   RigidPose moved{};               ///< intact world to broken world; the identity: not at all
 };
 
+/// Bone that is lost: what lies behind all faces. It is in no piece, and of no bone any more.
+struct FractureChip
+{
+  std::size_t bone = 0;
+  std::vector<FractureFace> faces; ///< at least one
+};
+
 struct FractureSettings
 {
   std::vector<FractureBone> bones{ { "bone" } }; ///< at least one
   std::vector<FracturePiece> pieces;
-  double crackMm = 0.3;  ///< between two faces before pieces are moved, [0, 10]
+  std::vector<FractureChip> chips; ///< taken out before there are pieces
+  double crackMm = 0.3;            ///< between two faces before pieces are moved, [0, 10]
   double erodedMm = 0.0; ///< the most that each face lost besides; from place to place between
                          ///< nothing and that, [0, 10]
   double crackHU = 50.0; ///< what fills cracks: blood
@@ -67,11 +75,13 @@ struct FracturedScan
 };
 
 /// Breaks a scan. With e = max(HU - crackHU, 0), the bone that a place of the intact scan holds, a
-/// voxel's value is min(HU, crackHU) there plus, for each fragment, e where the fragment brought
-/// the voxel from, times the share that the scanner sees of the fragment's side of its faces (a
-/// flat face's closed form, SurfaceStep, set back by half a crack and what was lost). Shares that
-/// add up to more than 1 (pieces pressed into each other) are scaled to 1. So a crack thinner than
-/// the blur is a dip and no gap, and unmoved bone away from cracks keeps its samples.
+/// voxel's value is b = min(HU, crackHU) there plus, for each fragment, e where the fragment
+/// brought the voxel from, times the share that the scanner sees of the fragment's side of its
+/// faces (a flat face's closed form, SurfaceStep, set back by half a crack and what was lost).
+/// Shares that add up to more than 1 (pieces pressed into each other) are scaled to 1. So a crack
+/// thinner than the blur is a dip and no gap, and unmoved bone away from cracks keeps its samples.
+/// Bone that comes to softer tissue or air takes its place: of b the share min(E / (boneHU -
+/// crackHU), 1) becomes crackHU, where E is the sum of what fragments bring.
 ///
 /// intact   HU without faults
 /// named    as many values as voxels: labels are given where it is not 0 (of what is moved: at the
@@ -85,7 +95,11 @@ struct FracturedScan
 FracturedScan BreakScan(GridView<const std::int16_t> intact, const FractureSettings& settings,
   std::span<const std::uint8_t> named = {}, const ProgressFunction& progress = {});
 
-/// The phantom of settings.scanner, scanned without faults on that grid, and broken.
+/// The phantom of settings.scanner, scanned without faults on that grid. Throws as BreakPhantom.
+std::vector<std::int16_t> IntactPhantom(const GridGeometry& geometry,
+  const FractureSettings& settings, const ProgressFunction& progress = {});
+
+/// The same, and broken.
 FracturedScan BreakPhantom(const GridGeometry& geometry, const FractureSettings& settings,
   const ProgressFunction& progress = {});
 

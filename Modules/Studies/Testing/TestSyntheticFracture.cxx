@@ -232,12 +232,72 @@ TEST(SyntheticFracture, AMovedPieceIsWhereItsPoseSays)
       const bool inPiece = glm::length(from) < 10.0 && SideOf(s, from) == 3;
       const bool inRest = glm::length(p) < 10.0 && SideOf(s, p) == 2;
       ASSERT_EQ(broken.truth[v], inPiece ? 3 : inRest ? 2 : 0);
-      ASSERT_EQ(broken.samples[v], std::min<int>(intact[v], 50) + (inPiece || inRest ? 950 : 0));
+      ASSERT_EQ(broken.samples[v], inPiece || inRest ? 1000 : std::min<int>(intact[v], 50));
       piece += inPiece;
       rest += inRest;
     });
   EXPECT_GT(piece, 2000U); // so that something was asked
   EXPECT_GT(rest, 10000U);
+}
+
+TEST(SyntheticFracture, APieceThatGoesFarLeavesNothingBehindAndCoversAir)
+{
+  const GridGeometry grid = GridOf({ 90, 50, 50 }, dvec3(0.6));
+  std::vector<std::int16_t> intact = Ball(grid, 8.0);
+  for (std::int16_t& sample : intact)
+    sample = sample < 1000 ? -1000 : sample;
+  FractureSettings s = SmoothCuts();
+  s.pieces.resize(1);
+  s.crackMm = 0.0;
+  s.scanner.blurMm = dvec3(0.15);
+  s.pieces[0].moved.position = { 17.0, 0.0, 0.0 }; // beside the ball, none of it where it was
+  const FracturedScan broken = Break(intact, grid, s);
+  std::size_t piece = 0;
+  ForEachVoxel(grid,
+    [&](std::size_t v, const dvec3& p)
+    {
+      const dvec3 from = p - s.pieces[0].moved.position;
+      for (const dvec3& at : { p, from })
+        if (std::abs(glm::length(at) - 8.0) < 1.1 ||
+            std::abs(glm::dot(at - s.pieces[0].faces[0].point, s.pieces[0].faces[0].outward)) < 1.1)
+          return;
+      const bool inPiece = glm::length(from) < 8.0 && SideOf(s, from) == 3;
+      const bool inRest = glm::length(p) < 8.0 && SideOf(s, p) == 2;
+      const bool left = glm::length(p) < 8.0 && SideOf(s, p) == 3;
+      ASSERT_EQ(broken.truth[v], inPiece ? 3 : inRest ? 2 : 0);
+      ASSERT_EQ(broken.samples[v], inPiece || inRest ? 1000 : left ? 50 : -1000);
+      piece += inPiece;
+    });
+  EXPECT_GT(piece, 300U);
+}
+
+TEST(SyntheticFracture, AChipIsInNoFragment)
+{
+  const GridGeometry grid = GridOf({ 50, 50, 50 }, dvec3(0.5));
+  const std::vector<std::int16_t> intact = Ball(grid, 11.0);
+  FractureSettings s = SmoothCuts();
+  const FracturedScan whole = Break(intact, grid, s);
+  FractureFace face; // a slab about the first face, of 3 mm: both sides of it lose bone
+  face.roughMm = 0.0;
+  face.point = { 0.0, 0.0, -1.5 };
+  face.outward = { 0.0, 0.0, 1.0 };
+  s.chips = { { 0, { face } } };
+  face.point = { 0.0, 0.0, -4.5 };
+  face.outward = { 0.0, 0.0, -1.0 };
+  s.chips[0].faces.push_back(face);
+  const FracturedScan chipped = Break(intact, grid, s);
+  EXPECT_EQ(chipped.names, whole.names); // labels are the same
+  std::size_t lost = 0;
+  ForEachVoxel(grid,
+    [&](std::size_t v, const dvec3& p)
+    {
+      if (std::abs(std::abs(p.z + 3.0) - 1.5) < 1.6 && std::abs(p.z + 3.0) > 0.3)
+        return; // blurred
+      const bool inChip = std::abs(p.z + 3.0) < 1.5;
+      ASSERT_EQ(chipped.truth[v], inChip ? 0 : whole.truth[v]);
+      lost += inChip && whole.truth[v] != 0;
+    });
+  EXPECT_GT(lost, 500U);
 }
 
 TEST(SyntheticFracture, ErosionTakesBoneFromRoughFacesOnly)
