@@ -42,7 +42,7 @@ CoarseBone MakeCoarseBone(const AnyGridView& ct, double isovalue,
   grid.origin = scan.origin - scan.direction * glm::dvec3(2.0 * GridMm);
   const glm::dvec3 count = glm::ceil(glm::dvec3(scan.Cells()) * scan.spacing / GridMm) + 5.0;
   CheckPoints(
-    "implant", count, GridMm, "the mirror plane is fitted to heads: crop the scan to one");
+    "mirror plane", count, GridMm, "the mirror plane is fitted to heads: crop the scan to one");
   grid.dims = glm::ivec3(count);
   CoverageSettings settings;
   settings.isovalue = isovalue;
@@ -51,7 +51,7 @@ CoarseBone MakeCoarseBone(const AnyGridView& ct, double isovalue,
   const auto distance = std::make_shared<const std::vector<float>>(
     CoverageDistance(grid, Coverage(ct, grid, settings, progress)));
   if (!std::isfinite(distance->front()))
-    throw std::runtime_error("implant: there is no bone to fit a mirror plane to");
+    throw std::runtime_error("mirror plane: there is no bone to fit a mirror plane to");
   CoarseBone bone{ MakeGridSolid(distance, grid), {} };
   for (std::size_t n = 0; n < distance->size(); ++n)
     if (std::abs((*distance)[n]) < 0.5 * GridMm)
@@ -63,7 +63,7 @@ CoarseBone MakeCoarseBone(const AnyGridView& ct, double isovalue,
       bone.places.push_back(x - s.value * s.gradient);
     }
   if (bone.places.empty())
-    throw std::runtime_error("implant: there is no bone to fit a mirror plane to");
+    throw std::runtime_error("mirror plane: there is no bone to fit a mirror plane to");
   const std::size_t step = bone.places.size() / MostPlaces + 1;
   for (std::size_t n = 0; n * step < bone.places.size(); ++n)
     bone.places[n] = bone.places[n * step];
@@ -184,7 +184,7 @@ MirrorPlane FitMirrorPlane(const AnyGridView& ct, double isovalue,
   for (const glm::dvec3& p : bone.places)
     matched += std::abs(bone.solid->At(Mirrored(plane, p))) <= MatchedMm;
   if (2 * matched < bone.places.size())
-    throw std::runtime_error("implant: bone is not like its mirror image: of its surface " +
+    throw std::runtime_error("mirror plane: bone is not like its mirror image: of its surface " +
                              std::to_string(100 * matched / bone.places.size()) +
                              " % come to lie within 2 mm; give the mirror plane");
   return plane;

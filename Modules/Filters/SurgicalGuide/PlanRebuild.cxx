@@ -229,6 +229,8 @@ struct PlanRebuild::Internals
   // PartInputs refuses these before.
   RebuiltPart MakeOf(const PlanVolume&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanSegmentation&, const ProgressFunction&) { return {}; }
+  RebuiltPart MakeOf(const PlanSurface&, const ProgressFunction&) { return {}; }
+  RebuiltPart MakeOf(const PlanMirror&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanCut&, const ProgressFunction&) { return {}; }
   RebuiltPart MakeOf(const PlanMeasure&, const ProgressFunction&) { return {}; }
 
