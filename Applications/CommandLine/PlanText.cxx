@@ -4,6 +4,7 @@
 #include "PlanInput.h"
 #include "RunLabels.h"
 #include "Session.h"
+#include "VerbWork.h"
 
 #include "Planning/PlanLists.h"
 
@@ -30,6 +31,47 @@ Json DescribeObjects(const Plan& plan, bool names)
       }
     });
   return objects;
+}
+
+/// "surface 2, a sheet of 3 mm"
+std::string CalledSource(const Plan& plan, const PlanFragment& fragment)
+{
+  if (const auto* label = std::get_if<LabelSource>(&fragment.source))
+    return "label " + std::to_string(label->label) + " of " +
+           CalledObject(plan, label->segmentation);
+  if (const auto* piece = std::get_if<PieceSource>(&fragment.source))
+    return "a piece of " + CalledObject(plan, piece->fragment);
+  if (const auto* surface = std::get_if<SurfaceSource>(&fragment.source))
+    return CalledObject(plan, surface->surface) +
+           (surface->thicknessMm > 0.0 ? Line(", a sheet of %g mm", surface->thicknessMm)
+                                       : ", closed");
+  return "bone of " + CalledObject(plan, std::get<ComponentSource>(fragment.source).volume);
+}
+
+/// What fragments are, and how they stand.
+Json DescribeFragments(const Plan& plan)
+{
+  Json fragments = Json::array();
+  for (const PlanFragment& fragment : plan.fragments)
+  {
+    const glm::dvec3& p = fragment.scanToPlanned.position;
+    const glm::dquat& q = fragment.scanToPlanned.orientation;
+    fragments.push_back({ { "fragment", fragment.id }, { "of", CalledSource(plan, fragment) },
+      { "kept", fragment.state == FragmentState::Kept }, { "locked", fragment.locked },
+      { "position", { p.x, p.y, p.z } }, { "orientation", { q.w, q.x, q.y, q.z } } });
+  }
+  return fragments;
+}
+
+/// "fragment 4: surface 2, closed; locked"
+std::string FragmentText(const Plan& plan, const PlanFragment& fragment)
+{
+  std::string text = CalledObject(plan, fragment.id) + ": " + CalledSource(plan, fragment);
+  if (!(fragment.scanToPlanned == PlanPose{}))
+    text += "; moved";
+  if (fragment.locked)
+    text += "; locked";
+  return text + (fragment.state == FragmentState::Resected ? "; resected" : "");
 }
 
 /// Parts that are in date with what was found on them; of the others why they are not.
@@ -146,6 +188,7 @@ void ShowPlan(const PlanDocument& document, const std::string& folder, Session& 
   result["hash"] = PlanHash(plan);
   result["next_id"] = document.history.NewId();
   result["objects"] = DescribeObjects(plan, session.showNames);
+  result["fragments"] = DescribeFragments(plan);
   result["parts"] = DescribeParts(document, folder);
   result["label_maps"] = DescribeLabelMaps(document, folder);
   const std::string undo = document.history.ToUndo() ? NextStep(document.history, true) : "",
@@ -155,6 +198,8 @@ void ShowPlan(const PlanDocument& document, const std::string& folder, Session& 
   for (const Json& object : result["objects"])
     Say(session, object["kind"].get<std::string>() + " " + object["id"].dump() +
                    (session.showNames ? "  " + object["name"].get<std::string>() : ""));
+  for (const PlanFragment& fragment : plan.fragments)
+    Say(session, FragmentText(plan, fragment));
   for (const Json& part : result["parts"])
     Say(session, PartText(plan, part));
   for (const Json& map : result["label_maps"])

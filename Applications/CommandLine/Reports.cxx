@@ -12,6 +12,7 @@
 #endif
 #include "ReportHaptics.h"
 #include "ReportImport.h"
+#include "ReportReduction.h"
 #include "ReportSegmentation.h"
 #include "ReportStereo.h"
 
@@ -52,6 +53,12 @@ const std::vector<ReportEntry>& ReportRegistry()
         "how far fragments agree with the truth after few strokes, error against time, and what "
         "one more stroke costs, against a watershed, thresholds and a direct solver",
         ReportSegmentation },
+#if HASP_WITH_REDUCTION
+      { "reduction",
+        "where fragments end that are put together by their broken faces, from how far off, and "
+        "whether stated intervals hold, against contact alone and closest points",
+        ReportReduction },
+#endif
       { "import", "where samples lie and how long reading takes, against other readers",
         ReportImport },
       { "stereo", "where points lie in both eyes, against VTK's own stereo", ReportStereo },

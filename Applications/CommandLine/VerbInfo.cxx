@@ -11,6 +11,7 @@
 #include "VolumeInput.h"
 #include "vtkHaspCellFile.h"
 #include "vtkHaspFileNames.h"
+#include "vtkHaspSurfaceHash.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Isosurface/ClusteredCells.h"
@@ -55,12 +56,18 @@ void RunOnSurface(const VolumeChoices& choices, Session& session)
   session.resources.push_back({ "surface", BytesOf(read), spent.count(),
     read.passport.format + ", " + read.passport.coordinateType });
   session.progress.Step("checking the mesh");
-  const MeshCheck mesh = CheckMesh(WeldPoints(MakeTriangleMesh(read.surface)));
+  const TriangleMesh triangles = MakeTriangleMesh(read.surface);
+  const MeshCheck mesh = CheckMesh(WeldPoints(triangles));
+  const std::string hash = SurfaceHash(triangles);
   session.progress.Wipe();
   if (session.json)
+  {
     session.result["passport"] = SurfacePassportJson(read.passport, mesh);
+    session.result["hash"] = hash;
+  }
   else
-    std::cout << SurfacePassportText(read.passport, mesh);
+    std::cout << SurfacePassportText(read.passport, mesh)
+              << (hash.empty() ? "" : "hash        " + hash + "\n");
 }
 
 /// None: it is no segmentation, or its faults tell more than the first of them.

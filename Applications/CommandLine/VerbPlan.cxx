@@ -3,6 +3,7 @@
 #include "PartFormats.h"
 #include "PartReport.h"
 #include "PlanInput.h"
+#include "PlanMoves.h"
 #include "PlanText.h"
 #include "Session.h"
 #include "Verbs.h"
@@ -26,6 +27,7 @@ struct PlanOptions
 {
   std::string plan, caseLabel, edits, blob, output, recipe;
   PlanId part = 0;
+  PlanMove move;
   bool begin = false, undo = false, redo = false, show = false, check = false, force = false,
        prune = false;
 };
@@ -154,10 +156,11 @@ void Export(const PlanOptions& options, const PlanDocument& document, Session& s
 void RequireOneTask(const PlanOptions& options)
 {
   if (options.begin + options.undo + options.redo + options.check + options.prune +
-        !options.edits.empty() + (options.part != 0) + !options.blob.empty() >
+        !options.edits.empty() + (options.part != 0) + !options.blob.empty() +
+        (options.move.object != 0) >
       1)
-    throw Failure(ExitCode::WrongUse,
-      "one at a time: --new, --apply, --undo, --redo, --check, --prune, --export or --blob");
+    throw Failure(ExitCode::WrongUse, "one at a time: --new, --apply, --move, --undo, --redo, "
+                                      "--check, --prune, --export or --blob");
   if (!options.caseLabel.empty() && !options.begin)
     throw Failure(ExitCode::WrongUse, "--case goes with --new; later it is an edit: caseLabel");
   if (!options.recipe.empty() && options.part == 0)
@@ -180,8 +183,9 @@ void Change(const PlanOptions& options, Session& session)
   }
   if (options.prune)
     return Prune(document, options.plan, session);
-  const std::string said = options.edits.empty() ? UndoOrRedo(document, options.undo)
-                                                 : ApplyEdits(document, options.edits);
+  const std::string said = options.move.object != 0 ? MakeMove(document, options.move)
+                           : options.edits.empty()  ? UndoOrRedo(document, options.undo)
+                                                    : ApplyEdits(document, options.edits);
   StorePlan(options.plan, document);
   Say(session, said);
   ShowPlan(document, options.plan, session);
@@ -195,7 +199,7 @@ void Run(const PlanOptions& options, Session& session)
   if (options.check)
     return Check(options.plan, session);
   if (!options.blob.empty() || !options.edits.empty() || options.undo || options.redo ||
-      options.prune)
+      options.prune || options.move.object != 0)
     return Change(options, session);
   const PlanDocument document = OpenPlan(options.plan);
   if (options.part != 0)
@@ -214,6 +218,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_flag("--new", options->begin, "Make the folder, with an empty plan");
   verb->add_option("--case", options->caseLabel, "With --new: a pseudonym, written on parts");
   verb->add_option("--apply", options->edits, "A .json file of edits, all made as one step");
+  AddMoveOptions(*verb, options->move);
   verb->add_flag("--undo", options->undo, "Take the last step back");
   verb->add_flag("--redo", options->redo, "Make the step again that was taken back last");
   verb->add_flag(

@@ -23,11 +23,17 @@ void AddVerbs(CLI::App& app, Session& session)
   AddCertifyVerb(app, session);
   AddPlateVerb(app, session);
   AddImplantVerb(app, session);
+  AddMirrorVerb(app, session);
 #endif
 #if HASP_WITH_PLANS
   AddPlanVerb(app, session);
+#if HASP_WITH_REDUCE_VERB
+  AddReduceVerb(app, session);
+#endif
   AddRunVerb(app, session);
+  AddEvaluateVerb(app, session);
   AddTransplantVerb(app, session);
+  AddFractureVerb(app, session);
 #endif
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);

@@ -23,14 +23,18 @@ void AddRenderVerb(CLI::App& app, Session& session);
 void AddViewVerb(CLI::App& app, Session& session);
 void AddCalibrateVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
+void AddFractureVerb(CLI::App& app, Session& session);
 void AddSegmentVerb(CLI::App& app, Session& session);
 void AddCutVerb(CLI::App& app, Session& session);
 void AddGuideVerb(CLI::App& app, Session& session);
 void AddCertifyVerb(CLI::App& app, Session& session);
 void AddPlateVerb(CLI::App& app, Session& session);
 void AddImplantVerb(CLI::App& app, Session& session);
+void AddMirrorVerb(CLI::App& app, Session& session);
 void AddPlanVerb(CLI::App& app, Session& session);
+void AddReduceVerb(CLI::App& app, Session& session);
 void AddRunVerb(CLI::App& app, Session& session);
+void AddEvaluateVerb(CLI::App& app, Session& session);
 void AddTransplantVerb(CLI::App& app, Session& session);
 void AddReportVerb(CLI::App& app, Session& session);
 

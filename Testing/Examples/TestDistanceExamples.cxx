@@ -1,4 +1,4 @@
-// The examples of Filters/Distance: MeasureBone, OffsetBone, CutBone, MakePlate.
+// The examples of Filters/Distance: MeasureBone, OffsetBone, CutBone, MakePlate, MeasureDistance.
 #include "ExampleRun.h"
 
 #include "Evaluation/MeshCheck.h"
@@ -93,12 +93,26 @@ TEST_F(DistanceExamples, WrongArgumentsAreAnsweredByOneLine)
 {
   for (const std::string wrong : { "MeasureBone", "MeasureBone ball.mha abc", "OffsetBone",
          "OffsetBone ball.mha 226 abc none.stl", "OffsetBone ball.mha 226x 1 none.stl", "CutBone",
-         "CutBone ball.mha 0 1 2 z 1 none.stl", "MakePlate", "MakePlate A" })
+         "CutBone ball.mha 0 1 2 z 1 none.stl", "MakePlate", "MakePlate A", "MeasureDistance",
+         "MeasureDistance a.stl b.stl 2x" })
   {
     EXPECT_EQ(this->Run(wrong), 1) << wrong;
     EXPECT_EQ(this->said.find(wrong.substr(0, wrong.find(' ')) + " <"), 0U) << this->said;
     EXPECT_EQ(this->said.find('\n'), this->said.size() - 1) << this->said;
   }
+}
+
+TEST_F(DistanceExamples, MeasureDistanceFollowsThePose)
+{
+  this->WriteBall();
+  ASSERT_EQ(this->Run("OffsetBone ball.mha 0 0 ball.stl"), 0) << this->said;
+  ASSERT_EQ(this->Run("OffsetBone ball.mha 0 -2.5 smaller.stl"), 0) << this->said;
+  ASSERT_EQ(this->Run("MeasureDistance smaller.stl ball.stl 4"), 0) << this->said;
+  double low = 0, high = 0;
+  const std::string last = this->said.substr(this->said.rfind("3 mm: "));
+  ASSERT_EQ(std::sscanf(last.c_str(), "3 mm: %lf to %lf mm", &low, &high), 2) << this->said;
+  EXPECT_NEAR(high, 3 - 2.5, 0.1); // voxels of a millimetre, and what it is sampled on
+  EXPECT_NEAR(low, -3 - 2.5, 0.1);
 }
 
 TEST_F(DistanceExamples, AFileThatIsNotThereIsSaidAndNothingElseIsBlamed)

@@ -1,5 +1,6 @@
 #include "ReportTerms.h"
 
+#include "ReductionTerms.h"
 #include "SegmentationTerms.h"
 
 namespace hasp
@@ -232,6 +233,7 @@ std::vector<ReportTerm> TermsOf(const std::string& report)
                                   : report == "distance"     ? DistanceTerms()
                                   : report == "guides"       ? GuideTerms()
                                   : report == "haptics"      ? HapticTerms()
+                                  : report == "reduction"    ? ReductionTerms()
                                   : report == "segmentation" ? SegmentationTerms()
                                   : report == "stereo"       ? StereoTerms()
                                                              : OthersOf(report);

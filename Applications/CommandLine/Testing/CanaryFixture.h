@@ -123,6 +123,10 @@ protected:
 #if HASP_WITH_GUIDES
     this->ExpectNoneTwice(
       { "guide", path, "--recipe", this->Recipe(), "--output", this->OutFile("x.stl"), "--check" });
+    this->ExpectNoneTwice(
+      { "mirror", path, "--isovalue", "1", "--output", this->OutFile("x.stl") });
+    this->ExpectNoneTwice(
+      { "fracture", "--volume", path, "--bone", "60", "--output", this->OutFile("x") });
 #endif
   }
   std::string Recipe() const

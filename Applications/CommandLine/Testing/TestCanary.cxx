@@ -70,6 +70,7 @@ TEST_F(Canary, SurfacesGiveNothingAway)
     {
       for (const std::string to : { "x.stl", "x.ply", "x.obj", "x.mha" })
         this->ExpectNone({ "convert", file, this->OutFile(to) });
+      this->ExpectNone({ "evaluate", file, input.path });
 #if HASP_WITH_PICTURES
       const std::string volume = this->folder / "head.mha";
       if (!fs::exists(volume))

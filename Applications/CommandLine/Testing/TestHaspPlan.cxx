@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 namespace
@@ -70,6 +71,37 @@ TEST_F(HaspPlan, EditsAreMadeUndoneAndRedone)
   EXPECT_NE(named.out.find("fragment 2  Erika"), std::string::npos) << named.out;
   const HaspRun alone = RunHasp({ "plan", this->Path("case.hasp/plan.json"), "--json" });
   EXPECT_EQ(Shown(alone).at("hash"), made.at("hash"));
+}
+
+TEST_F(HaspPlan, FragmentsAndGroupsAreMovedLockedAndUngrouped)
+{
+  ASSERT_EQ(this->Plan({ "--new" }).exitCode, 0);
+  json locked = Fragment(4);
+  locked["object"]["locked"] = true;
+  const auto group = [](int id, const json& members)
+  {
+    return json{ { "add", "group" },
+      { "object", { { "id", id }, { "name", "Erika" }, { "fragments", members } } } };
+  };
+  Shown(this->Apply(
+    { Volume(1), Fragment(2), Fragment(3), locked, group(5, { 2, 3 }), group(6, { 3, 4 }) }));
+  const auto position = [](const json& shown, int n)
+  { return shown.at("fragments")[std::size_t(n)].at("position"); };
+  json shown = Shown(this->Plan({ "--move", "5", "--shift", "1,2,3", "--json" }));
+  EXPECT_EQ(shown.at("undo"), "Move fragments 2 and 3");
+  EXPECT_EQ(position(shown, 0), (json{ 1.0, 2.0, 3.0 }));
+  EXPECT_EQ(position(shown, 1), (json{ 1.0, 2.0, 3.0 }));
+  shown = Shown(this->Plan({ "--move", "2", "--turn", "0,0,90", "--about", "1,2,0", "--json" }));
+  EXPECT_NEAR(position(shown, 0)[0].get<double>(), 1.0, 1e-12); // it stands on the axis
+  EXPECT_NEAR(shown.at("fragments")[0].at("orientation")[3].get<double>(), std::sqrt(0.5), 1e-12);
+  ExpectFailure(this->Plan({ "--move", "6", "--shift", "1,0,0" }), 2, "fragment 4: is locked");
+  ExpectFailure(this->Plan({ "--move", "4", "--shift", "1,0,0" }), 2, "is locked");
+  ExpectFailure(this->Plan({ "--move", "1", "--shift", "1,0,0" }), 2, "the plan has none");
+  EXPECT_EQ(this->Plan({ "--shift", "1,0,0" }).exitCode, 1);
+  EXPECT_EQ(this->Plan({ "--move", "2", "--undo" }).exitCode, 1);
+  const json before = Shown(this->Plan({ "--json" })).at("fragments");
+  shown = Shown(this->Apply({ { { "remove", 5 } } }));
+  EXPECT_EQ(shown.at("fragments"), before); // taken apart, nothing moves
 }
 
 TEST_F(HaspPlan, RefusedEditsLeaveThePlanAsItWas)

@@ -1,0 +1,63 @@
+#pragma once
+#include "Evaluation/PoseDifference.h"
+#include "Evaluation/SurfaceDifference.h"
+#include "Evaluation/SurfaceRegistration.h"
+#include "Evaluation/TrialTable.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What `hasp evaluate` found, as text, JSON and CSV.
+namespace hasp
+{
+
+struct FragmentResult
+{
+  std::uint32_t id = 0; ///< 0: of no plan
+  std::string called;
+  SurfaceDifference surface;
+  std::optional<PoseDifference> pose;    ///< where both are the same bone
+  std::optional<PoseDifference> aligned; ///< after best common alignment of all
+};
+
+struct PairResult
+{
+  std::string reference; ///< empty: none
+  bool referenceMoved = false;
+  std::vector<FragmentResult> fragments;
+  std::vector<std::string> onlyFirst, onlySecond;
+};
+
+struct ScanResult
+{
+  std::string reference;
+  SurfaceRegistration registration;
+  struct Fragment
+  {
+    std::uint32_t id = 0;
+    std::string called;
+    DirectedDifference toOther;
+  };
+  std::vector<Fragment> fragments;
+};
+
+/// A key as it may be shown: no control characters, which a terminal would obey.
+std::string PrintableName(const std::string& key);
+
+nlohmann::ordered_json JsonOf(const PairResult& result);
+std::string TextOf(const PairResult& result);
+std::string CsvOf(const PairResult& result);
+
+nlohmann::ordered_json JsonOf(const ScanResult& result);
+std::string TextOf(const ScanResult& result);
+
+/// Cases, operators and fragments are named in the table as they are to be said.
+nlohmann::ordered_json JsonOf(const TrialTable& table);
+std::string TextOf(const TrialTable& table);
+std::string CsvOf(const TrialTable& table);
+
+} // namespace hasp

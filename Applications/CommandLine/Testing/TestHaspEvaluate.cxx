@@ -1,0 +1,244 @@
+// Reductions against each other, against the truth, and against another scan.
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace
+{
+
+using nlohmann::json;
+
+class HaspEvaluate : public HaspTest
+{
+protected:
+  /// A closed box, as text.
+  void WriteBox(const std::string& name, double x, double side = 10.0) const
+  {
+    const double low[3] = { x, 0, 0 }, high[3] = { x + side, 2 * side, 3 * side };
+    std::string text = "solid box\n";
+    const auto corner = [&](int c)
+    {
+      char line[120];
+      std::snprintf(line, sizeof line, "vertex %.9g %.9g %.9g\n", c & 1 ? high[0] : low[0],
+        c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2]);
+      text += line;
+    };
+    const int faces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+      { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+    for (const auto& f : faces)
+      for (const auto& t : { std::array{ f[0], f[1], f[2] }, std::array{ f[0], f[2], f[3] } })
+      {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int c : t)
+          corner(c);
+        text += "endloop\nendfacet\n";
+      }
+    this->WriteText(name, text + "endsolid box\n");
+  }
+  static json Pose(double x, double degreesAboutZ = 0.0)
+  {
+    const double half = 0.5 * degreesAboutZ * std::acos(-1.0) / 180.0;
+    return { { "position", { x, 0, 0 } },
+      { "orientation", { std::cos(half), 0, 0, std::sin(half) } } };
+  }
+  static json Fragment(int id, const std::string& name, const json& pose, bool locked = false,
+    const json& seed = { 0, 0, 0 })
+  {
+    return { { "add", "fragment" },
+      { "object", { { "id", id }, { "name", name },
+                    { "source", { { "volume", 1 }, { "isovalue", 226 }, { "seed", seed },
+                                  { "spacingMm", 1.5 } } },
+                    { "colour", "#ffffff" }, { "state", "kept" }, { "scanToPlanned", pose },
+                    { "locked", locked } } } };
+  }
+  void WritePlan(const std::string& name, const json& fragments,
+    const std::string& hash = std::string(64, 'a')) const
+  {
+    ASSERT_EQ(RunHasp({ "plan", this->Path(name), "--new" }).exitCode, 0);
+    json edits{ { { "add", "volume" },
+      { "object", { { "id", 1 }, { "name", "Erika" }, { "hash", hash } } } } };
+    edits.insert(edits.end(), fragments.begin(), fragments.end());
+    this->WriteText("edits.json", json{ { "format", "hasp-edits-3" }, { "edits", edits } }.dump());
+    const HaspRun run = RunHasp({ "plan", this->Path(name), "--apply", this->Path("edits.json") });
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+  }
+  /// The skull as id 2, the jaw as 3.
+  void WriteTrial(const std::string& name, double jaw, double skull = 0.0) const
+  {
+    this->WritePlan(
+      name, { Fragment(2, "skull", Pose(skull), true), Fragment(3, "jaw", Pose(jaw)) });
+  }
+  HaspRun Evaluate(const std::vector<std::string>& paths, const std::vector<std::string>& more = {})
+  {
+    std::vector<std::string> words{ "evaluate" };
+    for (const std::string& path : paths)
+      words.push_back(this->Path(path));
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+  json Found(const std::vector<std::string>& paths, std::vector<std::string> more = {})
+  {
+    more.push_back("--json");
+    const HaspRun run = this->Evaluate(paths, more);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return run.exitCode == 0 ? json::parse(run.out) : json();
+  }
+};
+
+TEST_F(HaspEvaluate, WrongUseIsOneAndBadInputIsTwo)
+{
+  this->WriteBox("a.stl", 0);
+  this->WriteTrial("a.hasp", 1.0);
+  ExpectFailure(this->Evaluate({ "a.stl" }), 1, "one alone is a folder of trials");
+  ExpectFailure(this->Evaluate({ "a.stl", "none.stl" }), 2, "no such file");
+  ExpectFailure(this->Evaluate({ "a.stl", "a.stl" }, { "--reference", "Erika" }), 1, "--reference");
+  ExpectFailure(this->Evaluate({ "a.stl" }, { "--scan", this->Path("a.stl") }), 1, "one plan");
+  ExpectFailure(this->Evaluate({ "a.hasp", "a.hasp" }), 2, "hasp run keeps it");
+  ExpectFailure(this->Evaluate({ "a.hasp", "a.hasp" }, { "--isovalue", "3" }), 1, "--scan");
+  this->WriteText("a.json", "{");
+  ExpectFailure(this->Evaluate({ "a.json", "a.json" }), 2, "plan.json is damaged");
+  std::filesystem::create_directories(this->Path("empty/case"));
+  ExpectFailure(this->Evaluate({ "empty" }), 2, "OPERATOR-TRIAL");
+}
+
+TEST_F(HaspEvaluate, ASurfaceThatWasMovedIsThatFarAway)
+{
+  this->WriteBox("a.stl", 0);
+  this->WriteBox("b.stl", 2.5);
+  const json found = this->Found({ "a.stl", "b.stl" });
+  ASSERT_EQ(found.at("fragments").size(), 1U);
+  const json& one = found.at("fragments")[0];
+  EXPECT_NEAR(one.at("pose").at("translation_mm"), 2.5, 1e-6);
+  EXPECT_NEAR(one.at("pose").at("tre_mean_mm"), 2.5, 1e-6);
+  EXPECT_NEAR(one.at("pose").at("rotation_deg"), 0.0, 1e-6);
+  EXPECT_NEAR(one.at("s2s").at("max_mm"), 2.5, 1e-6);
+  EXPECT_LE(one.at("s2s").at("mean_mm"), one.at("s2s").at("p95_mm"));
+  EXPECT_GE(one.at("s2s").at("samples"), 20000);
+  this->WriteBox("b.stl", 0, 11); // another mesh has no pose of this one
+  EXPECT_FALSE(this->Found({ "a.stl", "b.stl" }).at("fragments")[0].contains("pose"));
+  EXPECT_NE(this->Evaluate({ "a.stl", "b.stl" }).out.find("no TRE"), std::string::npos);
+}
+
+TEST_F(HaspEvaluate, PlansAreHeldToEachOtherBesideTheReference)
+{
+  this->WriteBox("fragment-3.stl", 40);
+  this->WriteTrial("a.hasp", 1.0);
+  this->WriteTrial("b.hasp", 3.0);
+  const json found = this->Found({ "a.hasp", "b.hasp" }, { "--csv", this->Path("t.csv") });
+  ASSERT_EQ(found.at("fragments").size(), 1U); // the locked one is the reference
+  EXPECT_NEAR(found.at("fragments")[0].at("pose").at("tre_max_mm"), 2.0, 1e-9);
+  EXPECT_EQ(found.at("reference_moved"), false);
+  EXPECT_EQ(this->Evaluate({ "a.hasp/", "b.hasp/" }).exitCode, 0); // as shells complete them
+  EXPECT_NE(ReadBytes(this->Path("t.csv")).find("\n3,"), std::string::npos);
+  this->WriteTrial("c.hasp", 8.0, 7.0); // all of it 7 mm aside
+  for (const char* reference : { "skull", "2" })
+  {
+    const json moved = this->Found({ "a.hasp", "c.hasp" }, { "--reference", reference });
+    EXPECT_NEAR(moved.at("fragments")[0].at("pose").at("tre_max_mm"), 0.0, 1e-9);
+    EXPECT_EQ(moved.at("reference_moved"), true);
+  }
+  const HaspRun text = this->Evaluate({ "a.hasp", "c.hasp" });
+  EXPECT_EQ(text.out.find("jaw"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("relative to it"), std::string::npos) << text.out;
+  EXPECT_NE(
+    this->Evaluate({ "a.hasp", "c.hasp" }, { "--show-names" }).out.find("jaw"), std::string::npos);
+}
+
+TEST_F(HaspEvaluate, ATurnIsSaidInDegrees)
+{
+  this->WriteBox("fragment-3.stl", 0);
+  this->WritePlan("a.hasp", json::array({ Fragment(3, "jaw", Pose(0)) }));
+  this->WritePlan("b.hasp", json::array({ Fragment(3, "jaw", Pose(0, 6.0)) }));
+  const json found = this->Found({ "a.hasp", "b.hasp" });
+  EXPECT_NEAR(found.at("fragments")[0].at("pose").at("rotation_deg"), 6.0, 1e-9);
+}
+
+/// One jaw, label 9, that came off by 2 mm along x; label 1 stands.
+json Truth()
+{
+  const auto shifted = [](double x) {
+    return json{ { 1, 0, 0, x }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } };
+  };
+  return { { "format", "fracture-case/1" }, { "case", "Erika" }, { "units", "mm" },
+    { "axes", "LPS" }, { "spacing_mm", { 1, 1, 1 } }, { "origin_mm", { 0, 0, 0 } },
+    { "dims_xyz", { 50, 50, 50 } }, { "fixed_labels", { 1 } }, { "convention", "as written" },
+    { "cuts", json::array() },
+    { "fragments", { { { "label", 9 }, { "name", "jaw" }, { "voxels_anatomical", 100 },
+                     { "voxels_fractured", 100 }, { "volume_mm3", 100 },
+                     { "centroid_anatomical_mm", { 40, 0, 0 } },
+                     { "displacement_4x4", shifted(-2) }, { "reduction_4x4_truth", shifted(2) },
+                     { "displacement_rotation_deg", 0 }, { "displacement_of_centroid_mm", 2 },
+                     { "start_error_mm", { { "mean", 2 }, { "max", 2 } } } } } } };
+}
+
+TEST_F(HaspEvaluate, AFolderOfTrialsGivesPrecisionAndAccuracyApart)
+{
+  std::filesystem::create_directories(this->Path("all/Erika"));
+  this->WriteBox("all/Erika/fragment-3.stl", 40);
+  this->WriteTrial("all/Erika/Xaver-1.hasp", 1.0);
+  this->WriteTrial("all/Erika/Xaver-2.hasp", 3.0);
+  this->WriteTrial("all/Erika/Yvonne-1.hasp", 9.0, 1.0); // 8 beside the skull
+  this->WriteText("all/Erika/truth.json", Truth().dump());
+  const json found = this->Found({ "all" }, { "--csv", this->Path("t.csv") });
+  const json& overall = found.at("overall");
+  EXPECT_EQ(overall.at("intra_operator").at("pairs"), 1);
+  EXPECT_NEAR(overall.at("intra_operator").at("tre_mm").at("mean"), 2.0, 1e-9);
+  EXPECT_EQ(overall.at("inter_operator").at("pairs"), 2);
+  EXPECT_NEAR(overall.at("inter_operator").at("tre_mm").at("mean"), 6.0, 1e-9);
+  EXPECT_EQ(overall.at("accuracy").at("pairs"), 3);
+  EXPECT_NEAR(overall.at("accuracy").at("tre_mm").at("mean"), (1 + 1 + 6) / 3.0, 1e-9);
+  EXPECT_NEAR(overall.at("accuracy").at("tre_mm").at("max"), 6.0, 1e-9);
+  ASSERT_EQ(found.at("missing").size(), 1U);
+  EXPECT_EQ(found.at("missing")[0], "case 1: operator 2 trial 2 is not there");
+  EXPECT_NE(ReadBytes(this->Path("t.csv")).find("all,accuracy,3"), std::string::npos);
+  const HaspRun text = this->Evaluate({ "all" });
+  EXPECT_NE(text.out.find("missing: case 1"), std::string::npos) << text.out;
+  EXPECT_EQ(text.out.find("Erika"), std::string::npos);
+  EXPECT_EQ(text.out.find("Yvonne"), std::string::npos);
+  EXPECT_NE(
+    this->Evaluate({ "all" }, { "--show-names" }).out.find("Yvonne trial 2"), std::string::npos);
+  this->WriteText("all/Erika/truth.json", "{\"format\": \"Erika\"}");
+  ExpectFailure(this->Evaluate({ "all" }), 2, "fracture-case/1");
+  std::filesystem::rename(this->Path("all/Erika/Xaver-2.hasp"), this->Path("all/Erika/Xaver.hasp"));
+  ExpectFailure(this->Evaluate({ "all" }), 2, "OPERATOR-TRIAL");
+}
+
+TEST_F(HaspEvaluate, APlanIsHeldToAnotherScanThatTheReferenceLeadsTo)
+{
+  const auto scan = [this](const std::string& name, const std::string& spacing)
+  {
+    ASSERT_EQ(RunHasp({ "phantom", "--anatomy", "fibula", "--spacing", spacing, "--output",
+                        this->Path(name) })
+                .exitCode,
+      0);
+  };
+  scan("leg.mha", "1.2,1.2,2");
+  scan("after.mha", "1,1.4,1.5");
+  const std::string hash =
+    json::parse(RunHasp({ "info", this->Path("leg.mha"), "--json" }).out).at("passport").at("hash");
+  const json seed{ 0, -5, 20 };
+  this->WritePlan("a.hasp",
+    { Fragment(2, "leg", Pose(0), true, seed), Fragment(3, "same", Pose(0), false, seed),
+      Fragment(4, "aside", Pose(4), false, seed) },
+    hash);
+  const std::vector<std::string> more{ "--scan", this->Path("after.mha"), "--volume",
+    this->Path("leg.mha") };
+  const json found = this->Found({ "a.hasp" }, more);
+  EXPECT_EQ(found.at("registration").at("fits"), true);
+  EXPECT_LT(found.at("registration").at("median_mm"), 0.2); // a sixth of a voxel
+  ASSERT_EQ(found.at("fragments").size(), 2U);
+  EXPECT_LT(found.at("fragments")[0].at("to_other_scan").at("mean_mm"), 0.3);
+  EXPECT_GT(found.at("fragments")[1].at("to_other_scan").at("mean_mm"), 1.0);
+  EXPECT_LE(found.at("fragments")[1].at("to_other_scan").at("max_mm"), 4.5);
+  const std::string head = this->Phantom();
+  ExpectFailure(this->Evaluate({ "a.hasp" }, { "--scan", head, "--volume", this->Path("leg.mha") }),
+    3, "does not fit the reference");
+  ExpectFailure(
+    this->Evaluate({ "a.hasp" }, { "--scan", head, "--reference", "nobody" }), 1, "--reference");
+}
+
+} // namespace

@@ -1,0 +1,114 @@
+#include "HaspProcess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace
+{
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+class HaspFracture : public HaspTest
+{
+protected:
+  HaspRun Break(const std::vector<std::string>& more, const std::string& folder = "case") const
+  {
+    std::vector<std::string> words{ "fracture", "--quiet", "--output", this->Path(folder) };
+    words.insert(words.end(), more.begin(), more.end());
+    return RunHasp(words);
+  }
+};
+
+TEST_F(HaspFracture, WrongUseIsOneAndLeavesNothing)
+{
+  const std::vector<std::vector<std::string>> wrong{ { "--fragments", "1" }, { "--fragments", "6" },
+    { "--fragments", "5" }, { "--shift", "-1" }, { "--turn", "nan" }, { "--chips", "21" },
+    { "--phantom", "leg" }, { "--spacing", "0.3,0.3,0.3", "--fine", "2" } };
+  for (const std::vector<std::string>& words : wrong)
+    EXPECT_EQ(this->Break(words).exitCode, 1) << words[0] << " " << words[1];
+  EXPECT_TRUE(this->Names().empty());
+  this->WriteText("bad.mha", "no volume");
+  EXPECT_EQ(this->Break({ "--volume", this->Path("bad.mha") }).exitCode, 2);
+}
+
+TEST_F(HaspFracture, ACaseIsWholeAndItsPlanIsOfItsScan)
+{
+  ASSERT_EQ(this
+              ->Break({ "--fine", "1.2", "--spacing", "1.2,1.2,2", "--fragments", "3", "--shift",
+                "4", "--turn", "6", "--eroded", "0.3", "--chips", "1", "--noise", "10" })
+              .exitCode,
+    0);
+  for (const char* name : { "truth.json", "fractured_ct.mha", "fractured_labels.mha",
+         "intact_ct.mha", "intact_labels.mha", "plan.hasp" })
+    EXPECT_TRUE(fs::exists(this->Path("case") + "/" + name)) << name;
+  EXPECT_FALSE(fs::exists(this->Path("case/labels.nrrd")));
+  const json truth = json::parse(ReadBytes(this->Path("case/truth.json")));
+  EXPECT_EQ(truth.at("format"), "fracture-case/1");
+  ASSERT_EQ(truth.at("fragments").size(), 2U);
+  EXPECT_EQ(truth.at("fixed_labels"), (json{ 2, 3 }));
+  EXPECT_NEAR(truth.at("fragments")[0].at("displacement_rotation_deg").get<double>(), 6.0, 1e-9);
+  // Of the fine voxels' centroid; the file has that of the coarse ones.
+  EXPECT_NEAR(truth.at("fragments")[0].at("displacement_of_centroid_mm").get<double>(), 4.0, 0.05);
+  EXPECT_EQ(truth.at("spacing_mm"), (json{ 1.2, 1.2, 2.0 }));
+  const HaspRun info = RunHasp({ "info", this->Path("case/fractured_ct.mha"), "--json" });
+  const json plan = json::parse(ReadBytes(this->Path("case/plan.hasp/plan.json"))).at("plan");
+  EXPECT_NE(info.out.find(plan.at("volumes")[0].at("hash").get<std::string>()), std::string::npos);
+  ASSERT_EQ(plan.at("fragments").size(), 4U);
+  EXPECT_TRUE(plan.at("fragments")[0].at("locked").get<bool>());
+  EXPECT_FALSE(plan.at("fragments")[3].at("locked").get<bool>());
+  EXPECT_EQ(RunHasp({ "plan", this->Path("case/plan.hasp"), "--check" }).exitCode, 0);
+  const HaspRun shown = RunHasp({ "plan", this->Path("case/plan.hasp") });
+  EXPECT_NE(shown.out.find("fragment 3: label 2 of segmentation 2; locked"), std::string::npos)
+    << shown.out;
+}
+
+TEST_F(HaspFracture, AScanBreaksTheSameForTheSameSeed)
+{
+  ASSERT_EQ(RunHasp({ "phantom", "--quiet", "--spacing", "2.5,2.5,2.5", "--output",
+                      this->Path("head.mha") })
+              .exitCode,
+    0);
+  const std::vector<std::string> words{ "--volume", this->Path("head.mha"), "--fragments", "3" };
+  ASSERT_EQ(this->Break(words, "a").exitCode, 0);
+  ASSERT_EQ(this->Break(words, "b").exitCode, 0);
+  for (const char* name : { "/truth.json", "/fractured_ct.mha", "/fractured_labels.mha" })
+    EXPECT_EQ(ReadBytes(this->Path("a") + name), ReadBytes(this->Path("b") + name)) << name;
+}
+
+class HaspMirror : public HaspTest
+{
+};
+
+TEST_F(HaspMirror, WrongUseIsOneAndBadInputTwo)
+{
+  const std::string head = this->Phantom();
+  ExpectFailure(RunHasp({ "mirror", head, "--plane", "0,0,0,0,0,0" }), 1, "normal has no length");
+  EXPECT_EQ(RunHasp({ "mirror", head, "--plane", "0,0,0" }).exitCode, 1);
+  EXPECT_EQ(RunHasp({ "mirror", head, "--output", this->Path("ghost.png") }).exitCode, 1);
+  EXPECT_EQ(RunHasp({ "mirror", this->Path("none.mha") }).exitCode, 2);
+}
+
+TEST_F(HaspMirror, FindsThePlaneAndWritesTheGhost)
+{
+  ASSERT_EQ(
+    RunHasp({ "phantom", "--quiet", "--spacing", "2,2,2", "--output", this->Path("head.mha") })
+      .exitCode,
+    0);
+  const HaspRun run = RunHasp({ "mirror", this->Path("head.mha"), "--spacing", "2", "--output",
+    this->Path("ghost.ply"), "--json" });
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json result = json::parse(run.out);
+  const json plane = result.at("plane");
+  EXPECT_TRUE(plane.at("found").get<bool>());
+  EXPECT_GT(plane.at("normal")[0].get<double>(), std::cos(0.01));
+  EXPECT_LT(result.at("median_mm").get<double>(), 0.5);
+  EXPECT_GT(result.at("matched_share").get<double>(), 0.9);
+  EXPECT_TRUE(fs::exists(this->Path("ghost.ply")));
+  const HaspRun info = RunHasp({ "info", this->Path("ghost.ply") });
+  EXPECT_NE(info.out.find("hash        "), std::string::npos) << info.out;
+}
+
+} // namespace
