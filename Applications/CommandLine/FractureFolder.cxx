@@ -1,6 +1,6 @@
 #include "FractureFolder.h"
 
-#include "RunSegments.h"
+#include "PlanFragments.h"
 #include "VerbWork.h"
 #include "vtkHaspLabelFile.h"
 #include "vtkHaspOutputFile.h"
@@ -8,6 +8,8 @@
 #include "vtkHaspVolumeView.h"
 
 #include "Planning/PlanFile.h"
+#include "Planning/SeedsFile.h"
+#include "Studies/SimulatedStrokes.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -31,40 +33,31 @@ LabelTable NamesOf(const FracturedScan& scan)
   return table;
 }
 
-/// One object after the other, as if a user had made them.
-Plan PlanOf(const MadeFractureCase& made, const std::string& scanHash, const std::string& labelBlob)
-{
-  const glm::dvec3& spacing = made.truth.geometry.spacing;
-  Plan plan;
-  plan.caseLabel = "made";
-  plan.volumes = { { 1, "fractured", scanHash } };
-  plan.segmentations = { { 2, "fragments", 1, labelBlob } };
-  plan.nextId = 3;
-  for (const LabelEntry& entry : NamesOf(made.fractured))
-  {
-    PlanFragment fragment;
-    fragment.id = plan.nextId++;
-    fragment.name = entry.name;
-    LabelSource source;
-    source.segmentation = 2;
-    source.label = entry.value;
-    source.isovalue = made.truth.damage.coneBeam ? -1e6 : CaseBoneHU; // grey values tell nothing
-    source.spacingMm = std::clamp(std::min({ spacing.x, spacing.y, spacing.z }), 0.1, 2.0);
-    fragment.source = source;
-    fragment.locked = std::find(made.truth.fixed.begin(), made.truth.fixed.end(), entry.value) !=
-                      made.truth.fixed.end();
-    plan.fragments.push_back(std::move(fragment));
-  }
-  return plan;
-}
-
+/// As if a user had made it.
 void WritePlan(const MadeFractureCase& made, vtkImageData* scan, const fs::path& folder)
 {
-  const fs::path plan = folder / "plan.hasp", labels = folder / "labels.nrrd";
-  WriteLabels(MakeImage(made.truth.geometry, made.fractured.truth), {}, labels.string());
-  const std::string blob = WriteBlob(plan, ReadWholeFile(labels.string()));
-  fs::remove(labels);
-  SavePlan(plan, { PlanHistory(PlanOf(made, VolumeHash(ViewImage(scan)), blob)), {} });
+  const fs::path plan = folder / "plan.hasp";
+  FragmentLabels labels{ VolumeHash(ViewImage(scan)), {}, NamesOf(made.fractured) };
+  labels.blob = StoreLabels(plan.string(), MakeImage(made.truth.geometry, made.fractured.truth));
+  labels.isovalue = made.truth.damage.coneBeam ? -1e6 : CaseBoneHU; // grey values tell nothing
+  labels.spacingMm = FragmentSpacing(made.truth.geometry.spacing);
+  labels.locked.assign(made.truth.fixed.begin(), made.truth.fixed.end());
+  PlanHistory history;
+  history.Do(SetCaseLabel{ "made" });
+  history.Do(FragmentEdits(history.Current(), history.NewId(), labels));
+  SavePlan(plan, { history, {} });
+}
+
+/// A stroke on each fragment, as a user would draw it who knows about where each is.
+void WriteStrokes(const MadeFractureCase& made, const fs::path& folder)
+{
+  const GridView<const Label> truth{ made.fractured.truth.data(), made.truth.geometry };
+  Seeds seeds;
+  for (const LabelEntry& entry : NamesOf(made.fractured))
+    seeds.names.push_back({ entry.value, entry.name, entry.colour });
+  for (const CoarseHint& hint : CoarseTruth(truth).Hints())
+    seeds.strokes.push_back(DrawStroke(truth, hint));
+  WriteSeeds((folder / FractureCaseFiles::Strokes).string(), seeds);
 }
 
 void WriteInto(const MadeFractureCase& made, const fs::path& folder)
@@ -78,6 +71,7 @@ void WriteInto(const MadeFractureCase& made, const fs::path& folder)
   WriteLabels(MakeImage(grid, made.intact.truth), {}, at(FractureCaseFiles::IntactLabels));
   WriteFractureCase(folder, made.truth);
   WritePlan(made, scan, folder);
+  WriteStrokes(made, folder);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "Files.h"
 #include "PartFormats.h"
 #include "PartReport.h"
+#include "PlanFragments.h"
 #include "PlanInput.h"
 #include "PlanMoves.h"
 #include "PlanText.h"
@@ -28,6 +29,7 @@ struct PlanOptions
   std::string plan, caseLabel, edits, blob, output, recipe;
   PlanId part = 0;
   PlanMove move;
+  PlanFragmentsChoice fragments;
   bool begin = false, undo = false, redo = false, show = false, check = false, force = false,
        prune = false;
 };
@@ -157,14 +159,26 @@ void RequireOneTask(const PlanOptions& options)
 {
   if (options.begin + options.undo + options.redo + options.check + options.prune +
         !options.edits.empty() + (options.part != 0) + !options.blob.empty() +
-        (options.move.object != 0) >
+        (options.move.object != 0) + !options.fragments.labels.empty() >
       1)
-    throw Failure(ExitCode::WrongUse, "one at a time: --new, --apply, --move, --undo, --redo, "
-                                      "--check, --prune, --export or --blob");
+    throw Failure(ExitCode::WrongUse,
+      "one at a time: --new, --apply, --fragments, --move, --undo, --redo, --check, --prune, "
+      "--export or --blob");
   if (!options.caseLabel.empty() && !options.begin)
     throw Failure(ExitCode::WrongUse, "--case goes with --new; later it is an edit: caseLabel");
   if (!options.recipe.empty() && options.part == 0)
     throw Failure(ExitCode::WrongUse, "--recipe goes with --export: where the recipe is to go");
+}
+
+/// Returns what to say once it is stored.
+std::string MakeStep(PlanDocument& document, const PlanOptions& options, Session& session)
+{
+  if (options.move.object != 0)
+    return MakeMove(document, options.move);
+  if (!options.fragments.labels.empty())
+    return MakeFragments(document, options.plan, options.fragments, session);
+  return options.edits.empty() ? UndoOrRedo(document, options.undo)
+                               : ApplyEdits(document, options.edits);
 }
 
 /// Whoever changes the plan meanwhile waits, and what he did before is not lost.
@@ -183,9 +197,7 @@ void Change(const PlanOptions& options, Session& session)
   }
   if (options.prune)
     return Prune(document, options.plan, session);
-  const std::string said = options.move.object != 0 ? MakeMove(document, options.move)
-                           : options.edits.empty()  ? UndoOrRedo(document, options.undo)
-                                                    : ApplyEdits(document, options.edits);
+  const std::string said = MakeStep(document, options, session);
   StorePlan(options.plan, document);
   Say(session, said);
   ShowPlan(document, options.plan, session);
@@ -199,7 +211,7 @@ void Run(const PlanOptions& options, Session& session)
   if (options.check)
     return Check(options.plan, session);
   if (!options.blob.empty() || !options.edits.empty() || options.undo || options.redo ||
-      options.prune || options.move.object != 0)
+      options.prune || options.move.object != 0 || !options.fragments.labels.empty())
     return Change(options, session);
   const PlanDocument document = OpenPlan(options.plan);
   if (options.part != 0)
@@ -218,6 +230,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_flag("--new", options->begin, "Make the folder, with an empty plan");
   verb->add_option("--case", options->caseLabel, "With --new: a pseudonym, written on parts");
   verb->add_option("--apply", options->edits, "A .json file of edits, all made as one step");
+  AddFragmentOptions(*verb, options->fragments);
   AddMoveOptions(*verb, options->move);
   verb->add_flag("--undo", options->undo, "Take the last step back");
   verb->add_flag("--redo", options->redo, "Make the step again that was taken back last");
@@ -237,6 +250,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   AddCommonOptions(*verb, session);
   verb->footer(
     "Example: hasp plan case.hasp --new --case K-17\n"
+    "         hasp plan case.hasp --fragments case.seg.nrrd --volume scan.mha\n"
     "         hasp plan case.hasp --apply edits.json\n"
     "Formats.md#plans says what edits are. Names are shown with --show-names alone.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input or out of date, 3 damaged or does not hold.");

@@ -13,7 +13,7 @@
 namespace hasp
 {
 
-/// What a case's folder holds; the last one may be missing.
+/// What a case's folder holds; the last two may be missing.
 struct FractureCaseFiles
 {
   static constexpr const char* Truth = "truth.json";
@@ -21,6 +21,7 @@ struct FractureCaseFiles
   static constexpr const char* FracturedLabels = "fractured_labels.mha"; ///< of the broken bone
   static constexpr const char* IntactLabels = "intact_labels.mha";       ///< the same, unbroken
   static constexpr const char* IntactScan = "intact_ct.mha";
+  static constexpr const char* Strokes = "strokes.json"; ///< one a fragment (SeedsFile.h)
 };
 
 /// A surface that bone broke along: a plane and heights on it.

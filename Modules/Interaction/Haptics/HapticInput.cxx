@@ -114,6 +114,14 @@ void HapticInput::At(const glm::dvec3& tool, double scale)
   this->Scale = scale;
 }
 
+void HapticInput::Yield(const glm::dvec3& mm, const glm::dvec3& radians)
+{
+  if (this->Device == nullptr)
+    return;
+  this->Device->MoveBy(mm);
+  this->Device->TurnBy(radians);
+}
+
 double HapticInput::MmPerPixel() const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

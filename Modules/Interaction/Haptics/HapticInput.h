@@ -46,6 +46,8 @@ public:
   /// Where the tool is (world), and how large a mm of the device is there: once a frame.
   void At(const glm::dvec3& tool, double scale);
 
+  /// The device, if there is one, by so much (its axes, mm and radians).
+  void Yield(const glm::dvec3& mm, const glm::dvec3& radians);
   /// Asked at each press, move, notch of the wheel and key: is it the tool's? At this pixel; button
   /// 0, 1, or -1 for all else. None: all of it is the device's.
   std::function<bool(int button, int x, int y)> takes;

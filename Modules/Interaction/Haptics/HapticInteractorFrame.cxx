@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <string>
 #include <utility>
@@ -17,6 +18,8 @@
 namespace
 {
 constexpr float DefaultAttraction = 0.01F; // N/mm^2, where Snap-to-fit is on and none was said
+constexpr double YieldTicks =
+  100.0; // in which a hand that lets itself be pulled goes 63 % of the way
 
 /// Device x is the camera's right, y its up, z towards the viewer.
 glm::dquat CameraAxes(vtkCamera* camera)
@@ -44,6 +47,7 @@ bool vtkHaspHapticInteractor::Update()
     this->SendControl();
     this->FollowButtons();
     moved = self.grab.Follow(self.loop);
+    this->YieldToSnap();
     self.faulty = false;
   }
   catch (const std::exception& error)
@@ -166,4 +170,20 @@ void vtkHaspHapticInteractor::FollowContact()
   const bool now = self.grab.Tool() >= 0 && self.loop->GetSnapshot().contacts > 0;
   if (std::exchange(self.touching, now) != now)
     this->InvokeEvent(now ? ContactEvent : FreeEvent);
+}
+
+/// Where nobody's hand feels the pull the device's point would hold against it: it goes along, as a
+/// hand does that lets itself be pulled in.
+void vtkHaspHapticInteractor::YieldToSnap()
+{
+  Internals& self = *this->Self;
+  const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
+  const double ticks = double(seen.ticks - std::exchange(self.yieldedAt, seen.ticks));
+  if (!this->SnapToFit || self.grab.Tool() < 0 || !(seen.attractedAreaMm2 > 0.0))
+    return;
+  const double share = 1.0 - std::exp(-ticks / YieldTicks);
+  const glm::dquat toDevice = glm::inverse(self.loop->GetControl().axes);
+  const glm::dquat turn = seen.tool.orientation * glm::inverse(seen.device.orientation);
+  self.input.Yield(toDevice * ((seen.tool.position - seen.device.position) * share / this->Scale),
+    toDevice * (hasp::RotationVector(turn) * share));
 }

@@ -30,6 +30,7 @@ struct vtkHaspHapticInteractor::Internals
   vtkNew<vtkCallbackCommand> timer;
   int timerId = 0;
   std::uint32_t buttons = 0;
+  std::uint64_t yieldedAt = 0; ///< tick
   bool touching = false, wasBaking = false, placed = false, faulty = false;
   bool stands = false; ///< SetDeviceToWorld has put CameraRelative off
 

@@ -21,6 +21,15 @@ vtkStandardNewMacro(vtkHaspHapticInteractor);
 namespace
 {
 constexpr unsigned long FrameMs = 16;
+
+/// For devices without motors: no hand has to be kept stable, so contact is as firm as fidelity
+/// wants it (`hasp report reduction`, reduction.fidelity.soft).
+hasp::HapticChainSettings WithoutMotors()
+{
+  hasp::HapticChainSettings settings;
+  settings.step.contact.stiffness = 0.5F;
+  return settings;
+}
 }
 
 vtkHaspHapticInteractor::vtkHaspHapticInteractor() : Self(std::make_unique<Internals>())
@@ -160,7 +169,7 @@ bool vtkHaspHapticInteractor::UseMouse()
   auto device = std::make_unique<hasp::InputHapticDevice>(
     hasp::InputDeviceSettings{ .workspaceMm = glm::dvec3(1e4) }); // the screen is its end
   hasp::InputHapticDevice* feed = device.get();
-  if (!this->SetDevice(std::move(device)))
+  if (!this->SetDevice(std::move(device), WithoutMotors()))
     return false;
   self.input.takes = [this, feed](int button, int x, int y)
   {

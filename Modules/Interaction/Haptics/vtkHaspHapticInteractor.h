@@ -117,7 +117,10 @@ public:
   /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what. A
    * press of GrabButton where the last picture shows nothing within GrabReach of a tool is the
    * interactor's style's, and so is its drag. What is seen there is what the depth of the window's
-   * last layer says. The renderer's window needs an interactor. False after an error. */
+   * last layer says. It has no motors: contact is firmer (0.5 N/mm per mm^2) than where a hand is
+   * to be kept stable, which GetLoop's control changes; and with Snap-to-fit, which pulls nobody's
+   * hand, the device's point goes along to where the tool is pulled. The renderer's window needs an
+   * interactor. False after an error. */
   bool UseMouse();
 
   /** False after an error, as vtkHaspHapticLoop's: no device, above all. With nothing to touch or
@@ -214,6 +217,7 @@ private:
   void FollowButtons();
   void FollowProps();
   void FollowContact();
+  void YieldToSnap();
   void StartTimer();
   void BeginTimer();
   void Frame();

@@ -73,16 +73,9 @@ public:
   FitScene SceneFor(std::size_t unit) const
   {
     FitScene scene;
-    const std::vector<std::size_t>& partners = this->Units[unit].partners;
     for (std::size_t n = 0; n < this->Units.size(); ++n)
       if (n != unit && this->Done[n].placed)
-        for (const GroupBody& body : this->Units[n].bodies)
-        {
-          const bool attracts =
-            partners.empty() || std::find(partners.begin(), partners.end(), n) != partners.end();
-          (attracts ? scene.partners : scene.obstacles)
-            .push_back({ body.body, this->Done[n].groupInWorld * body.bodyInGroup });
-        }
+        this->AddTo(scene, n, unit);
     return scene;
   }
 
@@ -152,27 +145,63 @@ public:
     }
   }
 
+  /// Spreads of all that were placed, together: a piece has part in the errors of what it stands
+  /// on.
   std::vector<AssembledUnit> Finish()
   {
-    const ProposalSettings& s = this->Settings.proposals;
-    ParallelFor(0, std::int64_t(this->Units.size()), 1,
-      [&](std::int64_t begin, std::int64_t end)
+    std::vector<SpreadUnit> moved;
+    std::vector<std::size_t> units;
+    for (std::size_t n = 0; n < this->Units.size(); ++n)
+      if (this->Done[n].turn > 0)
       {
-        for (std::int64_t n = begin; n < end; ++n)
-          if (AssembledUnit& done = this->Done[n]; done.turn > 0)
-          {
-            MeasureSpread(
-              this->Units[n].bodies, this->SceneFor(n), s.fit, done.fit, s.gapMm, s.spreadFactor);
-            // What other proposals add to the likeliest one's own spread.
-            done.within95Mm = std::max(done.fit.spread.within95Mm,
-              done.proposals.within95Mm - done.proposals.proposals[0].fit.spread.within95Mm +
-                done.fit.spread.within95Mm);
-          }
-      });
+        moved.push_back({ this->Units[n].bodies, this->Done[n].groupInWorld });
+        units.push_back(n);
+      }
+    const ProposalSettings& s = this->Settings.proposals;
+    const std::vector<FitSpread> spreads =
+      MeasureSpreads(moved, this->Pairs(units), s.fit, s.gapMm, s.spreadFactor);
+    for (std::size_t n = 0; n < units.size(); ++n)
+    {
+      AssembledUnit& done = this->Done[units[n]];
+      // What other proposals add to the likeliest one's own spread.
+      const double others =
+        done.proposals.within95Mm - done.proposals.proposals[0].fit.spread.within95Mm;
+      done.fit.spread = spreads[n];
+      done.within95Mm = done.fit.spread.within95Mm + std::max(0.0, others);
+    }
     return std::move(this->Done);
   }
 
 private:
+  void AddTo(FitScene& scene, std::size_t added, std::size_t unit) const
+  {
+    const std::vector<std::size_t>& partners = this->Units[unit].partners;
+    const bool attracts =
+      partners.empty() || std::find(partners.begin(), partners.end(), added) != partners.end();
+    for (const GroupBody& body : this->Units[added].bodies)
+      (attracts ? scene.partners : scene.obstacles)
+        .push_back({ body.body, this->Done[added].groupInWorld * body.bodyInGroup });
+  }
+
+  /// Of `moved` units with each other and with what stands.
+  std::vector<SpreadPair> Pairs(const std::vector<std::size_t>& moved) const
+  {
+    std::vector<SpreadPair> pairs;
+    for (std::size_t n = 0; n < moved.size(); ++n)
+      for (std::size_t other = 0; other < this->Units.size(); ++other)
+      {
+        const auto at = std::find(moved.begin(), moved.end(), other);
+        if (!this->Done[other].placed || at <= moved.begin() + std::ptrdiff_t(n))
+          continue; // each pair once
+        SpreadPair pair{ n, {}, {} };
+        if (at != moved.end())
+          pair.other = std::size_t(at - moved.begin());
+        this->AddTo(pair.scene, other, moved[n]);
+        pairs.push_back(std::move(pair));
+      }
+    return pairs;
+  }
+
   bool Refused(std::size_t unit) const
   {
     return std::find(this->RefusedOnes.begin(), this->RefusedOnes.end(), unit) !=

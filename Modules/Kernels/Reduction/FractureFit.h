@@ -3,6 +3,7 @@
 #include "Reduction/FitTerms.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace hasp
@@ -73,11 +74,34 @@ FractureFit RefineFit(std::span<const GroupBody> moved, const FractureFit& coars
 /// Root mean square way of the group's surface from one pose to the other, mm.
 double RmsWay(std::span<const GroupBody> moved, const RigidPose& from, const RigidPose& to);
 
-/// Fills in `spread`: a sandwich of the fit's matrix and its residuals, those within 5 mm of each
-/// other counted as one (they err together), and a gap between all faces that nobody knows, of
-/// `gapMm` (one standard deviation: what faces may have lost, and half levels may be off), all that
-/// times `factor`. Calibrated on simulated cases whose truth is known (`hasp report reduction`,
-/// reduction.coverage). A direction that nothing holds is given 10 mm.
+/// Who moves, at the fit: bodies that move as one.
+struct SpreadUnit
+{
+  std::span<const GroupBody> bodies;
+  RigidPose groupInWorld;
+};
+
+/// Two that pull at each other. Each pair is named once.
+struct SpreadPair
+{
+  std::size_t unit;                 ///< index of one that moves
+  std::optional<std::size_t> other; ///< index of the other; none: that stands, and has no error
+  FitScene scene;                   ///< the other's bodies
+};
+
+/// How far fits that were made together may be off, each for itself: a sandwich of what holds them
+/// all (their pulls' derivatives) and their residuals, those within 5 mm of each other counted as
+/// one (they err together), and a gap between all faces that nobody knows, of `gapMm` (one standard
+/// deviation: what faces may have lost, and half levels may be off), all that times `factor`. A
+/// piece so has part in the errors of those that it stands on. Calibrated on simulated cases whose
+/// truth is known (`hasp report reduction`, reduction.coverage). A direction that nothing holds is
+/// given 10 mm.
+/// Any thread; all cores, the same bits with any number of them. 13 sums over a pair's points.
+std::vector<FitSpread> MeasureSpreads(std::span<const SpreadUnit> units,
+  std::span<const SpreadPair> pairs, const FitSettings& settings, double gapMm = 0.15,
+  double factor = 0.45);
+
+/// Fills in `spread` of a fit before what stands: of one unit.
 void MeasureSpread(std::span<const GroupBody> moved, const FitScene& scene,
   const FitSettings& settings, FractureFit& fit, double gapMm = 0.15, double factor = 0.45);
 
