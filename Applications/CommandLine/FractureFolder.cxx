@@ -9,6 +9,7 @@
 
 #include "Planning/PlanFile.h"
 #include "Planning/SeedsFile.h"
+#include "Segmentation/LabelSplit.h"
 #include "Studies/SimulatedStrokes.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -48,19 +49,34 @@ void WritePlan(const MadeFractureCase& made, vtkImageData* scan, const fs::path&
   SavePlan(plan, { history, {} });
 }
 
-/// A stroke on each fragment, as a user would draw it who knows about where each is.
-void WriteStrokes(const MadeFractureCase& made, const fs::path& folder)
+/// A user's who knows about where each fragment is, looks at the split and corrects it.
+void WriteStrokes(const MadeFractureCase& made, int most, const fs::path& folder)
 {
-  const GridView<const Label> truth{ made.fractured.truth.data(), made.truth.geometry };
+  const GridGeometry& grid = made.truth.geometry;
+  const GridView<const std::int16_t> grey{ made.fractured.samples.data(), grid };
+  std::vector<Label> bone(grid.Size());
+  ThresholdLabels(grey, CaseBoneHU, 1e6, { bone.data(), grid });
+  const GridView<const Label> mask{ bone.data(), grid };
+  LabelSplit split(grey, mask, 1);
+  const SimulatedUser user =
+    SimulateUser(mask, CoarseTruth({ made.fractured.truth.data(), grid }), { most },
+      [&](const std::vector<BrushStroke>& drawn)
+      {
+        std::vector<SeedVoxels> seeds;
+        for (const BrushStroke& stroke : drawn)
+          seeds.push_back({ stroke.label, RasterizeStroke(grid, stroke.points, stroke.radiusMm) });
+        std::vector<Label> labels = bone;
+        split.Share(seeds, { labels.data(), grid });
+        return labels;
+      });
   Seeds seeds;
   for (const LabelEntry& entry : NamesOf(made.fractured))
     seeds.names.push_back({ entry.value, entry.name, entry.colour });
-  for (const CoarseHint& hint : CoarseTruth(truth).Hints())
-    seeds.strokes.push_back(DrawStroke(truth, hint));
+  seeds.strokes = user.strokes;
   WriteSeeds((folder / FractureCaseFiles::Strokes).string(), seeds);
 }
 
-void WriteInto(const MadeFractureCase& made, const fs::path& folder)
+void WriteInto(const MadeFractureCase& made, int strokes, const fs::path& folder)
 {
   const GridGeometry& grid = made.truth.geometry;
   const auto at = [&](const char* name) { return (folder / name).string(); };
@@ -71,12 +87,13 @@ void WriteInto(const MadeFractureCase& made, const fs::path& folder)
   WriteLabels(MakeImage(grid, made.intact.truth), {}, at(FractureCaseFiles::IntactLabels));
   WriteFractureCase(folder, made.truth);
   WritePlan(made, scan, folder);
-  WriteStrokes(made, folder);
+  if (strokes > 0)
+    WriteStrokes(made, strokes, folder);
 }
 
 } // namespace
 
-void WriteFractureFolder(const MadeFractureCase& made, const std::string& folder)
+void WriteFractureFolder(const MadeFractureCase& made, int strokes, const std::string& folder)
 {
   Try(ExitCode::WrongUse, "",
     [&]
@@ -86,7 +103,7 @@ void WriteFractureFolder(const MadeFractureCase& made, const std::string& folder
         [&](const std::string& pending)
         {
           fs::create_directory(pending);
-          WriteInto(made, pending);
+          WriteInto(made, strokes, pending);
         },
         [](const std::string&) {});
     });

@@ -29,7 +29,7 @@ struct FractureOptions
   VolumeChoices volume;
   std::string phantom = "mandible", output;
   double fineMm = 0.6, bone = CaseBoneHU;
-  int fragments = 3;
+  int fragments = 3, strokes = 0;
   std::array<double, 3> spacing{ 0.0, 0.0, 0.0 }, blur{ 0.0, 0.0, 0.0 };
   FractureCaseChoices choices;
 };
@@ -126,8 +126,8 @@ void Run(const FractureOptions& options, Session& session)
     });
   session.resources.push_back({ "case", 8 * made.truth.geometry.Size(), MillisecondsSince(start),
     "both scans, int16, and their labels, uint16" });
-  session.progress.Step("writing the case");
-  WriteFractureFolder(made, options.output);
+  session.progress.Step(options.strokes > 0 ? "drawing strokes" : "writing the case");
+  WriteFractureFolder(made, options.strokes, options.output);
   session.progress.Wipe();
   session.result["output"] = FileLabel(options.output);
   session.result.update(Describe(made));
@@ -177,7 +177,14 @@ void AddScanOptions(CLI::App& verb, FractureOptions& options)
     ->check(Within(0.0, 10.0));
   verb.add_option("--noise", options.choices.noiseHU, "Its noise's standard deviation")
     ->check(Within(0.0, 1000.0));
-  verb.add_flag("--cbct", options.choices.coneBeam, "Simulated cone beam: values that are no HU");
+  CLI::Option* coneBeam =
+    verb.add_flag("--cbct", options.choices.coneBeam, "Simulated cone beam: values that are no HU");
+  verb
+    .add_option("--strokes", options.strokes,
+      "strokes.json, for hasp segment --seeds: of a simulated user, so many at most")
+    ->excludes(coneBeam)
+    ->check(CLI::Range(0, 100))
+    ->capture_default_str();
 }
 
 } // namespace
