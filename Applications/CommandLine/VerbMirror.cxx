@@ -2,6 +2,7 @@
 #include "Files.h"
 #include "LabelInput.h"
 #include "MirrorGhost.h"
+#include "MirrorStep.h"
 #include "PartFormats.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -34,7 +35,15 @@ struct MirrorOptions
   double isovalue = 226.0, ignoreBelowMm3 = 1000.0;
   std::vector<double> plane;
   MirrorGhostSettings settings;
+  MirrorStep step;
 };
+
+#if !HASP_WITH_PLANS
+void AddMirrorStepOptions(CLI::App&, MirrorStep&) {}
+void RequireMirrorStep(const MirrorStep&) {}
+void RequireScanInPlan(const MirrorStep&, const std::string&) {}
+void KeepMirror(const MirrorStep&, const std::string&, double, const MirrorPlane&, Session&) {}
+#endif
 
 /// One byte a sample: the label's bone, or all large pieces.
 std::vector<std::uint8_t> KeptBone(
@@ -84,8 +93,15 @@ void Run(const MirrorOptions& options, Session& session)
 {
   if (!options.output.empty())
     RequireWritable(options.output, PartEndings());
+  RequireMirrorStep(options.step);
+  if (!options.step.plan.empty() && !options.labels.empty())
+    throw Failure(ExitCode::WrongUse, "--plan keeps a ghost of all of the scan's bone: leave "
+                                      "--labels out");
   const MirrorGhostSettings settings = SettingsOf(options);
-  const LoadedVolume volume = ReadVolume(options.volume, session);
+  VolumeChoices choices = options.volume;
+  choices.hash = !options.step.plan.empty();
+  const LoadedVolume volume = ReadVolume(choices, session);
+  RequireScanInPlan(options.step, volume.passport.hash);
   SayWarnings(volume.passport, session);
   RequireIsoValue(options.isovalue, volume.passport);
   const std::vector<std::uint8_t> keep = KeptBone(options, volume, session);
@@ -112,6 +128,7 @@ void Run(const MirrorOptions& options, Session& session)
   session.result.update(Describe(ghost, settings));
   if (!session.json)
     Print(ghost, settings);
+  KeepMirror(options.step, volume.passport.hash, options.isovalue, ghost.plane, session);
 }
 
 } // namespace
@@ -147,6 +164,7 @@ void AddMirrorVerb(CLI::App& app, Session& session)
     ->check(Within(0.01, 100.0))
     ->capture_default_str();
   verb->add_option("--output", options->output, "The mirrored surface: .stl, .3mf, .ply or .obj");
+  AddMirrorStepOptions(*verb, options->step);
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp mirror head.mha --output ghost.stl\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, or bone is not like its image.");

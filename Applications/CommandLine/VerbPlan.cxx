@@ -2,6 +2,7 @@
 #include "Files.h"
 #include "PartFormats.h"
 #include "PartReport.h"
+#include "PlanEntries.h"
 #include "PlanInput.h"
 #include "PlanMoves.h"
 #include "PlanText.h"
@@ -28,6 +29,7 @@ struct PlanOptions
   std::string plan, caseLabel, edits, blob, output, recipe;
   PlanId part = 0;
   PlanMove move;
+  SurfaceEntries surfaces;
   bool begin = false, undo = false, redo = false, show = false, check = false, force = false,
        prune = false;
 };
@@ -157,10 +159,10 @@ void RequireOneTask(const PlanOptions& options)
 {
   if (options.begin + options.undo + options.redo + options.check + options.prune +
         !options.edits.empty() + (options.part != 0) + !options.blob.empty() +
-        (options.move.object != 0) >
+        (options.move.object != 0) + !options.surfaces.files.empty() >
       1)
-    throw Failure(ExitCode::WrongUse, "one at a time: --new, --apply, --move, --undo, --redo, "
-                                      "--check, --prune, --export or --blob");
+    throw Failure(ExitCode::WrongUse, "one at a time: --new, --apply, --move, --surface, --undo, "
+                                      "--redo, --check, --prune, --export or --blob");
   if (!options.caseLabel.empty() && !options.begin)
     throw Failure(ExitCode::WrongUse, "--case goes with --new; later it is an edit: caseLabel");
   if (!options.recipe.empty() && options.part == 0)
@@ -184,8 +186,10 @@ void Change(const PlanOptions& options, Session& session)
   if (options.prune)
     return Prune(document, options.plan, session);
   const std::string said = options.move.object != 0 ? MakeMove(document, options.move)
-                           : options.edits.empty()  ? UndoOrRedo(document, options.undo)
-                                                    : ApplyEdits(document, options.edits);
+                           : !options.surfaces.files.empty()
+                             ? EnterSurfaces(document, options.surfaces, session)
+                           : options.edits.empty() ? UndoOrRedo(document, options.undo)
+                                                   : ApplyEdits(document, options.edits);
   StorePlan(options.plan, document);
   Say(session, said);
   ShowPlan(document, options.plan, session);
@@ -199,7 +203,7 @@ void Run(const PlanOptions& options, Session& session)
   if (options.check)
     return Check(options.plan, session);
   if (!options.blob.empty() || !options.edits.empty() || options.undo || options.redo ||
-      options.prune || options.move.object != 0)
+      options.prune || options.move.object != 0 || !options.surfaces.files.empty())
     return Change(options, session);
   const PlanDocument document = OpenPlan(options.plan);
   if (options.part != 0)
@@ -219,6 +223,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_option("--case", options->caseLabel, "With --new: a pseudonym, written on parts");
   verb->add_option("--apply", options->edits, "A .json file of edits, all made as one step");
   AddMoveOptions(*verb, options->move);
+  AddSurfaceOptions(*verb, options->surfaces);
   verb->add_flag("--undo", options->undo, "Take the last step back");
   verb->add_flag("--redo", options->redo, "Make the step again that was taken back last");
   verb->add_flag(
@@ -238,6 +243,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->footer(
     "Example: hasp plan case.hasp --new --case K-17\n"
     "         hasp plan case.hasp --apply edits.json\n"
+    "         hasp plan pot.hasp --surface sherd1.ply --surface sherd2.ply\n"
     "Formats.md#plans says what edits are. Names are shown with --show-names alone.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input or out of date, 3 damaged or does not hold.");
   verb->callback(
