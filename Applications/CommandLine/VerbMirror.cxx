@@ -38,13 +38,6 @@ struct MirrorOptions
   MirrorStep step;
 };
 
-#if !HASP_WITH_PLANS
-void AddMirrorStepOptions(CLI::App&, MirrorStep&) {}
-void RequireMirrorStep(const MirrorStep&) {}
-void RequireScanInPlan(const MirrorStep&, const std::string&) {}
-void KeepMirror(const MirrorStep&, const std::string&, double, const MirrorPlane&, Session&) {}
-#endif
-
 /// One byte a sample: the label's bone, or all large pieces.
 std::vector<std::uint8_t> KeptBone(
   const MirrorOptions& options, const LoadedVolume& volume, Session& session)

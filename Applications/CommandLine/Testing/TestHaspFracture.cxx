@@ -78,14 +78,12 @@ TEST_F(HaspFracture, WhatBreaksLosesNoBone)
   sawn.insert(sawn.end(), { "--crack", "1.5" });
   ASSERT_EQ(this->Break(sawn, "sawn").exitCode, 0);
   EXPECT_NE(ReadBytes(this->Path("sawn/fractured_labels.mha")), labels);
-  // And moved ones are as large as they were, but for what voxels at rims round.
+  // And moved ones are no smaller: at 226 HU a face of their own lies a little outside of it.
   ASSERT_EQ(this->Break({ "--fine", "0.8", "--shift", "12", "--turn", "10" }, "moved").exitCode, 0);
   const json truth = json::parse(ReadBytes(this->Path("moved/truth.json")));
   EXPECT_EQ(truth.at("damage").at("crack_mm"), 0.0);
   for (const json& piece : truth.at("fragments"))
-    EXPECT_NEAR(piece.at("voxels_fractured").get<double>(),
-      piece.at("voxels_anatomical").get<double>(),
-      0.02 * piece.at("voxels_anatomical").get<double>());
+    EXPECT_GE(piece.at("voxels_fractured"), piece.at("voxels_anatomical"));
 }
 
 TEST_F(HaspFracture, AScanBreaksTheSameForTheSameSeed)
@@ -147,23 +145,27 @@ TEST_F(HaspMirror, APlanKeepsTheGhostAndUndoTakesItBack)
   const HaspRun only = mirror({ "--plan", plan + "/plan.json", "--write-edits", edits, "--json" });
   ASSERT_EQ(only.exitCode, 0) << only.err;
   EXPECT_TRUE(mirrors().empty());
+  ASSERT_EQ(RunHasp({ "plan", plan, "--apply", edits }).exitCode, 0);
+  const json applied = mirrors();
+  ASSERT_EQ(applied.size(), 1U);
+  ASSERT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 0);
+  EXPECT_TRUE(mirrors().empty());
+
   const HaspRun stored = mirror({ "--plan", plan, "--store", "--json" });
   ASSERT_EQ(stored.exitCode, 0) << stored.err;
-  const json found = json::parse(stored.out);
+  const json found = json::parse(stored.out), listed = mirrors();
   EXPECT_LT(found.at("median_mm").get<double>(), 0.5);
-  const json listed = mirrors();
   ASSERT_EQ(listed.size(), 1U);
   EXPECT_EQ(listed[0].at("mirror"), found.at("mirror"));
   EXPECT_EQ(listed[0].at("volume"), 1);
+  EXPECT_EQ(listed[0].at("plane"), applied[0].at("plane"));
   for (int a = 0; a < 3; ++a)
     EXPECT_EQ(listed[0].at("plane").at("normal")[a], found.at("plane").at("normal")[a]);
-  const HaspRun shown = RunHasp({ "plan", plan });
-  EXPECT_NE(shown.out.find("mirror 2: bone of volume 1, at the plane through"), std::string::npos)
+  const HaspRun shown = RunHasp({ "plan", plan }); // 2 was given before
+  EXPECT_NE(shown.out.find("mirror 3: bone of volume 1, at the plane through"), std::string::npos)
     << shown.out;
   ASSERT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 0);
   EXPECT_TRUE(mirrors().empty());
-  ASSERT_EQ(RunHasp({ "plan", plan, "--apply", edits }).exitCode, 0);
-  EXPECT_EQ(mirrors().at(0).at("plane"), listed[0].at("plane"));
 }
 
 TEST_F(HaspMirror, FindsThePlaneAndWritesTheGhost)

@@ -101,7 +101,8 @@ class HaspReduceSurfaces : public HaspTest
 protected:
   const dvec3 Apart{ 40.0, -5.0, 25.0 };
 
-  void WritePly(const std::string& name, const TriangleMesh& mesh, const dvec3& shift = {}) const
+  void WritePly(
+    const std::string& name, const TriangleMesh& mesh, const dvec3& shift = dvec3(0.0)) const
   {
     char line[120];
     std::string text = "ply\nformat ascii 1.0\ncomment SPACE=LPS\nelement vertex " +
