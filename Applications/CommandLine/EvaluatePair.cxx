@@ -38,7 +38,8 @@ public:
   Pair(const EvaluateOptions& options, Session& session)
     : A(ReadSide(options.first, session)),
       B(ReadSide(options.second, session)),
-      Surfaces(options.volumes, session),
+      Surfaces(options.volumes, options.surfaces, session),
+      ReachMm(options.reachMm),
       Shared(session)
   {
     // Two single surfaces are one fragment, whatever they are called.
@@ -80,6 +81,7 @@ public:
         CalledFragment(this->Reference, this->A.fragments.at(this->Reference), this->Shared);
     result.referenceMoved = this->ReferenceMoved;
     this->Align(result);
+    this->AddFractures(result);
     return result;
   }
 
@@ -113,11 +115,9 @@ private:
     result.id = a.id;
     result.called = CalledFragment(key, a, this->Shared);
     this->Shared.progress.Step("measuring " + result.called);
-    const bool plans = a.id != 0 && b.id != 0;
-    const bool oneBone = plans && IsOneBone(this->A, a.id, this->B, b.id);
-    const auto first = oneBone ? this->Surfaces.Of(key, { &this->A, &this->B })
-                               : this->Surfaces.Of(key, { &this->A });
-    const auto second = oneBone ? first : this->Surfaces.Of(key, { &this->B });
+    const bool oneBone = this->AreOneBone(key);
+    const auto first = this->Surfaces.Of(key, this->SidesOf(this->A, key));
+    const auto second = this->Surfaces.Of(key, this->SidesOf(this->B, key));
     const RigidPose aPose = PoseBeside(this->A, key, this->Reference),
                     bPose = PoseBeside(this->B, key, this->Reference);
     result.surface = MeasureSurfaceDifference(*first, aPose, *second, bPose);
@@ -135,6 +135,35 @@ private:
     }
     ++this->Count;
     return result;
+  }
+
+  bool AreOneBone(const std::string& key) const
+  {
+    if (!this->A.fragments.contains(key) || !this->B.fragments.contains(key))
+      return false;
+    const PlanId a = this->A.fragments.at(key).id, b = this->B.fragments.at(key).id;
+    return a != 0 && b != 0 && IsOneBone(this->A, a, this->B, b);
+  }
+  /// Where the surface of a side's fragment is looked for.
+  std::vector<const EvaluatedSide*> SidesOf(const EvaluatedSide& side, const std::string& key) const
+  {
+    if (this->AreOneBone(key))
+      return { &this->A, &this->B };
+    return { &side };
+  }
+
+  void AddFractures(PairResult& result)
+  {
+    const auto measured = [&](const EvaluatedSide& side)
+    {
+      return MeasureFractures(
+        side,
+        [&](const std::string& key)
+        { return this->Surfaces.AtHand(key, this->SidesOf(side, key)); },
+        this->ReachMm, this->Shared);
+    };
+    result.firstFractures = measured(this->A);
+    result.secondFractures = measured(this->B);
   }
 
   /// What is left when all fragments are brought together as one body.
@@ -158,6 +187,7 @@ private:
   };
   EvaluatedSide A, B;
   EvaluatedSurfaces Surfaces;
+  double ReachMm;
   Session& Shared;
   std::string Reference;
   bool ReferenceMoved = false;

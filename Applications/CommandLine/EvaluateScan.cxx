@@ -95,7 +95,7 @@ void EvaluateScan(const EvaluateOptions& options, Session& session)
   const double isovalue =
     options.isovalue ? *options.isovalue : IsovalueOf(side.document->history.Current(), still.id);
   RequireIsoValue(isovalue, other.passport);
-  EvaluatedSurfaces surfaces(options.volumes, session);
+  EvaluatedSurfaces surfaces(options.volumes, options.surfaces, session);
   const auto part = surfaces.Of(reference, { &side });
   session.progress.Step("registering the other scan");
   const MeasuredSurface whole = Try(ExitCode::BadInput,

@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "FragmentImages.h"
+#include "FragmentSurfaces.h"
 #include "PlanInput.h"
 #include "Session.h"
 #include "SurfaceInput.h"
@@ -13,6 +14,7 @@
 #include "Evaluation/MeshCheck.h"
 #include "PlanRebuild.h"
 #include "Planning/DerivedPart.h"
+#include "Planning/PlanLists.h"
 
 #include "vtkPolyData.h"
 
@@ -28,7 +30,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const TriangleMesh> SurfaceOf(
+std::shared_ptr<const TriangleMesh> ReadMesh(
   const std::string& path, const std::string& name, Session& session)
 {
   const LoadedSurface loaded = ReadSurface(path, name, true, session);
@@ -74,12 +76,22 @@ std::shared_ptr<const TriangleMesh> MeshOfStl(const std::string& stl)
 
 std::shared_ptr<const TriangleMesh> KeptMesh(const EvaluatedSide& side, PlanId id)
 {
+  if (!IsOfScan(side.document->history.Current(), id))
+    return nullptr; // no part is made of a surface
   const DerivedPart* part = PartInDate(side.document->history.Current(), side.document->parts, id);
   std::error_code error;
   const std::string folder = PlanFolder(side.path);
   if (!part || !fs::exists(fs::path(folder) / "blobs" / part->bytes, error))
     return nullptr;
   return Try(ExitCode::BadInput, "", [&] { return MeshOfStl(ReadBlob(folder, part->bytes)); });
+}
+
+std::vector<PlanId> IdsOf(const EvaluatedSide& side)
+{
+  std::vector<PlanId> ids;
+  for (const auto& [key, fragment] : side.fragments)
+    ids.push_back(fragment.id);
+  return ids;
 }
 
 } // namespace
@@ -124,7 +136,7 @@ EvaluatedSide ReadSide(const std::string& path, Session& session)
   {
     for (const auto& [name, file] : SurfacesIn(path))
       side.fragments[name].surface =
-        SurfaceOf(file.string(), "surface " + std::to_string(side.fragments.size()), session);
+        ReadMesh(file.string(), "surface " + std::to_string(side.fragments.size()), session);
     if (side.fragments.empty())
       throw Failure(
         ExitCode::BadInput, FileLabel(path) + ": there is neither a plan nor a surface in it");
@@ -134,7 +146,7 @@ EvaluatedSide ReadSide(const std::string& path, Session& session)
     throw Failure(ExitCode::WrongUse, FileLabel(path) +
                                         ": neither a plan nor a surface: .json, .stl, .3mf, .ply, "
                                         ".obj or .vtp");
-  side.fragments[fs::path(path).stem().string()].surface = SurfaceOf(path, "the surface", session);
+  side.fragments[fs::path(path).stem().string()].surface = ReadMesh(path, "the surface", session);
   return side;
 }
 
@@ -175,22 +187,42 @@ bool IsOneBone(const EvaluatedSide& a, PlanId ofA, const EvaluatedSide& b, PlanI
 {
   const auto hash = [](const EvaluatedSide& side, PlanId id)
   {
+    const Plan& plan = side.document->history.Current();
     std::multiset<std::string> hashes; // ids may differ
-    for (const PartInput& input : PartInputs(side.document->history.Current(), id))
-      hashes.insert(input.hash);
+    if (const SurfaceSource* source = SurfaceOf(plan, id))
+      hashes.insert(FindPlanObject<PlanSurface>(plan, source->surface)->hash);
+    else
+      for (const PartInput& input : PartInputs(plan, id))
+        hashes.insert(input.hash);
     return hashes;
   };
   return hash(a, ofA) == hash(b, ofB);
 }
 
-std::shared_ptr<const MeasuredSurface> EvaluatedSurfaces::Of(
-  const std::string& key, const std::vector<const EvaluatedSide*>& sides)
+std::optional<EvaluatedSurface> EvaluatedSurfaces::Find(
+  const std::string& key, const std::vector<const EvaluatedSide*>& sides, bool required)
 {
-  const auto mesh = this->Find(key, sides);
-  return Try(ExitCode::BadInput, "", [&] { return std::make_shared<MeasuredSurface>(*mesh); });
+  const auto place = std::make_pair(sides.front()->path, key);
+  if (const auto found = this->Found.find(place); found != this->Found.end())
+    return found->second;
+  const EvaluatedSide& first = *sides.front();
+  const PlanId id = first.fragments.at(key).id;
+  std::shared_ptr<const TriangleMesh> mesh = this->Read(key, sides);
+  if (!mesh && !required && !this->CanMake(first, id))
+    return std::nullopt;
+  if (!mesh)
+    mesh = this->Make(first, id);
+  return Try(ExitCode::BadInput, "",
+    [&]
+    {
+      return this->Found
+        .emplace(place, EvaluatedSurface{ std::make_shared<const MeasuredSurface>(*mesh),
+                          CheckMesh(*mesh).Closed() })
+        .first->second;
+    });
 }
 
-std::shared_ptr<const TriangleMesh> EvaluatedSurfaces::Find(
+std::shared_ptr<const TriangleMesh> EvaluatedSurfaces::Read(
   const std::string& key, const std::vector<const EvaluatedSide*>& sides)
 {
   const EvaluatedSide& first = *sides.front();
@@ -203,19 +235,35 @@ std::shared_ptr<const TriangleMesh> EvaluatedSurfaces::Find(
   const auto beside = SurfacesIn(FolderOf(first.path));
   for (const std::string& name : { key, "fragment-" + std::to_string(id) })
     if (const auto found = beside.find(name); found != beside.end())
-      return SurfaceOf(found->second.string(), "fragment " + std::to_string(id), this->Shared);
-  return this->Make(first, id);
+      return ReadMesh(found->second.string(), "fragment " + std::to_string(id), this->Shared);
+  return nullptr;
+}
+
+bool EvaluatedSurfaces::CanMake(const EvaluatedSide& side, PlanId id) const
+{
+  return IsOfScan(side.document->history.Current(), id) ? !this->Volumes.empty()
+                                                        : !this->Files.empty();
 }
 
 std::shared_ptr<const TriangleMesh> EvaluatedSurfaces::Make(const EvaluatedSide& side, PlanId id)
 {
   const Plan& plan = side.document->history.Current();
   const std::string called = CalledObject(plan, id);
-  if (this->Volumes.empty() || !IsOfScan(plan, id))
+  const bool scanned = IsOfScan(plan, id);
+  if (!this->CanMake(side, id))
     throw Failure(ExitCode::BadInput,
-      called + ": its surface has not been made: hasp run keeps it in the plan; or lay fragment-" +
-        std::to_string(id) + ".stl beside the plan" +
-        (IsOfScan(plan, id) ? ", or give its scan: --volume" : ""));
+      called + ": its surface " +
+        (scanned ? "has not been made: hasp run keeps it in the plan; or lay fragment-"
+                 : "is not at hand: lay it beside the plan as fragment-") +
+        std::to_string(id) + (scanned ? ".stl beside the plan" : ".ply") + ", or give its " +
+        (scanned ? "scan: --volume" : "file: --surface"));
+  if (!scanned)
+  {
+    if (!this->FilesOf.contains(side.path))
+      this->FilesOf[side.path] = SurfacesOfFragments(plan, IdsOf(side), this->Files, this->Shared);
+    return BakeFragment(plan, id, this->FilesOf[side.path], {}, { .surface = true }, this->Shared)
+      .model.surface;
+  }
   const RunImages images =
     ImagesOfFragments(*side.document, side.path, { id }, this->Volumes, this->Shared);
   this->Shared.progress.Step("making " + called);

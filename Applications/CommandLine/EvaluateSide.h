@@ -1,5 +1,6 @@
 #pragma once
 #include "Evaluation/SurfaceDifference.h"
+#include "FragmentSurfaces.h"
 #include "Grid/RigidPose.h"
 #include "Grid/TriangleMesh.h"
 #include "Planning/PlanFile.h"
@@ -8,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// What `hasp evaluate` compares: plans, surfaces, or folders of surfaces.
@@ -45,28 +47,56 @@ EvaluatedSide PlanSide(const std::string& path);
 /// for an empty text, unless exactly one fragment is locked.
 std::string ReferenceOf(const EvaluatedSide& side, const std::string& wanted);
 
+/// A surface, ready to be measured; `closed`: it encloses a body.
+struct EvaluatedSurface
+{
+  std::shared_ptr<const MeasuredSurface> measured;
+  bool closed = false;
+};
+
 /// Where fragments' surfaces come from, each read or made once.
 class EvaluatedSurfaces
 {
 public:
-  EvaluatedSurfaces(std::vector<std::string> volumes, Session& session)
+  /// `volumes`, `surfaces`: files that the plans' own scans and surfaces are found among.
+  EvaluatedSurfaces(
+    std::vector<std::string> volumes, std::vector<std::string> surfaces, Session& session)
     : Volumes(std::move(volumes)),
+      Files(std::move(surfaces)),
       Shared(session)
   {
   }
 
   /// In the scan. Of a plan: as `hasp run` kept it in one of the plans, which must make it of the
-  /// same; as it lies beside them, "fragment-ID.stl" or the key's name; else made of --volume.
-  /// Throws Failure: BadInput.
+  /// same; as it lies beside them, "fragment-ID.stl" or the key's name; else made of --volume, or
+  /// of --surface. Throws Failure: BadInput.
   std::shared_ptr<const MeasuredSurface> Of(
-    const std::string& key, const std::vector<const EvaluatedSide*>& sides);
+    const std::string& key, const std::vector<const EvaluatedSide*>& sides)
+  {
+    return this->At(key, sides).measured;
+  }
+  EvaluatedSurface At(const std::string& key, const std::vector<const EvaluatedSide*>& sides)
+  {
+    return *this->Find(key, sides, true);
+  }
+  /// The same; nothing where there is none to be had.
+  std::optional<EvaluatedSurface> AtHand(
+    const std::string& key, const std::vector<const EvaluatedSide*>& sides)
+  {
+    return this->Find(key, sides, false);
+  }
 
 private:
-  std::shared_ptr<const TriangleMesh> Find(
+  std::optional<EvaluatedSurface> Find(
+    const std::string& key, const std::vector<const EvaluatedSide*>& sides, bool required);
+  std::shared_ptr<const TriangleMesh> Read(
     const std::string& key, const std::vector<const EvaluatedSide*>& sides);
+  bool CanMake(const EvaluatedSide& side, PlanId id) const;
   std::shared_ptr<const TriangleMesh> Make(const EvaluatedSide& side, PlanId id);
 
-  std::vector<std::string> Volumes;
+  std::vector<std::string> Volumes, Files;
+  std::map<std::pair<std::string, std::string>, EvaluatedSurface> Found; ///< by path and key
+  std::map<std::string, PlanSurfaces> FilesOf;                           ///< by the plan's path
   Session& Shared;
 };
 

@@ -26,12 +26,30 @@ Json JsonOf(const PoseDifference& p)
     { "tre_max_mm", p.tre.maxMm } };
 }
 
+/// "abs": of the size alone.
+Json JsonOf(const FractureFigures& f)
+{
+  if (f.samples == 0)
+    return {};
+  return { { "p50_mm", f.p50Mm }, { "p95_mm", f.p95Mm }, { "p5_mm", f.p5Mm },
+    { "mean_mm", f.meanMm }, { "p50_abs_mm", f.p50AbsMm }, { "p95_abs_mm", f.p95AbsMm },
+    { "mean_abs_mm", f.meanAbsMm }, { "max_abs_mm", f.maxAbsMm },
+    { "max_at", { f.maxAt.x, f.maxAt.y, f.maxAt.z } }, { "area_mm2", f.areaMm2 },
+    { "samples", f.samples } };
+}
+
 std::string Listed(const char* before, const std::vector<std::string>& names)
 {
   std::string text;
   for (const std::string& name : names)
     text += (text.empty() ? before : ", ") + name;
   return text.empty() ? text : text + "\n";
+}
+
+/// Nothing of what has no two fragments.
+std::string Along(const char* where, const FracturesResult& result)
+{
+  return result.fractures.empty() && result.unmeasured.empty() ? "" : where + TextOf(result);
 }
 
 } // namespace
@@ -58,6 +76,8 @@ Json JsonOf(const PairResult& result)
   }
   json["only_in_first"] = result.onlyFirst;
   json["only_in_second"] = result.onlySecond;
+  json["first_along_fractures"] = JsonOf(result.firstFractures);
+  json["second_along_fractures"] = JsonOf(result.secondFractures);
   return json;
 }
 
@@ -90,7 +110,57 @@ std::string TextOf(const PairResult& result)
     }
   }
   return text + Listed("only in the first: ", result.onlyFirst) +
-         Listed("only in the second: ", result.onlySecond);
+         Listed("only in the second: ", result.onlySecond) +
+         Along("in the first, ", result.firstFractures) +
+         Along("in the second, ", result.secondFractures);
+}
+
+Json JsonOf(const FracturesResult& result)
+{
+  Json json{ { "fractures", Json::array() }, { "unmeasured", result.unmeasured } };
+  for (const FractureResult& f : result.fractures)
+    json["fractures"].push_back({ { "first", f.first }, { "second", f.second },
+      { "step", JsonOf(f.measured.step) }, { "gap", JsonOf(f.measured.gap) } });
+  return json;
+}
+
+std::string TextOf(const FracturesResult& result)
+{
+  std::string text = "along fractures, mm:\n";
+  if (result.fractures.empty())
+    text += "  no two fragments face each other within reach\n";
+  else
+    text += "                                    step-off            gap, negative: overlap\n"
+            "                              median     p95     max  median     p95     max  face, "
+            "mm2\n";
+  for (const FractureResult& f : result.fractures)
+  {
+    const FractureFigures &step = f.measured.step, &gap = f.measured.gap;
+    text +=
+      Line("%-27.60s", (f.first + " to " + f.second).c_str()) +
+      (step.samples > 0 ? Line(" %7.3f %7.3f %7.3f", step.p50AbsMm, step.p95AbsMm, step.maxAbsMm)
+                        : "    none can be measured") +
+      Line(" %7.3f %7.3f %7.3f %10.1f\n", gap.p50Mm, gap.p95Mm, gap.maxAbsMm, gap.areaMm2);
+  }
+  for (const std::string& one : result.unmeasured)
+    text += "  not measured: " + one + "\n";
+  return text;
+}
+
+std::string CsvOf(const FracturesResult& result)
+{
+  std::string text = "fracture,step_p50_mm,step_p95_mm,step_max_mm,gap_p50_mm,gap_p95_mm,"
+                     "gap_max_mm,face_mm2\n";
+  std::size_t n = 0;
+  for (const FractureResult& f : result.fractures) // names may hold commas
+  {
+    const FractureFigures &step = f.measured.step, &gap = f.measured.gap;
+    text += std::to_string(++n) +
+            (step.samples > 0 ? Line(",%.6g,%.6g,%.6g", step.p50AbsMm, step.p95AbsMm, step.maxAbsMm)
+                              : ",,,");
+    text += Line(",%.6g,%.6g,%.6g,%.6g\n", gap.p50Mm, gap.p95Mm, gap.maxAbsMm, gap.areaMm2);
+  }
+  return text;
 }
 
 std::string CsvOf(const PairResult& result)

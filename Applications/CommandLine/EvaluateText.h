@@ -1,5 +1,6 @@
 #pragma once
 #include "Evaluation/PoseDifference.h"
+#include "Evaluation/StepAndGap.h"
 #include "Evaluation/SurfaceDifference.h"
 #include "Evaluation/SurfaceRegistration.h"
 #include "Evaluation/TrialTable.h"
@@ -24,12 +25,26 @@ struct FragmentResult
   std::optional<PoseDifference> aligned; ///< after best common alignment of all
 };
 
+/// Of two fragments that face each other.
+struct FractureResult
+{
+  std::string first, second;
+  StepAndGap measured;
+};
+
+struct FracturesResult
+{
+  std::vector<FractureResult> fractures;
+  std::vector<std::string> unmeasured; ///< fragments, each with why: "fragment 2: …"
+};
+
 struct PairResult
 {
   std::string reference; ///< empty: none
   bool referenceMoved = false;
   std::vector<FragmentResult> fragments;
   std::vector<std::string> onlyFirst, onlySecond;
+  FracturesResult firstFractures, secondFractures;
 };
 
 struct ScanResult
@@ -51,6 +66,10 @@ std::string PrintableName(const std::string& key);
 nlohmann::ordered_json JsonOf(const PairResult& result);
 std::string TextOf(const PairResult& result);
 std::string CsvOf(const PairResult& result);
+
+nlohmann::ordered_json JsonOf(const FracturesResult& result);
+std::string TextOf(const FracturesResult& result);
+std::string CsvOf(const FracturesResult& result);
 
 nlohmann::ordered_json JsonOf(const ScanResult& result);
 std::string TextOf(const ScanResult& result);

@@ -75,7 +75,7 @@ public:
   Trials(const EvaluateOptions& options, Session& session)
     : Options(options),
       Shared(session),
-      Surfaces(options.volumes, session)
+      Surfaces(options.volumes, options.surfaces, session)
   {
     std::vector<fs::path> folders;
     std::error_code error;

@@ -63,6 +63,38 @@ Json DescribeFragments(const Plan& plan)
   return fragments;
 }
 
+Json DescribeMirrors(const Plan& plan)
+{
+  Json mirrors = Json::array();
+  for (const PlanMirror& mirror : plan.mirrors)
+  {
+    mirrors.push_back({ { "mirror", mirror.id }, { "volume", nullptr },
+      { "fragments", mirror.fragments }, { "plane", nullptr } });
+    if (mirror.volume != 0)
+      mirrors.back()["volume"] = mirror.volume;
+    if (mirror.plane)
+    {
+      const glm::dvec3 &p = mirror.plane->point, &n = mirror.plane->normal;
+      mirrors.back()["plane"] = { { "point", { p.x, p.y, p.z } }, { "normal", { n.x, n.y, n.z } } };
+    }
+  }
+  return mirrors;
+}
+
+/// "mirror 7: bone of volume 1, at a plane of its own"
+std::string MirrorText(const Plan& plan, const PlanMirror& mirror)
+{
+  std::string of = mirror.volume != 0 ? "bone of " + CalledObject(plan, mirror.volume) : "";
+  for (const PlanId fragment : mirror.fragments)
+    of += (of.empty() ? "" : ", ") + CalledObject(plan, fragment);
+  std::string text = CalledObject(plan, mirror.id) + ": " + of;
+  if (!mirror.plane)
+    return text + ", at the plane of best symmetry";
+  const glm::dvec3 &p = mirror.plane->point, &n = mirror.plane->normal;
+  return text + Line(", at the plane through (%.2f, %.2f, %.2f) mm, normal (%.4f, %.4f, %.4f)", p.x,
+                  p.y, p.z, n.x, n.y, n.z);
+}
+
 /// "fragment 4: surface 2, closed; locked"
 std::string FragmentText(const Plan& plan, const PlanFragment& fragment)
 {
@@ -189,6 +221,7 @@ void ShowPlan(const PlanDocument& document, const std::string& folder, Session& 
   result["next_id"] = document.history.NewId();
   result["objects"] = DescribeObjects(plan, session.showNames);
   result["fragments"] = DescribeFragments(plan);
+  result["mirrors"] = DescribeMirrors(plan);
   result["parts"] = DescribeParts(document, folder);
   result["label_maps"] = DescribeLabelMaps(document, folder);
   const std::string undo = document.history.ToUndo() ? NextStep(document.history, true) : "",
@@ -200,6 +233,8 @@ void ShowPlan(const PlanDocument& document, const std::string& folder, Session& 
                    (session.showNames ? "  " + object["name"].get<std::string>() : ""));
   for (const PlanFragment& fragment : plan.fragments)
     Say(session, FragmentText(plan, fragment));
+  for (const PlanMirror& mirror : plan.mirrors)
+    Say(session, MirrorText(plan, mirror));
   for (const Json& part : result["parts"])
     Say(session, PartText(plan, part));
   for (const Json& map : result["label_maps"])

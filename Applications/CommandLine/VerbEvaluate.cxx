@@ -27,9 +27,11 @@ void Run(const EvaluateOptions& options, Session& session)
     throw Failure(ExitCode::WrongUse, "--isovalue and --series go with --scan");
   if (!options.second.empty())
     return EvaluatePair(options, session);
-  if (plan || !std::filesystem::is_directory(options.first, error))
-    throw Failure(ExitCode::WrongUse,
-      "one alone is a folder of trials; give a second plan or surface, or --scan");
+  if (plan)
+    return EvaluateFractures(options, session);
+  if (!std::filesystem::is_directory(options.first, error))
+    throw Failure(
+      ExitCode::WrongUse, "one alone is a folder of trials, or a plan; give a second surface");
   EvaluateTrials(options, session);
 }
 
@@ -39,10 +41,12 @@ void AddEvaluateVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* verb = app.add_subcommand(
-    "evaluate", "Say how far two reductions are apart, or one from another scan");
+    "evaluate", "Say how well fractures fit, how far two reductions are apart, or one from a scan");
   verb
     ->add_option("A", options->first,
-      "A plan (NAME.hasp, plan.json), a surface, a folder of surfaces; alone: a folder of trials")
+      "A plan (NAME.hasp, plan.json), a surface, a folder of surfaces; alone: a plan, whose "
+      "fractures "
+      "are measured, or a folder of trials")
     ->required();
   verb->add_option("B", options->second, "What it is held to: likewise");
   verb->add_option("--reference", options->reference,
@@ -57,6 +61,13 @@ void AddEvaluateVerb(CLI::App& app, Session& session)
     ->check(CLI::Range(1, 100000));
   verb->add_option("--volume", options->volumes,
     "The plan's own scans, found by what they hold: only if hasp run has not made the fragments");
+  verb->add_option("--surface", options->surfaces,
+    "The plan's own surfaces, likewise: of fragments that are some");
+  verb
+    ->add_option("--reach", options->reachMm,
+      "Faces farther apart than this are no fracture, mm, nor are deeper overlaps")
+    ->check(Within(0.5, 50.0))
+    ->capture_default_str();
   verb->add_option("--csv", options->csv, "Write the table to this .csv file, too");
   AddCommonOptions(*verb, session);
   verb->footer(
@@ -64,7 +75,10 @@ void AddEvaluateVerb(CLI::App& app, Session& session)
     "places\n"
     "of a fragment are apart. A folder of trials holds CASE/OPERATOR-TRIAL.json (or .hasp), and\n"
     "CASE/truth.json where the truth is known; it gives precision and accuracy apart.\n"
-    "Example: hasp evaluate first.hasp second.hasp --reference cranium\n"
+    "Along fractures step-off (of size alone) and gap are said between fragments that face each "
+    "other\nwithin --reach, as bones at a joint do, too.\n"
+    "Example: hasp evaluate case.hasp\n"
+    "         hasp evaluate first.hasp second.hasp --reference cranium\n"
     "         hasp evaluate case.hasp --scan after.mha --reference cranium\n"
     "         hasp evaluate trials --reference cranium --csv table.csv\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 the other scan does not fit the reference.");

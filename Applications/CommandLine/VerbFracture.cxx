@@ -150,7 +150,7 @@ void AddDamageOptions(CLI::App& verb, FractureOptions& options)
   verb.add_option("--turn", c.turnDegrees, "By how much it turns about it, degrees")
     ->check(Within(0.0, 180.0))
     ->capture_default_str();
-  verb.add_option("--crack", c.crackMm, "Bone that each fracture costs, mm")
+  verb.add_option("--crack", c.crackMm, "Bone that is lost between two faces, as to a saw, mm")
     ->check(Within(0.0, 10.0))
     ->capture_default_str();
   verb.add_option("--eroded", c.erodedMm, "What faces have lost besides, mm at most")

@@ -2,6 +2,7 @@
 #include "Files.h"
 #include "LabelInput.h"
 #include "MirrorGhost.h"
+#include "MirrorStep.h"
 #include "PartFormats.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -34,6 +35,7 @@ struct MirrorOptions
   double isovalue = 226.0, ignoreBelowMm3 = 1000.0;
   std::vector<double> plane;
   MirrorGhostSettings settings;
+  MirrorStep step;
 };
 
 /// One byte a sample: the label's bone, or all large pieces.
@@ -84,8 +86,15 @@ void Run(const MirrorOptions& options, Session& session)
 {
   if (!options.output.empty())
     RequireWritable(options.output, PartEndings());
+  RequireMirrorStep(options.step);
+  if (!options.step.plan.empty() && !options.labels.empty())
+    throw Failure(ExitCode::WrongUse, "--plan keeps a ghost of all of the scan's bone: leave "
+                                      "--labels out");
   const MirrorGhostSettings settings = SettingsOf(options);
-  const LoadedVolume volume = ReadVolume(options.volume, session);
+  VolumeChoices choices = options.volume;
+  choices.hash = !options.step.plan.empty();
+  const LoadedVolume volume = ReadVolume(choices, session);
+  RequireScanInPlan(options.step, volume.passport.hash);
   SayWarnings(volume.passport, session);
   RequireIsoValue(options.isovalue, volume.passport);
   const std::vector<std::uint8_t> keep = KeptBone(options, volume, session);
@@ -112,6 +121,7 @@ void Run(const MirrorOptions& options, Session& session)
   session.result.update(Describe(ghost, settings));
   if (!session.json)
     Print(ghost, settings);
+  KeepMirror(options.step, volume.passport.hash, options.isovalue, ghost.plane, session);
 }
 
 } // namespace
@@ -147,6 +157,7 @@ void AddMirrorVerb(CLI::App& app, Session& session)
     ->check(Within(0.01, 100.0))
     ->capture_default_str();
   verb->add_option("--output", options->output, "The mirrored surface: .stl, .3mf, .ply or .obj");
+  AddMirrorStepOptions(*verb, options->step);
   AddCommonOptions(*verb, session);
   verb->footer("Example: hasp mirror head.mha --output ghost.stl\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, or bone is not like its image.");

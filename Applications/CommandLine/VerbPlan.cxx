@@ -2,6 +2,7 @@
 #include "Files.h"
 #include "PartFormats.h"
 #include "PartReport.h"
+#include "PlanEntries.h"
 #include "PlanFragments.h"
 #include "PlanInput.h"
 #include "PlanMoves.h"
@@ -30,6 +31,7 @@ struct PlanOptions
   PlanId part = 0;
   PlanMove move;
   PlanFragmentsChoice fragments;
+  SurfaceEntries surfaces;
   bool begin = false, undo = false, redo = false, show = false, check = false, force = false,
        prune = false;
 };
@@ -159,11 +161,12 @@ void RequireOneTask(const PlanOptions& options)
 {
   if (options.begin + options.undo + options.redo + options.check + options.prune +
         !options.edits.empty() + (options.part != 0) + !options.blob.empty() +
-        (options.move.object != 0) + !options.fragments.labels.empty() >
+        (options.move.object != 0) + !options.fragments.labels.empty() +
+        !options.surfaces.files.empty() >
       1)
     throw Failure(ExitCode::WrongUse,
-      "one at a time: --new, --apply, --fragments, --move, --undo, --redo, --check, --prune, "
-      "--export or --blob");
+      "one at a time: --new, --apply, --fragments, --move, --surface, --undo, --redo, --check, "
+      "--prune, --export or --blob");
   if (!options.caseLabel.empty() && !options.begin)
     throw Failure(ExitCode::WrongUse, "--case goes with --new; later it is an edit: caseLabel");
   if (!options.recipe.empty() && options.part == 0)
@@ -177,6 +180,8 @@ std::string MakeStep(PlanDocument& document, const PlanOptions& options, Session
     return MakeMove(document, options.move);
   if (!options.fragments.labels.empty())
     return MakeFragments(document, options.plan, options.fragments, session);
+  if (!options.surfaces.files.empty())
+    return EnterSurfaces(document, options.surfaces, session);
   return options.edits.empty() ? UndoOrRedo(document, options.undo)
                                : ApplyEdits(document, options.edits);
 }
@@ -211,7 +216,8 @@ void Run(const PlanOptions& options, Session& session)
   if (options.check)
     return Check(options.plan, session);
   if (!options.blob.empty() || !options.edits.empty() || options.undo || options.redo ||
-      options.prune || options.move.object != 0 || !options.fragments.labels.empty())
+      options.prune || options.move.object != 0 || !options.fragments.labels.empty() ||
+      !options.surfaces.files.empty())
     return Change(options, session);
   const PlanDocument document = OpenPlan(options.plan);
   if (options.part != 0)
@@ -232,6 +238,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
   verb->add_option("--apply", options->edits, "A .json file of edits, all made as one step");
   AddFragmentOptions(*verb, options->fragments);
   AddMoveOptions(*verb, options->move);
+  AddSurfaceOptions(*verb, options->surfaces);
   verb->add_flag("--undo", options->undo, "Take the last step back");
   verb->add_flag("--redo", options->redo, "Make the step again that was taken back last");
   verb->add_flag(
@@ -252,6 +259,7 @@ void AddPlanVerb(CLI::App& app, Session& session)
     "Example: hasp plan case.hasp --new --case K-17\n"
     "         hasp plan case.hasp --fragments case.seg.nrrd --volume scan.mha\n"
     "         hasp plan case.hasp --apply edits.json\n"
+    "         hasp plan pot.hasp --surface sherd1.ply --surface sherd2.ply\n"
     "Formats.md#plans says what edits are. Names are shown with --show-names alone.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input or out of date, 3 damaged or does not hold.");
   verb->callback(

@@ -4,6 +4,7 @@
 #include "PlanInput.h"
 #include "ReductionText.h"
 #include "Session.h"
+#include "SurfaceBodies.h"
 #include "VerbWork.h"
 #include "Verbs.h"
 #include "vtkHaspFileNames.h"
@@ -26,7 +27,7 @@ namespace
 struct ReduceOptions
 {
   std::string plan, writeEdits;
-  std::vector<std::string> volumes, takes;
+  std::vector<std::string> volumes, surfaces, takes;
   PlanReductionSettings settings;
   bool snap = false;
   int threads = 0;
@@ -44,10 +45,15 @@ std::vector<PlanId> FragmentsFor(const Plan& plan, const PlanReductionSettings& 
            in(settings.obstacles);
   };
   for (const PlanFragment& f : plan.fragments)
-    if (f.state == FragmentState::Kept && !IsDivided(plan, f.id) && IsOfScan(plan, f.id) &&
-        (f.locked || named(f.id)))
+    if (f.state == FragmentState::Kept && !IsDivided(plan, f.id) && (f.locked || named(f.id)))
       all.push_back(f.id);
   return all;
+}
+
+std::vector<PlanId> OfScans(const Plan& plan, std::vector<PlanId> fragments)
+{
+  std::erase_if(fragments, [&](PlanId id) { return !IsOfScan(plan, id); });
+  return fragments;
 }
 
 /// "5:2": of fragment or group 5 its second proposal.
@@ -110,13 +116,17 @@ void Reduce(const ReduceOptions& options, Session& session)
     lock = Try(ExitCode::WrongUse, "", [&] { return std::make_unique<PlanLock>(options.plan); });
   PlanDocument document = OpenPlan(options.plan);
   const Plan& plan = document.history.Current();
-  const RunImages images = ImagesOfFragments(
-    document, options.plan, FragmentsFor(plan, options.settings), options.volumes, session);
+  const std::vector<PlanId> fragments = FragmentsFor(plan, options.settings),
+                            scanned = OfScans(plan, fragments);
+  PlanReductionSettings settings = options.settings;
+  settings.surfaces = BodiesOfSurfaces(plan, fragments, options.surfaces, settings.bake, session);
+  const RunImages images =
+    ImagesOfFragments(document, options.plan, scanned, options.volumes, session);
   session.progress.Step("Fitting fragments");
   const PlanReduction made = Try(ExitCode::BadInput, "",
     [&]
     {
-      return ReducePlan(plan, images.images, options.settings,
+      return ReducePlan(plan, images.images, settings,
         [&session](double share)
         {
           session.progress.Share(share);
@@ -126,7 +136,8 @@ void Reduce(const ReduceOptions& options, Session& session)
   session.resources.push_back(
     { "bodies to be fitted", 0, made.bakedMs, "distances and points of each fragment" });
   session.resources.push_back({ "fits", 0, made.assembledMs, "several starts a fragment" });
-  session.result["soft_value"] = made.softValue;
+  session.result["soft_value"] = // surfaces have none
+    scanned.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(made.softValue);
   session.result["units"] = nlohmann::ordered_json::array();
   for (const ReducedUnit& unit : made.units)
   {
@@ -175,7 +186,9 @@ void AddFitOptions(CLI::App& verb, ReduceOptions& options)
   verb.add_option("--proposals", fits.most, "As many are listed for each, at most")
     ->check(CLI::Range(1, 20))
     ->capture_default_str();
-  verb.add_option("--spacing-mm", options.settings.bake.spacingMm, "Of the grids of distances")
+  verb
+    .add_option("--spacing-mm", options.settings.bake.spacingMm,
+      "Of the grids of distances; surfaces have theirs in the plan")
     ->check(Within(0.1, 2.0))
     ->capture_default_str();
   verb.add_option("--seed", options.settings.seed, "Of the poses that are tried")
@@ -193,6 +206,8 @@ void AddReduceVerb(CLI::App& app, Session& session)
     ->required();
   verb->add_option(
     "--volume", options->volumes, "The scans, found by what they hold: files or folders");
+  verb->add_option("--surface", options->surfaces,
+    "The surfaces, found by what they hold, of fragments that are some: .ply, .stl, .obj");
   verb->add_flag("--snap", options->snap, "Store the likeliest fits in the plan, as one step");
   verb
     ->add_option("--take", options->takes,
@@ -202,7 +217,7 @@ void AddReduceVerb(CLI::App& app, Session& session)
     "A .json file for the poses, for hasp plan --apply, whether they are stored or not");
   verb
     ->add_option("--fragment", options->settings.fragments,
-      "Ids of those that are moved; left out: all of the reference's scan")
+      "Ids of those that are moved; left out: all of the reference's scan, and all surfaces")
     ->check(CLI::Range(PlanId(1), MaxPlanId));
   verb
     ->add_option("--reference", options->settings.reference,
@@ -218,12 +233,14 @@ void AddReduceVerb(CLI::App& app, Session& session)
       "--threads", options->threads, "At most so many; the poses are the same; 0: one a core")
     ->check(CLI::Range(0, 1024));
   AddCommonOptions(*verb, session);
-  verb->footer("Example: hasp reduce case.hasp --volume CT --reference 3 --snap\n"
-               "Fragments begin where the plan has them: coarsely in place, within --start-mm and\n"
-               "--start-degrees. Groups move as one, locked fragments not at all. Each fit says "
-               "how well faces\n"
-               "meet, how far the truth may be off (at 95 %) and which other fits there are.\n"
-               "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 nothing could be placed.");
+  verb->footer(
+    "Example: hasp reduce case.hasp --volume CT --reference 3 --snap\n"
+    "         hasp reduce pot.hasp --surface a.ply --surface b.ply --reference 2 --snap\n"
+    "Fragments begin where the plan has them: coarsely in place, within --start-mm and\n"
+    "--start-degrees. Groups move as one, locked fragments not at all. Each fit says "
+    "how well faces\n"
+    "meet, how far the truth may be off (at 95 %) and which other fits there are.\n"
+    "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 nothing could be placed.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });
 }

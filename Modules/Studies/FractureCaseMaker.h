@@ -12,14 +12,15 @@ struct FractureCaseChoices
   /// Of each piece: how far its centroid goes, [0, 60], away from the bone's middle and up to 35
   /// degrees beside that; how far it turns about it, about any axis, [0, 180].
   double shiftMm = 3.0, turnDegrees = 5.0;
-  double crackMm = 0.3, erodedMm = 0.0; ///< as FractureSettings
-  std::uint32_t lostChips = 0;          ///< [0, 20], at edges of fractures; of any piece's faces
-  double chipMm = 4.0;                  ///< across, (0, 15]
-  glm::dvec3 spacingMm{ 0.0 };          ///< of the voxels of all files; 0: the scan's
-  glm::dvec3 blurMm{ 0.0 };             ///< besides what the scan has, [0, 10]
-  double noiseHU = 0.0;                 ///< standard deviation, at the end, >= 0
-  bool coneBeam = false;                ///< cupping and another scale: values that are no HU
-  std::uint64_t seed = 1;               ///< of moves, chips, noise
+  /// As FractureSettings. What breaks loses no bone; a saw does, and edges that have worn.
+  double crackMm = 0.0, erodedMm = 0.0;
+  std::uint32_t lostChips = 0; ///< [0, 20], at edges of fractures; of any piece's faces
+  double chipMm = 4.0;         ///< across, (0, 15]
+  glm::dvec3 spacingMm{ 0.0 }; ///< of the voxels of all files; 0: the scan's
+  glm::dvec3 blurMm{ 0.0 };    ///< besides what the scan has, [0, 10]
+  double noiseHU = 0.0;        ///< standard deviation, at the end, >= 0
+  bool coneBeam = false;       ///< cupping and another scale: values that are no HU
+  std::uint64_t seed = 1;      ///< of moves, chips, noise
 };
 
 struct MadeFractureCase

@@ -71,6 +71,12 @@ TEST_F(Canary, SurfacesGiveNothingAway)
       for (const std::string to : { "x.stl", "x.ply", "x.obj", "x.mha" })
         this->ExpectNone({ "convert", file, this->OutFile(to) });
       this->ExpectNone({ "evaluate", file, input.path });
+      const std::string plan = this->OutFile("x.hasp"); // gone after each run
+      RunHasp({ "plan", plan, "--new" });
+      this->ExpectNone({ "plan", plan, "--surface", file, "--thickness", "5" });
+      RunHasp({ "plan", plan, "--new" });
+      RunHasp({ "plan", plan, "--surface", input.path, "--thickness", "5" });
+      this->ExpectNone({ "reduce", plan, "--surface", file, "--reference", "2" });
 #if HASP_WITH_PICTURES
       const std::string volume = this->folder / "head.mha";
       if (!fs::exists(volume))

@@ -39,10 +39,10 @@ protected:
       }
     this->WriteText(name, text + "endsolid box\n");
   }
-  static json Pose(double x, double degreesAboutZ = 0.0)
+  static json Pose(double x, double degreesAboutZ = 0.0, double y = 0.0)
   {
     const double half = 0.5 * degreesAboutZ * std::acos(-1.0) / 180.0;
-    return { { "position", { x, 0, 0 } },
+    return { { "position", { x, y, 0 } },
       { "orientation", { std::cos(half), 0, 0, std::sin(half) } } };
   }
   static json Fragment(int id, const std::string& name, const json& pose, bool locked = false,
@@ -94,6 +94,7 @@ TEST_F(HaspEvaluate, WrongUseIsOneAndBadInputIsTwo)
   this->WriteBox("a.stl", 0);
   this->WriteTrial("a.hasp", 1.0);
   ExpectFailure(this->Evaluate({ "a.stl" }), 1, "one alone is a folder of trials");
+  ExpectFailure(this->Evaluate({ "a.hasp" }), 2, "hasp run keeps it");
   ExpectFailure(this->Evaluate({ "a.stl", "none.stl" }), 2, "no such file");
   ExpectFailure(this->Evaluate({ "a.stl", "a.stl" }, { "--reference", "Erika" }), 1, "--reference");
   ExpectFailure(this->Evaluate({ "a.stl" }, { "--scan", this->Path("a.stl") }), 1, "one plan");
@@ -155,6 +156,59 @@ TEST_F(HaspEvaluate, ATurnIsSaidInDegrees)
   this->WritePlan("b.hasp", json::array({ Fragment(3, "jaw", Pose(0, 6.0)) }));
   const json found = this->Found({ "a.hasp", "b.hasp" });
   EXPECT_NEAR(found.at("fragments")[0].at("pose").at("rotation_deg"), 6.0, 1e-9);
+}
+
+/// Two boxes of 10 x 20 x 30 mm, face to face at x = 10, and one far off.
+TEST_F(HaspEvaluate, AKnownGapAndAKnownStepAreSaidAlongTheFracture)
+{
+  this->WriteBox("fragment-2.stl", 0);
+  this->WriteBox("fragment-3.stl", 10);
+  this->WriteBox("fragment-4.stl", 90);
+  const auto plan = [this](const std::string& name, const json& pose)
+  {
+    this->WritePlan(name, { Fragment(2, "skull", Pose(0), true), Fragment(3, "jaw", pose),
+                            Fragment(4, "tooth", Pose(0)) });
+  };
+  plan("gap.hasp", Pose(1.2));
+  plan("step.hasp", Pose(0, 0, 0.8));
+  const json apart = this->Found({ "gap.hasp" }, { "--csv", this->Path("t.csv") });
+  ASSERT_EQ(apart.at("fractures").size(), 1U); // what is far off faces nothing
+  const json& gap = apart.at("fractures")[0];
+  EXPECT_EQ(gap.at("first"), "fragment 2");
+  EXPECT_EQ(gap.at("second"), "fragment 3");
+  for (const char* figure : { "p50_mm", "p95_mm", "max_abs_mm" })
+  {
+    EXPECT_NEAR(gap.at("gap").at(figure), 1.2, 1e-6) << figure;
+    EXPECT_NEAR(gap.at("step").at(figure), 0.0, 1e-6) << figure;
+  }
+  EXPECT_NEAR(gap.at("gap").at("area_mm2"), 600.0, 1e-6);
+  EXPECT_NE(ReadBytes(this->Path("t.csv")).find(",1.2,1.2,1.2,600\n"), std::string::npos)
+    << ReadBytes(this->Path("t.csv"));
+  // Of the face's rim 60 mm of 100 step, by as much up as down.
+  const json stepped = this->Found({ "step.hasp", "gap.hasp" });
+  EXPECT_EQ(stepped.at("second_along_fractures").at("fractures"), apart.at("fractures"));
+  const json& step = stepped.at("first_along_fractures").at("fractures").at(0);
+  for (const char* figure : { "p50_abs_mm", "p95_abs_mm", "max_abs_mm" })
+    EXPECT_NEAR(step.at("step").at(figure), 0.8, 1e-6) << figure;
+  EXPECT_NEAR(step.at("gap").at("max_abs_mm"), 0.0, 1e-6);
+  const HaspRun text = this->Evaluate({ "gap.hasp" });
+  EXPECT_NE(
+    text.out.find("fragment 2 to fragment 3      0.000   0.000   0.000   1.200   1.200   1.200"
+                  "      600.0"),
+    std::string::npos)
+    << text.out;
+  // Without its surface, or an open one, nothing is made up.
+  std::filesystem::remove(this->Path("fragment-4.stl"));
+  ExpectFailure(this->Evaluate({ "gap.hasp" }), 2, "fragment 4: its surface has not been made");
+  this->WriteBox("fragment-4.stl", 90);
+  const json near = this->Found({ "gap.hasp" }, { "--reach", "1" });
+  EXPECT_TRUE(near.at("fractures").empty()); // 1.2 mm is beyond
+  std::string open = ReadBytes(this->Path("fragment-3.stl"));
+  open.erase(open.find("facet"), open.find("endfacet\n") + 9 - open.find("facet"));
+  this->WriteText("fragment-3.stl", open);
+  const json holed = this->Found({ "gap.hasp" });
+  EXPECT_TRUE(holed.at("fractures").empty());
+  EXPECT_EQ(holed.at("unmeasured"), (json{ "fragment 3: its surface is open" }));
 }
 
 /// One jaw, label 9, that came off by 2 mm along x; label 1 stands.

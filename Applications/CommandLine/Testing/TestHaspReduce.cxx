@@ -20,7 +20,7 @@ protected:
   {
     HaspTest::SetUp();
     ASSERT_EQ(RunHasp({ "fracture", "--quiet", "--fragments", "3", "--shift", "8", "--turn", "8",
-                        "--crack", "0", "--fine", "0.8", "--output", this->Path("case") })
+                        "--fine", "0.8", "--output", this->Path("case") })
                 .exitCode,
       0);
   }

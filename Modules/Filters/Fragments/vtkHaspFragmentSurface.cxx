@@ -1,5 +1,6 @@
 #include "vtkHaspFragmentSurface.h"
 
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspFragmentScan.h"
 #include "vtkHaspVolumeView.h"
 
@@ -13,7 +14,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedShortArray.h"
 
-#include <exception>
 #include <limits>
 #include <stdexcept>
 
@@ -87,41 +87,27 @@ int vtkHaspFragmentSurface::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
-  const auto progress = [this](double share)
-  {
-    this->UpdateProgress(share);
-    return !this->GetAbortExecute();
-  };
-  try
-  {
-    hasp::FragmentModels models(hasp::FragmentScanOf(vtkImageData::GetData(inputs[0]),
-                                  vtkImageData::GetData(inputs[1]), this->IsoValue),
-      { .spacingMm = this->Spacing });
-    std::vector<std::uint16_t> labels;
-    if (this->Label != 0)
-      labels.push_back(static_cast<std::uint16_t>(this->Label));
-    else
-      for (const hasp::FragmentLabel& there : models.Labels())
-        labels.push_back(there.label);
-    models.Prepare(labels, { .surface = true }, progress);
-    LabelledMeshes meshes;
-    for (const std::uint16_t label : labels)
+  return hasp::RunFilter(this, this->ErrorCode,
+    [&](const hasp::ProgressFunction& progress)
     {
-      meshes.Add(*models.Surface(label), label);
-      models.Release(label);
-    }
-    meshes.Give(output);
-    return 1;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    return 1; // what was asked for: nothing
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      hasp::FragmentModels models(hasp::FragmentScanOf(vtkImageData::GetData(inputs[0]),
+                                    vtkImageData::GetData(inputs[1]), this->IsoValue),
+        { .spacingMm = this->Spacing });
+      std::vector<std::uint16_t> labels;
+      if (this->Label != 0)
+        labels.push_back(static_cast<std::uint16_t>(this->Label));
+      else
+        for (const hasp::FragmentLabel& there : models.Labels())
+          labels.push_back(there.label);
+      models.Prepare(labels, { .surface = true }, progress);
+      LabelledMeshes meshes;
+      for (const std::uint16_t label : labels)
+      {
+        meshes.Add(*models.Surface(label), label);
+        models.Release(label);
+      }
+      meshes.Give(output);
+    });
 }
 
 void vtkHaspFragmentSurface::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,6 +1,7 @@
 #include "vtkHaspMirrorFilter.h"
 
 #include "MirrorGhost.h"
+#include "vtkHaspFilterRun.h"
 #include "vtkHaspVolumeView.h"
 
 #include "Distance/Coverage.h"
@@ -16,7 +17,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <exception>
 
 vtkStandardNewMacro(vtkHaspMirrorFilter);
 
@@ -92,41 +92,28 @@ int vtkHaspMirrorFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
   this->Forget();
-  try
-  {
-    const hasp::AnyGridView grey = hasp::ViewImage(vtkImageData::GetData(inputs[0]));
-    const std::vector<std::uint8_t> keep = KeptBone(
-      grey, vtkImageData::GetData(inputs[1]), this->Label, this->IsoValue, this->IgnoreBelow);
-    hasp::MirrorGhostSettings settings;
-    settings.spacingMm = this->Spacing;
-    if (const double* p = this->PlanePoint, *n = this->PlaneNormal; !this->FindPlane)
-      settings.plane = hasp::MirrorPlane{ { p[0], p[1], p[2] }, { n[0], n[1], n[2] } };
-    const hasp::MirrorGhost ghost = hasp::MakeMirrorGhost(grey, this->IsoValue, keep, settings,
-      [this](double share)
-      {
-        this->UpdateProgress(share);
-        return !this->GetAbortExecute();
-      });
-    Give(ghost, output);
-    for (int a = 0; a < 3; ++a)
+  return hasp::RunFilter(this, this->ErrorCode,
+    [&](const hasp::ProgressFunction& progress)
     {
-      this->UsedPoint[a] = ghost.plane.point[a];
-      this->UsedNormal[a] = ghost.plane.normal[a];
-    }
-    this->MedianDistance = ghost.medianMm;
-    this->DistanceOf95 = ghost.p95Mm;
-    this->MatchedShare = ghost.matchedShare;
-    return 1;
-  }
-  catch (const hasp::Cancelled&)
-  {
-    return 1; // what was asked for: nothing
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      const hasp::AnyGridView grey = hasp::ViewImage(vtkImageData::GetData(inputs[0]));
+      const std::vector<std::uint8_t> keep = KeptBone(
+        grey, vtkImageData::GetData(inputs[1]), this->Label, this->IsoValue, this->IgnoreBelow);
+      hasp::MirrorGhostSettings settings;
+      settings.spacingMm = this->Spacing;
+      if (const double* p = this->PlanePoint, *n = this->PlaneNormal; !this->FindPlane)
+        settings.plane = hasp::MirrorPlane{ { p[0], p[1], p[2] }, { n[0], n[1], n[2] } };
+      const hasp::MirrorGhost ghost =
+        hasp::MakeMirrorGhost(grey, this->IsoValue, keep, settings, progress);
+      Give(ghost, output);
+      for (int a = 0; a < 3; ++a)
+      {
+        this->UsedPoint[a] = ghost.plane.point[a];
+        this->UsedNormal[a] = ghost.plane.normal[a];
+      }
+      this->MedianDistance = ghost.medianMm;
+      this->DistanceOf95 = ghost.p95Mm;
+      this->MatchedShare = ghost.matchedShare;
+    });
 }
 
 void vtkHaspMirrorFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -8,6 +8,10 @@
  * point scalars "SignedDistance" (float): mm to the real bone's surface, NEGATIVE INSIDE bone, the
  * residual symmetry map. What is done, errors and cost: hasp::MakeMirrorGhost (MirrorGhost.h).
  *
+ * A surface is no input: the plane is found by where bone is and is not, and distances are of
+ * samples; an open surface says neither. Of a closed one vtkPolyDataToImageStencil and
+ * vtkImageStencil make such an image, as exact as its voxels.
+ *
  * Errors (vtkErrorMacro, empty output): inputs that hasp::ViewImage refuses, labels of another
  * grid, settings out of range, no bone, bone that is not like its mirror image. AbortExecute gives
  * an empty output without an error. Threads: as any VTK filter, one at a time (RENDER or WORKER);

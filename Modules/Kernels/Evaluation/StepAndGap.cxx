@@ -24,6 +24,7 @@ public:
   void Add(double mm, double weight, const glm::dvec3& at)
   {
     this->Shares.Add(mm, weight);
+    this->SizeShares.Add(std::abs(mm), weight);
     this->Sum += weight * mm;
     this->Sizes += weight * std::abs(mm);
     if (this->Made.samples++ == 0 || std::abs(mm) > this->Made.maxAbsMm)
@@ -42,12 +43,16 @@ public:
     made.meanMm = this->Sum / made.areaMm2;
     made.meanAbsMm = this->Sizes / made.areaMm2;
     made.p5Mm = this->Shares.Below(0.05);
+    made.p50Mm = this->Shares.Below(0.5);
     made.p95Mm = this->Shares.Below(0.95);
+    this->SizeShares.Sort();
+    made.p50AbsMm = this->SizeShares.Below(0.5);
+    made.p95AbsMm = this->SizeShares.Below(0.95);
     return made;
   }
 
 private:
-  AreaShares Shares;
+  AreaShares Shares, SizeShares;
   FractureFigures Made;
   double Sum = 0.0, Sizes = 0.0;
 };

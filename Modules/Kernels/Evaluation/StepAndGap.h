@@ -21,9 +21,10 @@ struct StepAndGapSettings
 /// Figures along a fracture, mm, by area; all 0 if there are none of them.
 struct FractureFigures
 {
-  double meanMm = 0.0;            ///< with its sign
-  double meanAbsMm = 0.0;         ///< of the size alone
-  double p5Mm = 0.0, p95Mm = 0.0; ///< with sign
+  double meanMm = 0.0;                         ///< with its sign
+  double meanAbsMm = 0.0;                      ///< of the size alone
+  double p5Mm = 0.0, p50Mm = 0.0, p95Mm = 0.0; ///< with sign
+  double p50AbsMm = 0.0, p95AbsMm = 0.0;       ///< of the size alone
   double maxAbsMm = 0.0;
   glm::dvec3 maxAt{ 0.0 }; ///< world, on the first fragment
   double areaMm2 = 0.0;    ///< that was measured; of points the sum of their weights

@@ -90,6 +90,9 @@ TEST(StepAndGap, AShiftedHalfStandsThatMuchHigherAndLowerBehind)
       EXPECT_NEAR(found.step.p95Mm, std::abs(step), 1e-6); // on one side of the plate
       EXPECT_NEAR(found.step.p5Mm, -std::abs(step), 1e-6); // and on the other
       EXPECT_NEAR(found.step.maxAbsMm, std::abs(step), 1e-6);
+      EXPECT_NEAR(found.step.p50AbsMm, std::abs(step), 1e-6); // five sixths of the rim step
+      EXPECT_NEAR(found.step.p95AbsMm, std::abs(step), 1e-6);
+      EXPECT_NEAR(found.gap.p50Mm, gap, 1e-6);
       // The side that lies nearer to where the faces overlap counts a little more.
       EXPECT_LT(std::abs(found.step.meanMm), 0.2 * std::abs(step));
       // Of the rim, two sides of 20 mm step, and two of what faces each other do not.
