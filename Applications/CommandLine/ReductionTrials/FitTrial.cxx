@@ -89,8 +89,9 @@ std::vector<ReductionCase> MakeTrialCases(
   {
     context.progress(double(n) / count, "reduction: breaking bone");
     ReductionCaseSettings settings;
-    settings.bone = n % 2 == 0 ? BrokenBone::Mandible : BrokenBone::Head;
-    settings.spacingMm = n % 2 == 0 ? 0.8 : 1.0;
+    const bool head = n % 2 == 1 && n < 8;
+    settings.bone = head ? BrokenBone::Head : BrokenBone::Mandible;
+    settings.spacingMm = head ? 1.0 : 0.8;
     settings.damage.erodedMm = n / 2 % 2 == 0 ? 0.3 : 0.0;
     settings.damage.noiseHU = 25.0;
     settings.seed = firstSeed + std::uint64_t(n);
