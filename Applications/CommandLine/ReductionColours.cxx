@@ -122,8 +122,8 @@ public:
   {
     const vtkIdType step = this->Points() / RivalPoints;
     for (std::size_t n = 0; n < this->Found.size(); ++n)
-      theirs.Add(this->Found[n] -
-                 ToReference(this->Pose, this->Surface->GetOutput()->GetPoint(vtkIdType(n) * step)));
+      theirs.Add(this->Found[n] - ToReference(this->Pose,
+                                    this->Surface->GetOutput()->GetPoint(vtkIdType(n) * step)));
   }
   vtkIdType Points() const { return this->Surface->GetOutput()->GetNumberOfPoints(); }
   int Samplings() const { return this->Filter->GetSamplings(); }
@@ -146,8 +146,9 @@ void AddRival(ReportContext& context, Colours& colours, const std::string& data)
 {
   Errors ours, theirs;
   // Each a place: so many of ours, and as many as the rival can be waited for.
-  const PairedTimes times = ComparePairs([&] { return Of(colours.Next(), double(colours.Points())); },
-    [&] { return Of(colours.ByRival(), double(RivalPoints)); });
+  const PairedTimes times =
+    ComparePairs([&] { return Of(colours.Next(), double(colours.Points())); },
+      [&] { return Of(colours.ByRival(), double(RivalPoints)); });
   colours.AddErrors(ours);
   colours.AddRivalErrors(theirs);
   char text[200];
@@ -175,10 +176,9 @@ void TryColours(ReportContext& context)
     wallS.push_back(time.wallS);
     colours.AddErrors(errors);
   }
-  const std::string data = std::to_string(colours.Points()) +
-                           " places of a ball of 19 mm before one of 20 mm, " +
-                           std::to_string(poses) + " poses, " +
-                           std::to_string(colours.Samplings()) + " time sampled";
+  const std::string data =
+    std::to_string(colours.Points()) + " places of a ball of 19 mm before one of 20 mm, " +
+    std::to_string(poses) + " poses, " + std::to_string(colours.Samplings()) + " time sampled";
   const Quartiles ms = QuartilesOf(cpuMs);
   ReportRow row;
   row.id = "reduction.colours.ms";

@@ -57,15 +57,21 @@ void ReportReduction(ReportContext& context)
   // Others than those that the fit's settings were chosen by, whose seeds are below 100.
   const std::uint64_t first = 100 + 100 * context.settings.seed;
   Parts parts(context);
-  std::vector<ReductionCase> broken;
-  parts.Try("bones", [&] { broken = MakeTrialCases(context, quick ? 2 : 12, first); });
-  const std::vector<ReductionCase> cases(broken.begin(), broken.begin() + (quick ? 2 : 8));
+  std::vector<ReductionCase> cases, jaws;
+  parts.Try("bones",
+    [&]
+    {
+      cases = MakeTrialCases(context, quick ? 2 : 8, first);
+      jaws = MakeTrialCases(context, quick ? 1 : 8, first + 50, true);
+      for (std::size_t n = 0; n < cases.size(); n += 2)
+        jaws.push_back(cases[n]);
+    });
   parts.Try("fits", [&] { TryFits(context, cases); });
   parts.Try("assembly", [&] { TryAssembly(context, cases); });
   parts.Try("capture", [&] { TryCapture(context, cases); });
   parts.Try("pot", [&] { TryPot(context); });
   parts.Try("fidelity", [&] { TryFidelity(context); });
-  parts.Try("precision", [&] { TryPrecision(context, broken); });
+  parts.Try("precision", [&] { TryPrecision(context, jaws); });
 #if HASP_WITH_COLOURS
   parts.Try("colours", [&] { TryColours(context); });
 #endif

@@ -14,6 +14,7 @@ namespace
 
 constexpr double FaceMm = 1.5;      // faces that meet are no farther apart
 constexpr double FaceFacing = 0.6;  // and look at each other
+constexpr double SeenShare = 0.5;   // of its faces, or it is not in its place
 constexpr double LeastAgreed = 0.4; // length of faces' mean normal from which on it is a way in
 
 /// Of a piece where it belongs, with what stands of its partners, where that belongs.
@@ -51,18 +52,13 @@ Faces FacesOf(const ReductionCase& broken, std::size_t body, const StandingBodie
   return faces;
 }
 
-RigidPose WhereScanned(const BakedFitBody& body)
-{
-  return { body.origin };
-}
-
 glm::dvec3 WayIn(const ReductionCase& broken, std::size_t body, const glm::dvec3& outward)
 {
   if (glm::length(outward) >= LeastAgreed)
     return glm::normalize(outward);
   const glm::dvec3& middle = broken.bodies[body].body->Centroid();
-  const glm::dvec3 back =
-    broken.trueBodyInWorld[body].Place(middle) - WhereScanned(broken.bodies[body]).Place(middle);
+  const RigidPose scanned{ broken.bodies[body].origin };
+  const glm::dvec3 back = broken.trueBodyInWorld[body].Place(middle) - scanned.Place(middle);
   return glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0.0, 0.0, -1.0);
 }
 
@@ -86,20 +82,20 @@ OperatorTask TaskOf(const ReductionCase& broken, std::size_t body, const Standin
   OperatorTask task;
   const BakedFitBody& moved = broken.bodies[body];
   std::vector<HapticBody> touched;
-  for (std::size_t n = 0; n < standing.size(); ++n)
+  for (const std::size_t n : broken.partners[body])
     if (standing[n])
     {
-      const auto& own = broken.partners[body];
-      const bool partner = std::find(own.begin(), own.end(), n) != own.end();
       touched.push_back({ broken.bodies[n].map, *standing[n] });
-      (partner ? task.others.partners : task.others.obstacles)
-        .push_back({ broken.bodies[n].body, *standing[n] });
+      task.others.partners.push_back({ broken.bodies[n].body, *standing[n] });
     }
-  task.touch = [shell = moved.shell, touched]
-  { return std::make_unique<HapticScene>(std::vector<HapticShell>{ { shell, {} } }, touched); };
+  task.touch = [shell = moved.shell, touched] {
+    return std::make_unique<HapticScene>(std::vector<HapticShell>{ { shell, {} } }, touched);
+  };
   task.moved = { { moved.body, {} } };
   task.truth = broken.trueBodyInWorld[body];
-  task.push = WayIn(broken, body, FacesOf(broken, body, standing).outward);
+  const Faces faces = FacesOf(broken, body, standing);
+  task.push = WayIn(broken, body, faces.outward);
+  task.leastSeen = std::min(task.leastSeen, SeenShare * faces.mm2 / moved.body->SurfaceArea());
   return task;
 }
 
@@ -136,8 +132,9 @@ BoneTrial PutBoneTogether(const ReductionCase& broken, const OperatorSettings& w
   StandingBodies standing = FixedBodies(broken);
   for (const std::size_t piece : trial.pieces)
   {
-    const OperatorResult put = PutInPlace(TaskOf(broken, piece, standing),
-      WhereScanned(broken.bodies[piece]), who, help, 100 * seed + piece);
+    const OperatorTask task = TaskOf(broken, piece, standing);
+    const std::uint64_t own = 100 * seed + piece;
+    const OperatorResult put = PutInPlace(task, StartBefore(task, own), who, help, own);
     standing[piece] = put.pose;
     trial.bodyInWorld.push_back(put.pose);
     trial.seconds += put.seconds;

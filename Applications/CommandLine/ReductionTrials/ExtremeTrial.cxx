@@ -57,7 +57,8 @@ void TrySmoothFaces(ReportContext& context, const FracturedBlocks& rough)
   const FitScene scene = smooth.SceneOfOthers();
   FractureFit fit = FitFracture(moved, Off(truth, { 4, -3, 1 }, { 0, 0, 1 }, 10.0), scene);
   MeasureSpread(moved, scene, {}, fit);
-  AddCase(context, "smooth.along", "a smooth face on a wider one: stated loose along it, held across",
+  AddCase(context, "smooth.along",
+    "a smooth face on a wider one: stated loose along it, held across",
     StandardMm(fit.spread, 2) / std::min(StandardMm(fit.spread, 0), StandardMm(fit.spread, 1)), 0.1,
     "standard deviation across / along");
   AddCase(context, "smooth.interval",
@@ -82,26 +83,26 @@ void TryWrongPieces(ReportContext& context, const FracturedBlocks& rough)
   const auto energyOf =
     [](const PlacedBody& moved, const RigidPose& start, const FitScene& scene, std::uint64_t seed)
   {
-    const FitProposals found = ProposeFits(std::array{ GroupBody{ moved.body, {} } }, start, scene,
-      {}, seed);
+    const FitProposals found =
+      ProposeFits(std::array{ GroupBody{ moved.body, {} } }, start, scene, {}, seed);
     return found.proposals.empty() ? 0.0 : found.proposals[0].fit.sums.energy;
   };
   const std::uint64_t seed = context.settings.seed;
   const PlacedBody& whole = rough.Moved().whole;
   const FracturedBlocks mirrored = Blocks(context, { .roughMm = 1.0, .mirrored = true });
   AddCase(context, "mirrored", "a mirrored piece fits less than half as well as the right one",
-    energyOf(mirrored.Moved().whole, mirrored.Moved().whole.bodyInWorld, mirrored.SceneOfOthers(),
-      seed) /
+    energyOf(
+      mirrored.Moved().whole, mirrored.Moved().whole.bodyInWorld, mirrored.SceneOfOthers(), seed) /
       energyOf(whole, whole.bodyInWorld, rough.SceneOfOthers(), seed),
     HalfAsDeep, "energy / the right piece's");
   const FracturedBlocks three = Blocks(context, { .pieces = 3, .roughMm = 1.0 });
   const PlacedBody &lower = three.pieces[0].whole, &left = three.pieces[1].whole,
                    &right = three.pieces[2].whole;
   const FitScene on{ { lower }, {} };
-  const double belong = energyOf(left, left.bodyInWorld, on, seed) +
-                        energyOf(right, right.bodyInWorld, on, seed);
-  const double swapped = energyOf(left, right.bodyInWorld, on, seed) +
-                         energyOf(right, left.bodyInWorld, on, seed);
+  const double belong =
+    energyOf(left, left.bodyInWorld, on, seed) + energyOf(right, right.bodyInWorld, on, seed);
+  const double swapped =
+    energyOf(left, right.bodyInWorld, on, seed) + energyOf(right, left.bodyInWorld, on, seed);
   AddCase(context, "swapped", "two pieces in each other's place fit less than half as well",
     swapped / belong, HalfAsDeep, "energy / in their own places");
 }

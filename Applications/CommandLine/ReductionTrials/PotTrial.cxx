@@ -34,7 +34,7 @@ ReportRow TryToMend(ReportContext& context, const BrokenPotSettings& settings, i
       fixed ? truth
             : UniformStart(
                 truth, pot.sherds[n].body->Centroid(), StartMm, StartDegrees, 1000 * seed + n),
-      fixed });
+      fixed, {} });
   }
   AssemblySettings assembly;
   assembly.proposals.starts = starts;

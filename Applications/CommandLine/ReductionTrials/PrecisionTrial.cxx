@@ -20,7 +20,7 @@ namespace
 constexpr int Operators = 3, TrialsEach = 2;
 constexpr double SurfaceMm = 1.5; // of the grid that surfaces are contoured on: thinner than bone
 constexpr float Stiffness = 0.5F; // as reduction.fidelity
-constexpr int Levels = 3;         // of points: 4096, what is left of a tick for several bones
+constexpr int Levels = 3;         // of points: 4096, a third of the time of all
 constexpr double LimitS = 20.0;   // virtual, for a piece
 
 /// The fragment's surface, in the scan.
@@ -139,10 +139,9 @@ std::string DataOf(std::size_t cases, const std::vector<BoneTrial>& trials)
   }
   char text[320];
   std::snprintf(text, sizeof text,
-    "%zu broken bones x %d simulated operators x %d trials = %zu trials of %zu pieces, through the "
-    "haptic step with Snap-to-fit, from where pieces were scanned, 8 mm and up to 8 degrees off; "
-    "%d left by themselves, the others after %.0f s; %.0f virtual seconds a trial; %llu ticks "
-    "beyond limits",
+    "%zu broken mandibles x %d simulated operators x %d trials = %zu trials of %zu pieces, through "
+    "the haptic step with Snap-to-fit, from 12 to 18 mm before their places; %d left by "
+    "themselves, the others after %.0f s; %.0f virtual seconds a trial; %llu ticks beyond limits",
     cases, Operators, TrialsEach, trials.size(), pieces, content, LimitS,
     seconds / double(trials.size()), static_cast<unsigned long long>(faults));
   return text;

@@ -28,10 +28,9 @@ struct FitTrial
   bool captured = false; ///< TryCapture
 };
 
-/// Cases of the report: the broken mandible and the broken head in turn; beyond eight mandibles,
-/// which take the least time.
+/// Cases of the report: the broken mandible and the broken head in turn, or mandibles alone.
 std::vector<ReductionCase> MakeTrialCases(
-  ReportContext& context, int count, std::uint64_t firstSeed);
+  ReportContext& context, int count, std::uint64_t firstSeed, bool jawsAlone = false);
 
 /// try(case, moved body, scene, start pose, number) for `starts` starts of each moved body, on all
 /// cores: many small fits side by side.
@@ -76,9 +75,9 @@ void TryPot(ReportContext& context);
 void TryFidelity(ReportContext& context);
 
 /// reduction.precision.intra, .inter, reduction.accuracy: Paper IV's table of simulated operators
-/// who put broken bones together with Snap-to-fit (BoneTrial.h), made as `hasp evaluate FOLDER`
+/// who put broken mandibles together with Snap-to-fit (BoneTrial.h), made as `hasp evaluate FOLDER`
 /// makes it (Evaluation/TrialTable.h).
-void TryPrecision(ReportContext& context, const std::vector<ReductionCase>& cases);
+void TryPrecision(ReportContext& context, const std::vector<ReductionCase>& jaws);
 
 /// The fits of `hasp report stability`: what is predicted of smooth faces, one point of contact,
 /// pieces that do not belong, starts inside of another and far away, and of poses in plan files;

@@ -78,8 +78,8 @@ std::string LineOf(const TrialSummary& summary)
   {
     const auto m = std::size_t(column.measure);
     char text[100];
-    std::snprintf(text, sizeof text, "%s%s %.3f +- %.3f %s", line.empty() ? "" : ", ",
-      column.words, summary.mean[m], summary.deviation[m], column.unit);
+    std::snprintf(text, sizeof text, "%s%s %.3f +- %.3f %s", line.empty() ? "" : ", ", column.words,
+      summary.mean[m], summary.deviation[m], column.unit);
     line += text;
   }
   return line;

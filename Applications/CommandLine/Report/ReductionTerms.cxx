@@ -24,7 +24,8 @@ std::vector<ReportTerm> ReductionTerms()
       "fragment; @case: the table's lines. As hasp evaluate FOLDER makes it" },
     { "reduction.accuracy", "the same table, trials against where the bone was whole" },
     { "reduction.colours",
-      "distances of a surface of 200,000 places to a reference, as its pose changes: ms of CPU time "
+      "distances of a surface of 200,000 places to a reference, as its pose changes: ms of CPU "
+      "time "
       "(aim: 20), how far off, rms and max, and speed against VTK's, a place" },
     { "reduction.part", "how long the parts of this report took" },
     { "reduction.pot", "sherds of a broken pot that are placed within 0.5 mm" },

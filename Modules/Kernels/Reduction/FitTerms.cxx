@@ -72,9 +72,8 @@ public:
   void Keep(const glm::dvec3& place, const glm::dvec3& direction, double mm, double weight)
   {
     const glm::dvec3 turn = glm::cross(place - this->Origin, direction);
-    this->Residuals->push_back(
-      { { direction.x, direction.y, direction.z, turn.x, turn.y, turn.z }, weight, mm, place,
-        false });
+    this->Residuals->push_back({ { direction.x, direction.y, direction.z, turn.x, turn.y, turn.z },
+      weight, mm, place, false });
   }
 
   FitSums& Sums;
@@ -231,8 +230,8 @@ void AddContinuity(Adder& adder, const PlacedBody& moved, const PlacedBody& part
     adder.Sums.continuedMm2 += area * seen.area;
     adder.Sums.continuedSquares += area * seen.areaMm2;
     const double pulled = law.continuity * area;
-    adder.AddOfOnePlace(world, pulled * (turn * seen.Squares() * glm::transpose(turn)),
-      pulled * (turn * seen.pull));
+    adder.AddOfOnePlace(
+      world, pulled * (turn * seen.Squares() * glm::transpose(turn)), pulled * (turn * seen.pull));
     for (const Continuation& c : kept)
       adder.Keep(world, turn * c.direction, c.mm, pulled * c.weight);
   }

@@ -79,7 +79,7 @@ TEST(BoneTrial, PiecesGoInPlaceOneAfterTheOtherAndTheSameAgain)
   {
     const std::size_t piece = trial.pieces[n];
     const std::vector<hasp::GroupBody> moved{ { Block().bodies[piece].body, {} } };
-    // They were scanned 9 mm away; without an error of aim what remains is the push and a search.
+    // They begin 12 mm away; without an error of aim what remains is the push and a search.
     EXPECT_LT(hasp::RmsWay(moved, Block().trueBodyInWorld[piece], trial.bodyInWorld[n]), 0.6);
   }
   EXPECT_GT(trial.seconds, 1.0);

@@ -42,7 +42,8 @@ TEST(ReductionRows, PrecisionAndAccuracyAreTheTablesOwn)
   const TrialTable table = MakeTrialTable(cases, trials);
   const Report report =
     Filled([&](ReportContext& context) { AddTrialRows(context, table, "by hand"); });
-  // Of a shift the mean way of places is the shift: 0.3 and 0; 0.4, 0.4, 0.5, 0.5; 0, 0.3, 0.4, 0.4.
+  // Of a shift the mean way of places is the shift: 0.3 and 0; 0.4, 0.4, 0.5, 0.5; 0, 0.3, 0.4,
+  // 0.4.
   EXPECT_NEAR(*Row(report, "reduction.precision.intra.tre").value, 0.15, 1e-12);
   EXPECT_NEAR(*Row(report, "reduction.precision.inter.tre").value, 0.45, 1e-12);
   EXPECT_NEAR(*Row(report, "reduction.accuracy.tre").value, 0.275, 1e-12);
@@ -51,10 +52,11 @@ TEST(ReductionRows, PrecisionAndAccuracyAreTheTablesOwn)
   EXPECT_EQ(Row(report, "reduction.accuracy").n, 4);
   EXPECT_EQ(*Row(report, "reduction.precision.inter").value,
     table.overall.interOperator.mean[std::size_t(TrialMeasure::SurfaceMeanMm)]);
-  EXPECT_EQ(*Row(report, "reduction.accuracy@case1").value, *Row(report, "reduction.accuracy").value);
+  EXPECT_EQ(
+    *Row(report, "reduction.accuracy@case1").value, *Row(report, "reduction.accuracy").value);
   EXPECT_EQ(*Row(report, "reduction.accuracy.rotation").value, 0.0);
-  EXPECT_NE(Row(report, "reduction.accuracy@case1").data.find("mean way of places"),
-    std::string::npos);
+  EXPECT_NE(
+    Row(report, "reduction.accuracy@case1").data.find("mean way of places"), std::string::npos);
   for (const ReportRow& row : report.rows)
     EXPECT_TRUE(row.bars.empty()) << row.id; // printed, and no more
 }
@@ -79,7 +81,7 @@ TEST(ReductionRows, SimulatedOperatorsFillTheTable)
   EXPECT_EQ(accuracy.n, 6); // three operators, twice, one piece
   EXPECT_EQ(Row(report, "reduction.precision.intra").n, 3);
   EXPECT_EQ(Row(report, "reduction.precision.inter").n, 12);
-  EXPECT_LT(*accuracy.value, 1.0); // pieces were scanned 9 mm away
+  EXPECT_LT(*accuracy.value, 1.0);                                     // pieces begin 12 mm away
   EXPECT_GT(*Row(report, "reduction.precision.inter.tre").value, 0.0); // they are not the same
   EXPECT_NE(accuracy.data.find("6 trials of 6 pieces"), std::string::npos) << accuracy.data;
   EXPECT_NE(accuracy.data.find("; 0 ticks beyond limits"), std::string::npos) << accuracy.data;
