@@ -22,6 +22,7 @@ struct Faces
 {
   double mm2 = 0.0;
   glm::dvec3 outward{ 0.0 }; ///< mean, world
+  glm::dvec3 middle{ 0.0 };  ///< body axes; without faces the body's own
 };
 
 Faces FacesOf(const ReductionCase& broken, std::size_t body, const StandingBodies& standing)
@@ -43,12 +44,14 @@ Faces FacesOf(const ReductionCase& broken, std::size_t body, const StandingBodie
           glm::dot(foot->outward, toPartner.Turn(p.normal)) > -FaceFacing)
         continue;
       faces.outward += truth.Turn(p.normal);
+      faces.middle += p.place;
       ++count;
     }
   }
   faces.mm2 = piece.SurfaceArea() * double(count) / double(points.size());
   if (count > 0)
     faces.outward /= double(count);
+  faces.middle = count > 0 ? faces.middle / double(count) : piece.Centroid();
   return faces;
 }
 
@@ -88,12 +91,15 @@ OperatorTask TaskOf(const ReductionCase& broken, std::size_t body, const Standin
       touched.push_back({ broken.bodies[n].map, *standing[n] });
       task.others.partners.push_back({ broken.bodies[n].body, *standing[n] });
     }
-  task.touch = [shell = moved.shell, touched] {
-    return std::make_unique<HapticScene>(std::vector<HapticShell>{ { shell, {} } }, touched);
-  };
-  task.moved = { { moved.body, {} } };
-  task.truth = broken.trueBodyInWorld[body];
   const Faces faces = FacesOf(broken, body, standing);
+  const RigidPose bodyInGroup{ -faces.middle };
+  task.touch = [shell = moved.shell, bodyInGroup, touched]
+  {
+    return std::make_unique<HapticScene>(
+      std::vector<HapticShell>{ { shell, bodyInGroup } }, touched);
+  };
+  task.moved = { { moved.body, bodyInGroup } };
+  task.truth = broken.trueBodyInWorld[body] * bodyInGroup.Inverse();
   task.push = WayIn(broken, body, faces.outward);
   task.leastSeen = std::min(task.leastSeen, SeenShare * faces.mm2 / moved.body->SurfaceArea());
   return task;
@@ -135,8 +141,9 @@ BoneTrial PutBoneTogether(const ReductionCase& broken, const OperatorSettings& w
     const OperatorTask task = TaskOf(broken, piece, standing);
     const std::uint64_t own = 100 * seed + piece;
     const OperatorResult put = PutInPlace(task, StartBefore(task, own), who, help, own);
-    standing[piece] = put.pose;
-    trial.bodyInWorld.push_back(put.pose);
+    const RigidPose placed = put.pose * task.moved.front().bodyInGroup;
+    standing[piece] = placed;
+    trial.bodyInWorld.push_back(placed);
     trial.seconds += put.seconds;
     trial.content += put.content;
     trial.faults += put.overLimit + put.notFinite;

@@ -16,7 +16,8 @@ using StandingBodies = std::vector<std::optional<RigidPose>>;
 /// What is no partner, as a joint's other bone, is out of the way.
 ///
 /// The way in is where its faces look that meet what stands, their normals' mean; of a piece that
-/// has faces all round, as of the vault, the way back from where it was scanned. Keeps its own hold
+/// has faces all round, as of the vault, the way back from where it was scanned. It is held at
+/// the middle of those faces, the group's origin. Keeps its own hold
 /// of the bodies. Throws std::invalid_argument for a body that the bone has not, or that stands.
 OperatorTask TaskOf(const ReductionCase& broken, std::size_t body, const StandingBodies& standing);
 
