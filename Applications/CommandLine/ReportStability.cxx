@@ -6,6 +6,9 @@
 #include "Grid/MinMaxBlocks.h"
 #include "Isosurface/ActiveCells.h"
 #include "Isosurface/CompactCells.h"
+#if HASP_WITH_REDUCTION
+#include "ReductionTrials.h"
+#endif
 #include "ReportRegistry.h"
 #include "StabilityChecks.h"
 #include "StabilityTrial.h"
@@ -121,6 +124,9 @@ void ReportStability(ReportContext& context)
   CheckRefusals(context, ball);
   TryDistanceCases(context);
   TryStability(context);
+#if HASP_WITH_REDUCTION
+  TryReductionExtremes(context);
+#endif
   AddShare(context);
 }
 

@@ -37,6 +37,9 @@ void Check(const FracturedBlockSettings& s)
   Require(s.lostMm >= 0.0 && s.lostMm <= 2.0, "lostMm", s.lostMm, "in [0, 2]");
   Require(s.points >= 64 && s.points <= 1'000'000, "points", s.points, "in [64, 10^6]");
   Require(s.coarsest >= 1 && s.coarsest <= s.points, "coarsest", s.coarsest, "in [1, points]");
+  Require(s.widerMm >= 0.0 && s.widerMm <= 20.0, "widerMm", s.widerMm, "in [0, 20]");
+  Require(s.pieces == 2 || (s.widerMm == 0.0 && !s.mirrored), "pieces", s.pieces,
+    "2 where one is wider or mirrored");
 }
 
 /// A face of a piece: before it (1) or behind it (-1).
@@ -59,9 +62,12 @@ double LostShare(const glm::dvec3& x)
   return 0.5 + 0.5 * std::sin(0.9 * x.x + 1.0) * std::sin(1.1 * x.y + 0.4 * x.z);
 }
 
-double DistanceTo(const Piece& piece, const FracturedBlockSettings& settings, const glm::dvec3& x)
+double DistanceTo(
+  const Piece& piece, const FracturedBlockSettings& settings, const glm::dvec3& place)
 {
-  const glm::dvec3 q = glm::abs(x) - 0.5 * settings.sideMm;
+  const bool turned = piece.moved && settings.mirrored;
+  const glm::dvec3 x(turned ? -place.x : place.x, place.y, place.z);
+  const glm::dvec3 q = glm::abs(x) - 0.5 * settings.sideMm - (piece.moved ? 0.0 : settings.widerMm);
   double distance =
     glm::length(glm::max(q, glm::dvec3(0.0))) + std::min(0.0, std::max({ q.x, q.y, q.z }));
   const double lost = piece.moved ? settings.lostMm * LostShare(x) : 0.0;
@@ -144,8 +150,9 @@ FracturedBlocks MakeFracturedBlocks(const FracturedBlockSettings& settings)
   const glm::dvec3 half = 0.5 * settings.sideMm;
   const double high = std::min(across.MostMm(), half.z), wide = std::min(along.MostMm(), half.x);
   FracturedBlocks made;
+  const glm::dvec3 farther = half + settings.widerMm;
   made.pieces.push_back(
-    Bake({ -half, { half.x, half.y, high }, { { &across, -1.0 } }, false }, settings));
+    Bake({ -farther, { farther.x, farther.y, high }, { { &across, -1.0 } }, false }, settings));
   const glm::dvec3 low(-half.x, -half.y, -high);
   if (settings.pieces == 2)
   {

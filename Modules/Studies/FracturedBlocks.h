@@ -21,6 +21,10 @@ struct FracturedBlockSettings
   int points = 16'384;    ///< of a shell, at most
   int coarsest = 64;      ///< of its level 0; each has four times as many as the one before
   std::uint64_t seed = 1; ///< of the faces
+  /// What does not go together, of 2 pieces: the standing one reaches so much farther to all sides
+  /// but its face, [0, 20] mm; the moved one is its own mirror image, in x.
+  double widerMm = 0.0;
+  bool mirrored = false;
 };
 
 /// A piece of a broken block.

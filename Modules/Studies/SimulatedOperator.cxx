@@ -51,7 +51,7 @@ double SeenGap(const OperatorTask& task, const RigidPose& group)
           gaps.push_back(std::abs(foot->mm));
       }
     }
-  if (20 * gaps.size() < all || gaps.empty())
+  if (double(gaps.size()) < task.leastSeen * double(all) || gaps.empty())
     return std::numeric_limits<double>::infinity();
   const auto middle = gaps.begin() + std::ptrdiff_t(gaps.size() / 2);
   std::nth_element(gaps.begin(), middle, gaps.end());
@@ -370,6 +370,15 @@ OperatorTask TaskOf(const FracturedBlocks& blocks)
   const auto kept = std::make_shared<const FracturedBlocks>(blocks);
   return { [kept] { return kept->TouchScene(); }, blocks.MovedGroup(), blocks.SceneOfOthers(),
     blocks.Moved().whole.bodyInWorld, blocks.push };
+}
+
+RigidPose StartBefore(const OperatorTask& task, std::uint64_t seed)
+{
+  SeededDice dice(seed);
+  const glm::dvec3 aside = dice.Direction() * dice.In(0.0, 5.0);
+  const glm::dvec3 turn = dice.Direction() * glm::radians(dice.In(0.0, 15.0));
+  return { task.truth.position - dice.In(12.0, 18.0) * task.push + aside,
+    TurnBy(turn) * task.truth.orientation };
 }
 
 HapticStepSettings OperatorHelp::TouchSteps()

@@ -50,9 +50,14 @@ struct OperatorTask
   FitScene others;                   ///< what gaps are seen to
   RigidPose truth;                   ///< of the group, world: the aim is off from it
   glm::dvec3 push{ 0.0, 0.0, -1.0 }; ///< unit, world: the way in
+  /// Less of the group's surface than this before the others, and it is not at its place: the gap
+  /// counts as wide. In [0, 1].
+  double leastSeen = 0.05;
 };
 /// Keeps its own hold of the pieces.
 OperatorTask TaskOf(const FracturedBlocks& blocks);
+/// Before its place: 12 to 18 mm out, up to 5 mm off to any side and turned by up to 15 degrees.
+RigidPose StartBefore(const OperatorTask& task, std::uint64_t seed);
 
 /// What the renderer offers in a trial.
 struct OperatorHelp

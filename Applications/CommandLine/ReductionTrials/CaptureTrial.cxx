@@ -21,7 +21,7 @@ using FitFrom = std::function<RigidPose(const TrialStart&, double mm)>;
 struct Captured
 {
   double mm = 0.0;
-  std::string shares; ///< "1 mm: 1.00, 2 mm: 0.98 ..."
+  std::string shares; ///< "1 mm: 1.00, 2 mm: 0.98 ...", up to the first that is too few
   double seconds = 0.0, medianMm = 0.0;
 };
 
@@ -37,7 +37,6 @@ Captured Capture(const std::vector<ReductionCase>& cases, const std::vector<doub
 {
   const std::vector<FitTrial> ends = FromTruth(cases, seed, fit);
   Captured made;
-  bool all = true;
   for (const double mm : scales)
   {
     const Stopwatch time;
@@ -56,9 +55,8 @@ Captured Capture(const std::vector<ReductionCase>& cases, const std::vector<doub
     std::snprintf(text, sizeof text, "%s%.1f mm: %.2f", made.shares.empty() ? "" : ", ", mm, share);
     made.shares += text;
     made.seconds = 1e-3 * time.Milliseconds() / double(trials.size());
-    all = all && share >= GoodShare;
-    if (!all)
-      continue;
+    if (share < GoodShare)
+      break; // farther starts cannot change the figure
     made.mm = mm;
     std::sort(trials.begin(), trials.end(),
       [](const FitTrial& a, const FitTrial& b) { return a.mm < b.mm; });

@@ -4,7 +4,6 @@
 
 #include "Grid/ParallelFor.h"
 #include "Studies/FracturedBlocks.h"
-#include "Studies/SeededDice.h"
 #include "Studies/SignedRank.h"
 #include "Studies/SimulatedOperator.h"
 
@@ -82,16 +81,6 @@ std::vector<OperatorTask> MakeTasks(ReportContext& context, int count)
   return tasks;
 }
 
-/// Before its place, 12 to 18 mm out, off to the sides and turned.
-RigidPose StartOf(const OperatorTask& task, std::uint64_t seed)
-{
-  SeededDice dice(seed);
-  const glm::dvec3 aside = dice.Direction() * dice.In(0.0, 5.0);
-  const glm::dvec3 turn = dice.Direction() * glm::radians(dice.In(0.0, 15.0));
-  return { task.truth.position - dice.In(12.0, 18.0) * task.push + aside,
-    TurnBy(turn) * task.truth.orientation };
-}
-
 Trials TryConditions(
   ReportContext& context, const std::vector<Condition>& conditions, int operators, int scenes)
 {
@@ -112,7 +101,7 @@ Trials TryConditions(
           const OperatorTask& task = tasks[std::size_t(n / operators)];
           const std::uint64_t first = 1000 * (1 + context.settings.seed);
           const std::uint64_t seed = first + std::uint64_t(n);
-          const OperatorResult put = PutInPlace(task, StartOf(task, seed),
+          const OperatorResult put = PutInPlace(task, StartBefore(task, seed),
             MakeOperator(first + std::uint64_t(n % operators)), conditions[c].help, seed);
           made[std::size_t(n)] = { RmsWay(task.moved, task.truth, put.pose), put.seconds,
             put.content, put.overLimit + put.notFinite };

@@ -82,15 +82,16 @@ FitTrial TrialStart::Of(const RigidPose& pose) const
 }
 
 std::vector<ReductionCase> MakeTrialCases(
-  ReportContext& context, int count, std::uint64_t firstSeed)
+  ReportContext& context, int count, std::uint64_t firstSeed, bool jawsAlone)
 {
   std::vector<ReductionCase> cases;
   for (int n = 0; n < count; ++n)
   {
     context.progress(double(n) / count, "reduction: breaking bone");
     ReductionCaseSettings settings;
-    settings.bone = n % 2 == 0 ? BrokenBone::Mandible : BrokenBone::Head;
-    settings.spacingMm = n % 2 == 0 ? 0.8 : 1.0;
+    const bool head = n % 2 == 1 && !jawsAlone;
+    settings.bone = head ? BrokenBone::Head : BrokenBone::Mandible;
+    settings.spacingMm = head ? 1.0 : 0.8;
     settings.damage.erodedMm = n / 2 % 2 == 0 ? 0.3 : 0.0;
     settings.damage.noiseHU = 25.0;
     settings.seed = firstSeed + std::uint64_t(n);

@@ -28,9 +28,9 @@ struct FitTrial
   bool captured = false; ///< TryCapture
 };
 
-/// Cases of the report: the broken mandible and the broken head in turn.
+/// Cases of the report: the broken mandible and the broken head in turn, or mandibles alone.
 std::vector<ReductionCase> MakeTrialCases(
-  ReportContext& context, int count, std::uint64_t firstSeed);
+  ReportContext& context, int count, std::uint64_t firstSeed, bool jawsAlone = false);
 
 /// try(case, moved body, scene, start pose, number) for `starts` starts of each moved body, on all
 /// cores: many small fits side by side.
@@ -65,13 +65,26 @@ void TryCapture(ReportContext& context, const std::vector<ReductionCase>& cases)
 /// bones, all of whose pieces begin off, put together by Assemble.
 void TryAssembly(ReportContext& context, const std::vector<ReductionCase>& cases);
 
-/// reduction.pot: sherds of a pot of twelve that are placed within 0.5 mm (BrokenPot.h).
+/// reduction.pot: sherds of a pot of twelve that are placed within 0.5 mm (BrokenPot.h); unless
+/// quick, reduction.pot@60: the same of a pot of sixty.
 void TryPot(ReportContext& context);
 
 /// reduction.fidelity: Paper VII's claim. Simulated operators put fractured blocks in place, with
 /// few points and with all (SimulatedOperator.h): .p and .time of the same pairs; .points256,
 /// .soft, .snap, .snap_worth: other pairs; .error and .seconds: each condition by itself.
 void TryFidelity(ReportContext& context);
+
+/// reduction.precision.intra, .inter, reduction.accuracy: Paper IV's table of simulated operators
+/// who put broken mandibles together with Snap-to-fit (BoneTrial.h), made as `hasp evaluate FOLDER`
+/// makes it (Evaluation/TrialTable.h).
+void TryPrecision(ReportContext& context, const std::vector<ReductionCase>& jaws);
+
+/// The fits of `hasp report stability`: what is predicted of smooth faces, one point of contact,
+/// pieces that do not belong, starts inside of another and far away, and of poses in plan files;
+/// each a case. Some seconds.
+void TryReductionExtremes(ReportContext& context);
+/// The last of them.
+void TryPosesInPlans(ReportContext& context);
 
 /// What is not made where nothing asks for it.
 void AddUnusedReduction(ReportContext& context);

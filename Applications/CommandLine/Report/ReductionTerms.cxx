@@ -17,6 +17,17 @@ std::vector<ReportTerm> ReductionTerms()
     { "reduction.capture", "the farthest starts up to which 95 % of fits end where they end from "
                            "the truth itself, ours / "
                            "ICP's; snap, single, icp: in mm" },
+    { "reduction.precision",
+      "Paper IV: how far trials of one case are from each other, mean distance between surfaces, "
+      "by simulated operators with Snap-to-fit; intra: two trials of one operator, inter: of two "
+      "operators; max: largest distance, rotation, translation, tre: mean way of places on the "
+      "fragment; @case: the table's lines. As hasp evaluate FOLDER makes it" },
+    { "reduction.accuracy", "the same table, trials against where the bone was whole" },
+    { "reduction.colours",
+      "distances of a surface of 200,000 places to a reference, as its pose changes: ms of CPU "
+      "time "
+      "(aim: 20), how far off, rms and max, and speed against VTK's, a place" },
+    { "reduction.part", "how long the parts of this report took" },
     { "reduction.pot", "sherds of a broken pot that are placed within 0.5 mm" },
     { "reduction.fidelity",
       "simulated operators put fractured blocks in place through the haptic step, in virtual time: "

@@ -264,8 +264,10 @@ DistanceMap::Sample DistanceMap::At(const glm::dvec3& world) const noexcept
   if (!found)
     return { in.range, glm::dvec3(0.0) };
   const glm::ivec3 block = found->cell / Side, cell = found->cell - block * Side;
-  const std::int16_t* p = &in.samples[in.firstSample[in.BlockIndex(block.x, block.y, block.z)] +
-                                      (cell.z * Row + cell.y) * Row + cell.x];
+  const std::int32_t first = in.firstSample[in.BlockIndex(block.x, block.y, block.z)];
+  if (first == OutsideBrick * WorkingView::BrickSamples)
+    return { in.range, glm::dvec3(0.0) }; // as its samples say, all of them
+  const std::int16_t* p = &in.samples[first + (cell.z * Row + cell.y) * Row + cell.x];
   std::array<double, 8> corners{};
   for (int c = 0; c < 8; ++c)
     corners[c] = p[(c & 1) + (c >> 1 & 1) * Row + (c >> 2) * WorkingView::Slice];

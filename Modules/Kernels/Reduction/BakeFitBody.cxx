@@ -75,13 +75,13 @@ BakedFitBody BakeFitBody(const GridGeometry& scan, const BoneShares& shares, std
   BakedFitBody baked;
   baked.origin = scan.IndexToWorld(0.5 * (glm::dvec3(first) + glm::dvec3(last)));
   const GridView<const float> view{ distances.data(), grid };
-  auto map = std::make_shared<const DistanceMap>(
+  baked.map = std::make_shared<const DistanceMap>(
     view, DistanceMapSettings{ .rangeMm = settings.rangeMm, .origin = baked.origin });
-  auto shell = PointShell::OfSurface(view, baked.origin,
+  baked.shell = PointShell::OfSurface(view, baked.origin,
     { .points = int(std::clamp(SurfaceMm2(distances, settings.spacingMm) / settings.body.pointMm2,
         1024.0, double(settings.body.mostPoints))) },
     PartOf(progress, 0.8, 1.0));
-  baked.body = std::make_shared<const FitBody>(std::move(map), std::move(shell), settings.body);
+  baked.body = std::make_shared<const FitBody>(baked.map, baked.shell, settings.body);
   return baked;
 }
 

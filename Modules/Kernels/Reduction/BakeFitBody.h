@@ -16,6 +16,9 @@ struct FitBakeSettings
 struct BakedFitBody
 {
   std::shared_ptr<const FitBody> body;
+  /// What the body was made of, in its axes: to touch the fragment by (HapticScene).
+  std::shared_ptr<const DistanceMap> map;
+  std::shared_ptr<const PointShell> shell;
   /// Of its own axes, where it was scanned: the middle of the box that holds it. The pose
   /// bodyInWorld of a fragment that stands where it was scanned is this place, not turned.
   glm::dvec3 origin{ 0.0 };

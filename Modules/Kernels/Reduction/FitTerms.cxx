@@ -1,6 +1,8 @@
 #include "Reduction/FitTerms.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +42,38 @@ public:
     }
     if (this->Residuals != nullptr)
       this->Residuals->push_back({ j, weight, mm, place, face });
+  }
+
+  /// All that one place sees, at once: residuals of one place share their arm.
+  /// squares: sum of weight direction direction^T; pull: sum of weight mm direction; world axes.
+  void AddOfOnePlace(const glm::dvec3& place, const glm::dmat3& squares, const glm::dvec3& pull)
+  {
+    const glm::dvec3 arm = place - this->Origin;
+    const glm::dmat3 cross(0.0, arm.z, -arm.y, -arm.z, 0.0, arm.x, arm.y, -arm.x, 0.0);
+    const glm::dmat3 turned = cross * squares, both = turned * glm::transpose(cross);
+    const glm::dvec3 turn = glm::cross(arm, pull);
+    for (int row = 0; row < 3; ++row)
+    {
+      this->Sums.pull[row] -= pull[row];
+      this->Sums.pull[row + 3] -= turn[row];
+      for (int column = 0; column < 3; ++column)
+      {
+        this->Sums.matrix[UpperIndex(row, column + 3)] += turned[row][column];
+        if (column < row)
+          continue;
+        this->Sums.matrix[UpperIndex(row, column)] += squares[column][row];
+        this->Sums.matrix[UpperIndex(row + 3, column + 3)] += both[column][row];
+      }
+    }
+  }
+
+  /// What was summed by AddOfOnePlace, one by one, for who wants it.
+  bool KeepsResiduals() const { return this->Residuals != nullptr; }
+  void Keep(const glm::dvec3& place, const glm::dvec3& direction, double mm, double weight)
+  {
+    const glm::dvec3 turn = glm::cross(place - this->Origin, direction);
+    this->Residuals->push_back({ { direction.x, direction.y, direction.z, turn.x, turn.y, turn.z },
+      weight, mm, place, false });
   }
 
   FitSums& Sums;
@@ -115,11 +149,42 @@ void AddBothFaces(Adder& adder, const PlacedBody& moved, const PlacedBody& stand
   AddFaces(adder, standing, moved, law, theirs, -1.0, attracts);
 }
 
-/// What a smooth point of the moved body sees of a standing body's surface.
+/// What a smooth point of the moved body sees of a standing body's surface, one place of it.
 struct Continuation
 {
   glm::dvec3 direction;
-  double mm, share;
+  double mm, weight;
+};
+
+/// Sums over all that one smooth point sees, in the partner's axes.
+struct SeenSurface
+{
+  double shares = 0.0, energy = 0.0, area = 0.0, areaMm2 = 0.0; ///< of weights share, near, near^2
+  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+  glm::dvec3 pull{ 0.0 };
+
+  /// Returns its weight.
+  double Add(const glm::dvec3& d, double mm, double share, double scale2)
+  {
+    const double near = 1.0 / (1.0 + mm * mm / scale2), weight = share * near * near;
+    this->shares += share;
+    this->energy += share * near;
+    this->area += weight;
+    this->areaMm2 += weight * mm * mm;
+    this->pull += weight * mm * d;
+    this->xx += weight * d.x * d.x;
+    this->xy += weight * d.x * d.y;
+    this->xz += weight * d.x * d.z;
+    this->yy += weight * d.y * d.y;
+    this->yz += weight * d.y * d.z;
+    this->zz += weight * d.z * d.z;
+    return weight;
+  }
+  glm::dmat3 Squares() const
+  {
+    return { this->xx, this->xy, this->xz, this->xy, this->yy, this->yz, this->xz, this->yz,
+      this->zz };
+  }
 };
 
 /// The moved body's smooth points before a partner's.
@@ -128,8 +193,9 @@ void AddContinuity(Adder& adder, const PlacedBody& moved, const PlacedBody& part
 {
   const SmoothPoints& theirs = partner.body->Smooth();
   const RigidPose toPartner = partner.bodyInWorld.Inverse() * moved.bodyInWorld;
+  const glm::dmat3 turn = glm::mat3_cast(partner.bodyInWorld.orientation);
   const double reach2 = law.reachMm * law.reachMm, scale2 = law.continuityMm * law.continuityMm;
-  std::vector<Continuation> seen;
+  std::vector<Continuation> kept;
   const std::span<const OrientedPoint> points = moved.body->Smooth().Points();
   const std::size_t step = points.size() / most + 1; // evenly: so are they
   for (std::size_t point = 0; point < points.size(); point += step)
@@ -140,8 +206,8 @@ void AddContinuity(Adder& adder, const PlacedBody& moved, const PlacedBody& part
     if (!foot || foot->mm > law.reachMm)
       continue;
     const glm::dvec3 normal = toPartner.Turn(p.normal);
-    seen.clear();
-    double shares = 0.0;
+    kept.clear();
+    SeenSurface seen;
     theirs.NearTo(place, law.reachMm,
       [&](std::uint32_t n)
       {
@@ -151,21 +217,23 @@ void AddContinuity(Adder& adder, const PlacedBody& moved, const PlacedBody& part
         if (share <= 0.0 || glm::dot(q.normal, normal) < LeastAlike)
           return;
         const glm::dvec3 middle = glm::normalize(q.normal + normal);
-        seen.push_back({ middle, glm::dot(way, middle), share });
-        shares += share;
+        const double mm = glm::dot(way, middle), weight = seen.Add(middle, mm, share, scale2);
+        if (adder.KeepsResiduals())
+          kept.push_back({ middle, mm, weight });
       });
+    if (!(seen.shares > 0.0))
+      continue;
     const double area = double(step) * moved.body->Smooth().AreaOfPoint() *
-                        std::min(1.0, shares / FullShare) / std::max(shares, 1e-12);
+                        std::min(1.0, seen.shares / FullShare) / std::max(seen.shares, 1e-12);
     const glm::dvec3 world = moved.bodyInWorld.Place(p.place);
-    for (const Continuation& c : seen)
-    {
-      const double near = 1.0 / (1.0 + c.mm * c.mm / scale2), weight = area * c.share;
-      adder.Sums.energy -= 0.5 * law.continuity * weight * scale2 * near;
-      adder.Sums.continuedMm2 += weight * near * near;
-      adder.Sums.continuedSquares += weight * near * near * c.mm * c.mm;
-      adder.Add(world, partner.bodyInWorld.Turn(c.direction), c.mm,
-        law.continuity * weight * near * near, false);
-    }
+    adder.Sums.energy -= 0.5 * law.continuity * area * scale2 * seen.energy;
+    adder.Sums.continuedMm2 += area * seen.area;
+    adder.Sums.continuedSquares += area * seen.areaMm2;
+    const double pulled = law.continuity * area;
+    adder.AddOfOnePlace(
+      world, pulled * (turn * seen.Squares() * glm::transpose(turn)), pulled * (turn * seen.pull));
+    for (const Continuation& c : kept)
+      adder.Keep(world, turn * c.direction, c.mm, pulled * c.weight);
   }
 }
 

@@ -78,11 +78,18 @@ TEST(FitTerms, ResidualsAreWhatTheSumsAreOf)
     scene.moved, scene.moved[0].bodyInWorld.position, scene.standing, {}, 4096, &residuals);
   ASSERT_GT(residuals.size(), 1000U);
   hasp::Vector6 pull{};
+  hasp::Symmetric6 matrix{};
   for (const hasp::FitResidual& r : residuals)
-    for (int k = 0; k < 6; ++k)
-      pull[k] -= r.weight * r.mm * r.slope[k];
+    for (std::size_t row = 0; row < 6; ++row)
+    {
+      pull[row] -= r.weight * r.mm * r.slope[row];
+      for (std::size_t column = row; column < 6; ++column)
+        matrix[hasp::UpperIndex(row, column)] += r.weight * r.slope[row] * r.slope[column];
+    }
   for (int k = 0; k < 6; ++k)
     EXPECT_NEAR(pull[k], sums.pull[k], 1e-9 * (1.0 + std::abs(pull[k])));
+  for (std::size_t n = 0; n < matrix.size(); ++n)
+    EXPECT_NEAR(matrix[n], sums.matrix[n], 1e-9 * (1.0 + matrix.back())) << n;
 }
 
 TEST(FitTerms, WhatIsFarApartIsNotSummed)
