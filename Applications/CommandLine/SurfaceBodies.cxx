@@ -44,7 +44,7 @@ std::map<PlanId, BakedFitBody> BodiesOfSurfaces(const Plan& plan,
       {
         return BakedFitBody{ std::make_shared<const FitBody>(
                                made.model.map, made.model.shell, settings.body),
-          made.model.origin };
+          made.model.map, made.model.shell, made.model.origin };
       });
   }
   return bodies;

@@ -4,11 +4,13 @@
 #include "Grid/Stopwatch.h"
 #include "PlanBones.h"
 #include "Planning/PlanLists.h"
+#include "Planning/PlanUnits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hasp
 {
@@ -129,33 +131,6 @@ std::vector<PlanId> FragmentsOf(const Plan& plan, const PlanReductionSettings& s
   return fixed;
 }
 
-/// The group that a fragment moves with: the first that has it; 0: none.
-PlanId GroupOf(const Plan& plan, PlanId fragment)
-{
-  for (const PlanGroup& group : plan.groups)
-    if (std::find(group.fragments.begin(), group.fragments.end(), fragment) !=
-        group.fragments.end())
-      return group.id;
-  return 0;
-}
-
-/// Fragments that move as one; a group with one that stays put stays, too.
-std::vector<ReducedUnit> UnitsOf(const Plan& plan, const std::vector<PlanId>& fragments)
-{
-  std::vector<ReducedUnit> units;
-  for (const PlanId id : fragments)
-  {
-    const PlanId group = GroupOf(plan, id);
-    const auto same = std::find_if(units.begin(), units.end(),
-      [&](const ReducedUnit& unit) { return group != 0 && unit.group == group; });
-    if (same != units.end())
-      same->fragments.push_back(id);
-    else
-      units.push_back({ group, { id }, {} });
-  }
-  return units;
-}
-
 /// Of each unit all others but obstacles.
 void AddPartners(const PlanReduction& reduction, const PlanReductionSettings& settings,
   std::vector<AssemblyUnit>& assembly)
@@ -248,7 +223,8 @@ PlanReduction ReducePlan(const Plan& plan, const PlanImages& images,
 {
   PlanReduction made;
   made.fragments = FragmentsOf(plan, settings);
-  made.units = UnitsOf(plan, made.fragments);
+  for (PlanUnit& unit : UnitsOf(plan, made.fragments))
+    made.units.push_back({ unit.group, std::move(unit.fragments), {} });
   Stopwatch time;
   Bake(plan, images, settings, made, PartOf(progress, 0.0, 0.6));
   made.bakedMs = time.Milliseconds();
