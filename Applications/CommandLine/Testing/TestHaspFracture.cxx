@@ -188,4 +188,69 @@ TEST_F(HaspMirror, FindsThePlaneAndWritesTheGhost)
   EXPECT_NE(info.out.find("hash        "), std::string::npos) << info.out;
 }
 
+// The way of a planner: strokes, fragments, a plan, the fit, and how far it is from the truth.
+TEST_F(HaspFracture, StrokesLeadToFragmentsOfAPlanAndToTheReduction)
+{
+  ASSERT_EQ(this
+              ->Break({ "--fine", "0.8", "--fragments", "2", "--shift", "5", "--turn", "5",
+                "--crack", "1", "--strokes", "8" })
+              .exitCode,
+    0);
+  const std::string scan = this->Path("case/fractured_ct.mha"),
+                    labels = this->Path("fragments.seg.nrrd"),
+                    plan = this->Path("trials/case/hasp-1.hasp");
+  fs::create_directories(this->Path("trials/case"));
+  fs::copy_file(this->Path("case/truth.json"), this->Path("trials/case/truth.json"));
+  ASSERT_EQ(RunHasp({ "segment", scan, "--threshold", "226", "--seeds",
+                      this->Path("case/strokes.json"), "--output", labels })
+              .exitCode,
+    0);
+  EXPECT_EQ(
+    RunHasp({ "compare", labels, this->Path("case/fractured_labels.mha"), "--least-dice", "0.95" })
+      .exitCode,
+    0);
+  ASSERT_EQ(RunHasp({ "plan", plan, "--new" }).exitCode, 0);
+  const HaspRun made = RunHasp({ "plan", plan, "--fragments", labels, "--volume", scan, "--label",
+    "2", "3", "4", "--lock", "2", "3" });
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  EXPECT_NE(made.out.find("label 4 of segmentation 2"), std::string::npos) << made.out;
+  const HaspRun reduced = RunHasp({ "reduce", plan, "--volume", scan, "--snap", "--obstacle", "3",
+    "--starts", "8", "--start-mm", "6" });
+  ASSERT_EQ(reduced.exitCode, 0) << reduced.err;
+  const HaspRun judged = RunHasp({ "evaluate", this->Path("trials"), "--volume", scan, "--json" });
+  ASSERT_EQ(judged.exitCode, 0) << judged.err;
+  std::cerr << judged.out.substr(0, 3000) << "\n";
+}
+
+TEST_F(HaspFracture, LabelsThatArePutIntoAPlanAreOfItsScan)
+{
+  ASSERT_EQ(this->Break({ "--fine", "1.2" }).exitCode, 0);
+  const std::string scan = this->Path("case/fractured_ct.mha"),
+                    labels = this->Path("case/fractured_labels.mha"), plan = this->Path("a.hasp");
+  ASSERT_EQ(RunHasp({ "plan", plan, "--new" }).exitCode, 0);
+  const auto add = [&](const std::vector<std::string>& words)
+  {
+    std::vector<std::string> all{ "plan", plan, "--fragments" };
+    all.insert(all.end(), words.begin(), words.end());
+    return RunHasp(all);
+  };
+  EXPECT_EQ(add({ labels }).exitCode, 1) << "of which scan?";
+  EXPECT_EQ(add({ scan, "--volume", scan }).exitCode, 2) << "no labels";
+  EXPECT_EQ(add({ labels, "--volume", scan, "--label", "77" }).exitCode, 2);
+  EXPECT_EQ(add({ labels, "--volume", scan, "--label", "2", "--lock", "3" }).exitCode, 2);
+  ASSERT_EQ(
+    RunHasp({ "phantom", "--spacing", "3,3,3", "--output", this->Path("other.mha") }).exitCode, 0);
+  EXPECT_EQ(add({ labels, "--volume", this->Path("other.mha") }).exitCode, 2) << "another grid";
+  EXPECT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 1) << "nothing was kept of all that";
+  ASSERT_EQ(add({ labels, "--volume", scan, "--lock", "2" }).exitCode, 0);
+  ASSERT_EQ(add({ labels, "--volume", scan, "--label", "3" }).exitCode, 0);
+  const json now = json::parse(ReadBytes(plan + "/plan.json")).at("plan");
+  EXPECT_EQ(now.at("volumes").size(), 1U) << "the same scan is not named twice";
+  EXPECT_EQ(now.at("segmentations").size(), 2U);
+  EXPECT_TRUE(now.at("fragments")[0].at("locked").get<bool>());
+  ASSERT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 0);
+  ASSERT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 0);
+  EXPECT_TRUE(json::parse(ReadBytes(plan + "/plan.json")).at("plan").at("fragments").empty());
+}
+
 } // namespace

@@ -32,21 +32,17 @@ double FewPatches(std::size_t count)
 
 /// A small way of the other unit, as the way of this one that it does as much as: in the unknowns
 /// of each. The pull on the other one is the transpose's, negative.
-Matrix6 AsOwnWay(const SpreadUnit& unit, const GroupUnknowns& unknowns, const SpreadUnit& other,
-  const GroupUnknowns& others)
+Matrix6 AsOwnWay(const GroupUnknowns& unknowns, const GroupUnknowns& others)
 {
-  const glm::dvec3 arm = unit.groupInWorld.position - other.groupInWorld.position;
-  Matrix6 carry = Matrix6::Identity(); // a turn t moves this origin by t x arm
-  carry.topRightCorner<3, 3>() << 0, arm.z, -arm.y, -arm.z, 0, arm.x, arm.y, -arm.x, 0;
-  return unknowns.fromPose * carry * others.toPose;
+  return unknowns.fromPose * CarriedBy(unknowns.middle - others.middle) * others.toPose;
 }
 
-JointPull SumPulls(std::span<const SpreadUnit> units, std::span<const SpreadPair> pairs,
-  const std::vector<GroupUnknowns>& unknowns, const std::vector<PairPull>& pulls)
+JointPull SumPulls(std::span<const SpreadPair> pairs, const std::vector<GroupUnknowns>& unknowns,
+  const std::vector<PairPull>& pulls)
 {
-  const Eigen::Index size = 6 * Eigen::Index(units.size());
+  const Eigen::Index size = 6 * Eigen::Index(unknowns.size());
   JointPull sum{ Matrix::Zero(size, size), Matrix::Zero(size, size), Column::Zero(size) };
-  std::vector<std::size_t> patches(units.size());
+  std::vector<std::size_t> patches(unknowns.size());
   for (std::size_t n = 0; n < pairs.size(); ++n)
   {
     patches[pairs[n].unit] += pulls[n].patches.size();
@@ -62,7 +58,7 @@ JointPull SumPulls(std::span<const SpreadUnit> units, std::span<const SpreadPair
     double few = FewPatches(patches[unit]);
     if (other)
     {
-      way.rightCols<6>() = -AsOwnWay(units[unit], unknowns[unit], units[*other], unknowns[*other]);
+      way.rightCols<6>() = -AsOwnWay(unknowns[unit], unknowns[*other]);
       few = std::max(few, FewPatches(patches[*other]));
     }
     Matrix6 squares = Matrix6::Zero();
@@ -161,7 +157,7 @@ std::vector<FitSpread> MeasureSpreads(std::span<const SpreadUnit> units,
         pulls[n] =
           MeasurePairPull(units[pairs[n].unit], unknowns[pairs[n].unit], pairs[n].scene, settings);
     });
-  const JointPull sum = SumPulls(units, pairs, unknowns, pulls);
+  const JointPull sum = SumPulls(pairs, unknowns, pulls);
   const Eigen::SelfAdjointEigenSolver<Matrix> held(sum.stiffness);
   const Matrix& axes = held.eigenvectors();
   const Matrix covariance = factor * factor *
@@ -171,7 +167,8 @@ std::vector<FitSpread> MeasureSpreads(std::span<const SpreadUnit> units,
   for (std::size_t n = 0; n < units.size(); ++n)
   {
     const auto own = axes.middleRows<6>(6 * Eigen::Index(n));
-    spreads.push_back(SpreadOf(own * covariance * own.transpose(), unknowns[n].toPose));
+    spreads.push_back(SpreadOf(own * covariance * own.transpose(),
+      CarriedBy(units[n].groupInWorld.position - unknowns[n].middle) * unknowns[n].toPose));
   }
   return spreads;
 }

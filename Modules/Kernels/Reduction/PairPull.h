@@ -11,12 +11,16 @@ namespace hasp
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Column6 = Eigen::Matrix<double, 6, 1>;
 
-/// A group's own unknowns y: a shift and turn x about its origin (world axes; mm, rad) is
-/// toPose y, and a way |y| of 1 moves its surface by 1 mm rms, whatever its direction.
+/// A group's own unknowns y: a shift and turn x about the middle of its surface (world axes; mm,
+/// rad) is toPose y, and a way |y| of 1 moves its surface by 1 mm rms, whatever its direction.
 struct GroupUnknowns
 {
+  glm::dvec3 middle; ///< world
   Matrix6 toPose, fromPose;
 };
+
+/// A small shift and turn about one place, as about another that lies by `arm` from it.
+Matrix6 CarriedBy(const glm::dvec3& arm);
 
 GroupUnknowns UnknownsOf(const SpreadUnit& unit);
 

@@ -1,5 +1,6 @@
 #include "Planning/PlanEdits.h"
 #include "Planning/PlanLists.h"
+#include "Planning/PlanUnits.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
@@ -106,6 +107,25 @@ TEST(PlanGroup, AMotionOfOneFragmentIsThatOfAGroupOfOne)
   EXPECT_LT(glm::distance(
               one.poses[0].scanToPlanned.Place(place), motion.Place(PoseOf(plan, 2).Place(place))),
     1e-12);
+}
+
+TEST(PlanUnits, AreGroupsAndFragmentsAloneInTheirOrder)
+{
+  Plan plan = Case();
+  PlanFragment alone;
+  alone.id = 8;
+  alone.source = ComponentSource{ 1, 226, { 0, 0, 0 } };
+  plan = Apply(plan, AddObject<PlanFragment>{ alone });
+  plan = Apply(plan, AddObject<PlanGroup>{ { 9, "", { 3, 8 } } });
+  const std::vector<PlanId> all{ 3, 8, 5, 2, 77, 4 };
+  const std::vector<PlanUnit> units = UnitsOf(plan, all);
+  // 3 goes with 6, its first group, 8 with 9 and alone there; 77 is none; 5 keeps 4 in its place.
+  const std::vector<PlanUnit> expected{ { 6, { 3, 2 }, false }, { 9, { 8 }, false },
+    { 7, { 5, 4 }, true } };
+  EXPECT_EQ(units, expected);
+  plan = Apply(plan, RemoveObject{ 6 });
+  EXPECT_EQ(UnitsOf(plan, std::vector<PlanId>{ 2, 3 }).size(), 2u) << "each for itself again";
+  EXPECT_TRUE(UnitsOf(plan, {}).empty());
 }
 
 } // namespace

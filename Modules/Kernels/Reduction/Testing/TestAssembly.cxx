@@ -191,3 +191,62 @@ TEST(Assembly, WithoutAFixedUnitTheLargestStays)
               [](const hasp::AssembledUnit& unit) { return unit.placed && unit.turn == 0; }),
     1);
 }
+
+namespace
+{
+/// Layers in their places; one before the other only, or the lowest as well before the ground.
+std::vector<hasp::FitSpread> SpreadsOfColumn(
+  std::size_t moving, bool together, const glm::dvec3& about = glm::dvec3(0.0))
+{
+  std::vector<std::vector<hasp::GroupBody>> bodies;
+  std::vector<hasp::SpreadUnit> units;
+  std::vector<hasp::SpreadPair> pairs;
+  for (std::size_t n = 1; n <= moving; ++n)
+    bodies.push_back({ { Column()[n].body, hasp::RigidPose{ -about } } });
+  for (std::size_t n = 1; n <= moving; ++n)
+  {
+    hasp::RigidPose group = Column()[n].bodyInWorld;
+    group.position += about;
+    units.push_back({ bodies[n - 1], group });
+    hasp::SpreadPair below{ n - 1, {}, { { Column()[n - 1] }, {} } };
+    if (n > 1 && together)
+      below.other = n - 2;
+    pairs.push_back(below);
+  }
+  return hasp::MeasureSpreads(units, pairs, {});
+}
+} // namespace
+
+// Springs in a row: the end of a chain is as far off as all its links together.
+TEST(Assembly, ErrorsAddUpFromLayerToLayer)
+{
+  const auto alone = SpreadsOfColumn(3, false), together = SpreadsOfColumn(3, true);
+  EXPECT_NEAR(together[0].within95Mm, alone[0].within95Mm, 0.02 * alone[0].within95Mm);
+  for (std::size_t n = 1; n < 3; ++n)
+  {
+    EXPECT_GT(together[n].within95Mm, 1.1 * together[n - 1].within95Mm);
+    EXPECT_GT(together[n].within95Mm, 1.2 * alone[n].within95Mm);
+  }
+}
+
+// A pull on one body is the opposite pull on the other, wherever their origins are.
+TEST(Assembly, SpreadsAskNotWhereAGroupsOriginIs)
+{
+  const auto here = SpreadsOfColumn(2, true),
+             there = SpreadsOfColumn(2, true, { 30.0, -50.0, 20.0 });
+  for (std::size_t n = 0; n < 2; ++n)
+    for (const std::size_t turn : { 15, 18, 20 }) // variances about x, y and z
+      EXPECT_NEAR(
+        there[n].covariance[turn], here[n].covariance[turn], 0.01 * here[n].covariance[turn]);
+}
+
+TEST(Assembly, SpreadsOfNothingAndOfWhatNothingHoldsAreFinite)
+{
+  EXPECT_TRUE(hasp::MeasureSpreads({}, {}, {}).empty());
+  const std::vector<hasp::GroupBody> body{ { Column()[1].body, {} } };
+  const hasp::SpreadUnit free{ body, Column()[1].bodyInWorld };
+  const std::vector<hasp::FitSpread> spreads = hasp::MeasureSpreads({ &free, 1 }, {}, {});
+  ASSERT_EQ(spreads.size(), 1u);
+  EXPECT_TRUE(std::isfinite(spreads[0].within95Mm));
+  EXPECT_GT(spreads[0].within95Mm, 4.0);
+}
