@@ -17,6 +17,7 @@ constexpr double LeastFaceMm2 = 4.0; // a corner that points at the other is no 
 struct PlacedSurface
 {
   std::string called;
+  PlanId id;
   RigidPose pose;
   std::shared_ptr<const MeasuredSurface> surface;
 };
@@ -34,7 +35,7 @@ FracturesResult MeasureFractures(
     const std::string called = CalledFragment(key, fragment, session);
     const std::optional<EvaluatedSurface> surface = surfaceOf(key);
     if (surface && surface->closed)
-      placed.push_back({ called, fragment.scanToPlanned, surface->measured });
+      placed.push_back({ called, fragment.id, fragment.scanToPlanned, surface->measured });
     else
       result.unmeasured.push_back(
         called + (surface ? ": its surface is open" : ": its surface is not at hand"));
@@ -48,7 +49,8 @@ FracturesResult MeasureFractures(
       const StepAndGap found = MeasureStepAndGap(
         *placed[a].surface, placed[a].pose, *placed[b].surface, placed[b].pose, settings);
       if (found.gap.areaMm2 >= LeastFaceMm2)
-        result.fractures.push_back({ placed[a].called, placed[b].called, found });
+        result.fractures.push_back(
+          { placed[a].called, placed[b].called, placed[a].id, placed[b].id, found });
     }
   return result;
 }

@@ -185,18 +185,23 @@ std::vector<std::string> KeysOf(const EvaluatedSide& side)
 
 bool IsOneBone(const EvaluatedSide& a, PlanId ofA, const EvaluatedSide& b, PlanId ofB)
 {
-  const auto hash = [](const EvaluatedSide& side, PlanId id)
+  const auto madeOf = [](const EvaluatedSide& side, PlanId id)
   {
     const Plan& plan = side.document->history.Current();
     std::multiset<std::string> hashes; // ids may differ
+    SurfaceSource sheet;
     if (const SurfaceSource* source = SurfaceOf(plan, id))
+    {
       hashes.insert(FindPlanObject<PlanSurface>(plan, source->surface)->hash);
+      sheet = *source;
+      sheet.surface = 0;
+    }
     else
       for (const PartInput& input : PartInputs(plan, id))
         hashes.insert(input.hash);
-    return hashes;
+    return std::pair(hashes, sheet);
   };
-  return hash(a, ofA) == hash(b, ofB);
+  return madeOf(a, ofA) == madeOf(b, ofB);
 }
 
 std::optional<EvaluatedSurface> EvaluatedSurfaces::Find(

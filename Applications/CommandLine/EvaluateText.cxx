@@ -131,8 +131,8 @@ std::string TextOf(const FracturesResult& result)
     text += "  no two fragments face each other within reach\n";
   else
     text += "                                    step-off            gap, negative: overlap\n"
-            "                              median     p95     max  median     p95     max  face, "
-            "mm2\n";
+            "                              median     p95     max      p5  median     p95   |max|"
+            "  face, mm2\n";
   for (const FractureResult& f : result.fractures)
   {
     const FractureFigures &step = f.measured.step, &gap = f.measured.gap;
@@ -140,7 +140,8 @@ std::string TextOf(const FracturesResult& result)
       Line("%-27.60s", (f.first + " to " + f.second).c_str()) +
       (step.samples > 0 ? Line(" %7.3f %7.3f %7.3f", step.p50AbsMm, step.p95AbsMm, step.maxAbsMm)
                         : "    none can be measured") +
-      Line(" %7.3f %7.3f %7.3f %10.1f\n", gap.p50Mm, gap.p95Mm, gap.maxAbsMm, gap.areaMm2);
+      Line(" %7.3f %7.3f %7.3f %7.3f %10.1f\n", gap.p5Mm, gap.p50Mm, gap.p95Mm, gap.maxAbsMm,
+        gap.areaMm2);
   }
   for (const std::string& one : result.unmeasured)
     text += "  not measured: " + one + "\n";
@@ -149,16 +150,16 @@ std::string TextOf(const FracturesResult& result)
 
 std::string CsvOf(const FracturesResult& result)
 {
-  std::string text = "fracture,step_p50_mm,step_p95_mm,step_max_mm,gap_p50_mm,gap_p95_mm,"
-                     "gap_max_mm,face_mm2\n";
-  std::size_t n = 0;
+  std::string text = "first_id,second_id,step_p50_mm,step_p95_mm,step_max_mm,gap_p5_mm,gap_p50_mm,"
+                     "gap_p95_mm,gap_max_abs_mm,face_mm2\n";
   for (const FractureResult& f : result.fractures) // names may hold commas
   {
     const FractureFigures &step = f.measured.step, &gap = f.measured.gap;
-    text += std::to_string(++n) +
+    text += std::to_string(f.firstId) + "," + std::to_string(f.secondId) +
             (step.samples > 0 ? Line(",%.6g,%.6g,%.6g", step.p50AbsMm, step.p95AbsMm, step.maxAbsMm)
                               : ",,,");
-    text += Line(",%.6g,%.6g,%.6g,%.6g\n", gap.p50Mm, gap.p95Mm, gap.maxAbsMm, gap.areaMm2);
+    text += Line(
+      ",%.6g,%.6g,%.6g,%.6g,%.6g\n", gap.p5Mm, gap.p50Mm, gap.p95Mm, gap.maxAbsMm, gap.areaMm2);
   }
   return text;
 }

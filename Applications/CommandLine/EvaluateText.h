@@ -29,6 +29,7 @@ struct FragmentResult
 struct FractureResult
 {
   std::string first, second;
+  std::uint32_t firstId = 0, secondId = 0; ///< 0: of no plan
   StepAndGap measured;
 };
 

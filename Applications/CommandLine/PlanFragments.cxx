@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "LabelInput.h"
 #include "PlanText.h"
+#include "Planning/PlanLists.h"
 #include "Report/ScratchFolder.h"
 #include "RunSegments.h"
 #include "Session.h"
@@ -49,6 +50,20 @@ LabelTable Chosen(const LoadedLabels& labels, const std::vector<std::uint16_t>& 
   std::erase_if(table, [&](const LabelEntry& e)
     { return !only.empty() && std::find(only.begin(), only.end(), e.value) == only.end(); });
   return table;
+}
+
+/// Each piece twice in one place could not be put together.
+void RequireNew(const Plan& plan, const FragmentLabels& labels)
+{
+  for (const PlanFragment& fragment : plan.fragments)
+    if (const auto* source = std::get_if<LabelSource>(&fragment.source))
+      if (const auto* map = FindPlanObject<PlanSegmentation>(plan, source->segmentation);
+          map && map->labels == labels.blob && map->recipe == SegmentationRecipe{} &&
+          std::any_of(labels.fragments.begin(), labels.fragments.end(),
+            [&](const LabelEntry& entry) { return entry.value == source->label; }))
+        throw Failure(ExitCode::BadInput,
+          "label " + std::to_string(source->label) + " of this label map is fragment " +
+            std::to_string(fragment.id) + " of the plan already; --label names others");
 }
 
 } // namespace
@@ -126,6 +141,7 @@ std::string MakeFragments(PlanDocument& document, const std::string& planFolder,
     FragmentSpacing(volume.passport.geometry.spacing), choice.locked };
   RequireLabels(made.fragments, made.locked, "--lock");
   made.blob = Try(ExitCode::WrongUse, "", [&] { return StoreLabels(planFolder, labels.image); });
+  RequireNew(document.history.Current(), made);
   return Try(ExitCode::BadInput, "",
     [&]
     {

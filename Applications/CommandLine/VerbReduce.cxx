@@ -90,7 +90,7 @@ CLI::Validator TakeForm()
       const auto digits = [](const std::string& s)
       { return !s.empty() && s.size() < 10 && s.find_first_not_of("0123456789") == s.npos; };
       const bool good = colon != text.npos && digits(text.substr(0, colon)) &&
-                        digits(text.substr(colon + 1)) && text.substr(colon + 1) != "0";
+                        digits(text.substr(colon + 1)) && std::stoi(text.substr(colon + 1)) > 0;
       return good ? std::string() : std::string("must be ID:NUMBER, such as 5:2");
     },
     "ID:NUMBER");

@@ -247,12 +247,11 @@ TEST_F(HaspFracture, LabelsThatArePutIntoAPlanAreOfItsScan)
   EXPECT_EQ(add({ labels, "--volume", this->Path("other.mha") }).exitCode, 2) << "another grid";
   EXPECT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 1) << "nothing was kept of all that";
   ASSERT_EQ(add({ labels, "--volume", scan, "--lock", "2" }).exitCode, 0);
-  ASSERT_EQ(add({ labels, "--volume", scan, "--label", "3" }).exitCode, 0);
+  EXPECT_EQ(add({ labels, "--volume", scan, "--label", "3" }).exitCode, 2) << "it is there";
   const json now = json::parse(ReadBytes(plan + "/plan.json")).at("plan");
-  EXPECT_EQ(now.at("volumes").size(), 1U) << "the same scan is not named twice";
-  EXPECT_EQ(now.at("segmentations").size(), 2U);
+  EXPECT_EQ(now.at("volumes").size(), 1U);
+  EXPECT_EQ(now.at("segmentations").size(), 1U);
   EXPECT_TRUE(now.at("fragments")[0].at("locked").get<bool>());
-  ASSERT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 0);
   ASSERT_EQ(RunHasp({ "plan", plan, "--undo" }).exitCode, 0);
   EXPECT_TRUE(json::parse(ReadBytes(plan + "/plan.json")).at("plan").at("fragments").empty());
 }

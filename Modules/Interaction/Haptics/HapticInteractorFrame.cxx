@@ -178,10 +178,11 @@ void vtkHaspHapticInteractor::YieldToSnap()
 {
   Internals& self = *this->Self;
   const hasp::HapticSnapshot& seen = self.loop->GetSnapshot();
-  const double ticks = double(seen.ticks - std::exchange(self.yieldedAt, seen.ticks));
-  if (!this->SnapToFit || self.grab.Tool() < 0 || !(seen.attractedAreaMm2 > 0.0))
+  const std::uint64_t before = std::exchange(self.yieldedAt, seen.ticks);
+  if (!this->SnapToFit || self.grab.Tool() < 0 || seen.ticks <= before ||
+      !(seen.attractedAreaMm2 > 0.0))
     return;
-  const double share = 1.0 - std::exp(-ticks / YieldTicks);
+  const double share = 1.0 - std::exp(-double(seen.ticks - before) / YieldTicks);
   const glm::dquat toDevice = glm::inverse(self.loop->GetControl().axes);
   const glm::dquat turn = seen.tool.orientation * glm::inverse(seen.device.orientation);
   self.input.Yield(toDevice * ((seen.tool.position - seen.device.position) * share / this->Scale),

@@ -147,6 +147,7 @@ bool vtkHaspHapticInteractor::SetDevice(
   this->Release();
   self.input.Follow(nullptr, nullptr, nullptr);
   self.buttons = 0;
+  self.yieldedAt = 0;
   self.placed = false;
   if (std::exchange(self.stands, false))
     this->CameraRelative = true;

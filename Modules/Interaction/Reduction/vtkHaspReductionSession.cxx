@@ -14,6 +14,8 @@
 #include "vtkProp3D.h"
 #include "vtkWeakPointer.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <exception>
 #include <map>
@@ -44,7 +46,7 @@ namespace
 
 hasp::RigidPose RigidOf(const hasp::PlanPose& pose)
 {
-  return { pose.position, pose.orientation };
+  return { pose.position, glm::normalize(pose.orientation) }; // a plan's is 1 within 1e-6
 }
 
 } // namespace
@@ -73,10 +75,8 @@ void vtkHaspReductionSession::SetInteractor(vtkHaspHapticInteractor* interactor)
   if (self.interactor == interactor)
     return;
   if (self.interactor)
-  {
     self.interactor->RemoveObserver(self.letGo);
-    this->WithdrawUnits();
-  }
+  this->WithdrawUnits();
   self.interactor = interactor;
   if (interactor != nullptr)
     interactor->AddObserver(vtkHaspHapticInteractor::ReleaseEvent, self.letGo);
@@ -106,6 +106,7 @@ bool vtkHaspReductionSession::AddFragment(unsigned int fragment, vtkProp3D* prop
 void vtkHaspReductionSession::RemoveFragment(unsigned int fragment)
 {
   this->Self->props.erase(fragment);
+  this->Self->stood.erase(fragment);
 }
 
 bool vtkHaspReductionSession::Follow()
@@ -122,8 +123,7 @@ bool vtkHaspReductionSession::Follow()
     return false;
   }
   this->PutProps();
-  this->OfferUnits();
-  return true;
+  return this->OfferUnits();
 }
 
 void vtkHaspReductionSession::PutProps()
@@ -139,7 +139,7 @@ void vtkHaspReductionSession::PutProps()
     }
 }
 
-void vtkHaspReductionSession::OfferUnits()
+bool vtkHaspReductionSession::OfferUnits()
 {
   Internals& self = *this->Self;
   const hasp::Plan& plan = self.history->Current();
@@ -154,26 +154,31 @@ void vtkHaspReductionSession::OfferUnits()
     }
   std::vector<hasp::PlanUnit> units = hasp::UnitsOf(plan, kept);
   if (units == self.units && props == self.offered)
-    return;
+    return true;
   this->WithdrawUnits();
+  self.offered = std::move(props);
+  bool taken = true;
   for (const hasp::PlanUnit& unit : units)
   {
     std::vector<vtkProp3D*> group;
     for (const hasp::PlanId id : unit.fragments)
       group.push_back(self.props[id]);
     for (vtkProp3D* prop : group)
-      self.interactor->AddTouchable(prop);
+      taken = self.interactor->AddTouchable(prop) && taken;
     self.tools.push_back(unit.stays ? -1 : self.interactor->AddTool(group));
+    taken = taken && (unit.stays || self.tools.back() >= 0);
   }
   self.units = std::move(units);
-  self.offered = std::move(props);
+  if (!taken) // the interactor has said why; the next Follow tries again
+    this->WithdrawUnits();
+  return taken;
 }
 
 void vtkHaspReductionSession::WithdrawUnits()
 {
   Internals& self = *this->Self;
   for (const vtkWeakPointer<vtkProp3D>& prop : self.offered)
-    if (prop)
+    if (prop && self.interactor)
       self.interactor->Remove(prop);
   self.units.clear();
   self.tools.clear();
@@ -203,7 +208,8 @@ void vtkHaspReductionSession::KeepPoses()
       for (const hasp::PlanId id : self.units[n].fragments)
       {
         const auto prop = self.props.find(id);
-        if (self.tools[n] < 0 || prop == self.props.end() || !prop->second)
+        if (self.tools[n] < 0 || prop == self.props.end() || !prop->second ||
+            !self.stood.contains(id)) // not followed since it is there
           continue;
         const hasp::RigidPose pose = hasp::UserPose(prop->second);
         if (pose != self.stood[id])

@@ -65,7 +65,8 @@ public:
   /** Not there: nothing. */
   void RemoveFragment(unsigned int fragment);
 
-  /** False after an error: no history or interactor, or something is in hand. */
+  /** False after an error: no history or interactor, something is in hand, or the interactor
+   * refuses a prop. */
   bool Follow();
   /** Of the interactor's tools, that which holds the fragment; -1: it cannot be taken. */
   int GetTool(unsigned int fragment) const;
@@ -79,7 +80,7 @@ private:
   void operator=(const vtkHaspReductionSession&) = delete;
 
   void PutProps();
-  void OfferUnits();
+  bool OfferUnits();
   void WithdrawUnits();
   void KeepPoses();
 

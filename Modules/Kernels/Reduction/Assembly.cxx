@@ -173,11 +173,15 @@ public:
   }
 
 private:
-  void AddTo(FitScene& scene, std::size_t added, std::size_t unit) const
+  bool Attracts(std::size_t other, std::size_t unit) const
   {
     const std::vector<std::size_t>& partners = this->Units[unit].partners;
-    const bool attracts =
-      partners.empty() || std::find(partners.begin(), partners.end(), added) != partners.end();
+    return partners.empty() || std::find(partners.begin(), partners.end(), other) != partners.end();
+  }
+
+  void AddTo(FitScene& scene, std::size_t added, std::size_t unit) const
+  {
+    const bool attracts = this->Attracts(added, unit);
     for (const GroupBody& body : this->Units[added].bodies)
       (attracts ? scene.partners : scene.obstacles)
         .push_back({ body.body, this->Done[added].groupInWorld * body.bodyInGroup });

@@ -14,7 +14,8 @@ struct AssemblyUnit
   std::vector<GroupBody> bodies; ///< one or more
   RigidPose groupInWorld;        ///< coarse, unless fixed
   bool fixed = false;            ///< the reference: it stays where it is
-  /// Units whose faces attract this one's; the others are only touched. Empty: all others.
+  /// Units whose faces attract this one's; the others are only touched. Empty: all others. Spreads
+  /// go by the list of the first of two.
   std::vector<std::size_t> partners;
 };
 

@@ -14,7 +14,7 @@ using Matrix = Eigen::MatrixXd;
 using Column = Eigen::VectorXd;
 
 constexpr double LooseMm = 10.0;   // of a direction that nothing holds
-constexpr double LeastHeld = 1e-3; // of the stiffest direction
+constexpr double LeastHeld = 1e-3; // of the stiffest direction of those that move
 constexpr int Draws = 2000;
 
 /// Of all units at once, in their unknowns on end: what holds them, and what may have moved them.
@@ -82,11 +82,26 @@ JointPull SumPulls(std::span<const SpreadPair> pairs, const std::vector<GroupUnk
   return sum;
 }
 
-/// Covariance along axes that hold by `held` each: a sandwich.
-Matrix CovarianceOf(const Column& held, const Matrix& squares, const Column& gap)
+/// What holds those best that move along each axis: a chip is as stiff as its own small faces are,
+/// whatever else is put together.
+Column StiffestAlong(const Matrix& axes, const Matrix& stiffness)
 {
-  const double largest = std::max(held.maxCoeff(), 0.0);
-  const auto holds = [&](Eigen::Index axis) { return held[axis] > LeastHeld * largest; };
+  Column stiffest = Column::Zero(axes.cols());
+  for (Eigen::Index own = 0; own < axes.rows(); own += 6)
+  {
+    const Matrix6 block = stiffness.block<6, 6>(own, own);
+    const Eigen::SelfAdjointEigenSolver<Matrix6> held(block, Eigen::EigenvaluesOnly);
+    stiffest += std::max(held.eigenvalues().maxCoeff(), 0.0) *
+                axes.middleRows<6>(own).colwise().squaredNorm().transpose();
+  }
+  return stiffest;
+}
+
+/// Covariance along axes that hold by `held` each: a sandwich.
+Matrix CovarianceOf(
+  const Column& held, const Column& stiffest, const Matrix& squares, const Column& gap)
+{
+  const auto holds = [&](Eigen::Index axis) { return held[axis] > LeastHeld * stiffest[axis]; };
   Matrix covariance = Matrix::Zero(held.size(), held.size());
   for (Eigen::Index row = 0; row < held.size(); ++row)
     for (Eigen::Index column = 0; column < held.size(); ++column)
@@ -160,9 +175,10 @@ std::vector<FitSpread> MeasureSpreads(std::span<const SpreadUnit> units,
   const JointPull sum = SumPulls(pairs, unknowns, pulls);
   const Eigen::SelfAdjointEigenSolver<Matrix> held(sum.stiffness);
   const Matrix& axes = held.eigenvectors();
-  const Matrix covariance = factor * factor *
-                            CovarianceOf(held.eigenvalues(), axes.transpose() * sum.squares * axes,
-                              gapMm * (axes.transpose() * sum.gap));
+  const Matrix covariance =
+    factor * factor *
+    CovarianceOf(held.eigenvalues(), StiffestAlong(axes, sum.stiffness),
+      axes.transpose() * sum.squares * axes, gapMm * (axes.transpose() * sum.gap));
   std::vector<FitSpread> spreads;
   for (std::size_t n = 0; n < units.size(); ++n)
   {

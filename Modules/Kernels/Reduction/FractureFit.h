@@ -95,7 +95,7 @@ struct SpreadPair
 /// deviation: what faces may have lost, and half levels may be off), all that times `factor`. A
 /// piece so has part in the errors of those that it stands on. Calibrated on simulated cases whose
 /// truth is known (`hasp report reduction`, reduction.coverage). A direction that nothing holds is
-/// given 10 mm.
+/// given 10 mm before that.
 /// Any thread; all cores, the same bits with any number of them. 13 sums over a pair's points.
 std::vector<FitSpread> MeasureSpreads(std::span<const SpreadUnit> units,
   std::span<const SpreadPair> pairs, const FitSettings& settings, double gapMm = 0.15,

@@ -240,6 +240,23 @@ TEST(Assembly, SpreadsAskNotWhereAGroupsOriginIs)
         there[n].covariance[turn], here[n].covariance[turn], 0.01 * here[n].covariance[turn]);
 }
 
+// A chip is not loose because a skull is put together with it: four hundred layers that move as one
+// are held four hundred times as well as one is.
+TEST(Assembly, ASmallPieceIsHeldAsItIsHeldAlone)
+{
+  const std::vector<hasp::GroupBody> small{ { Column()[1].body, {} } }, large(400, small[0]);
+  const std::vector<hasp::SpreadUnit> both{ { large, Column()[1].bodyInWorld },
+    { small, Column()[1].bodyInWorld } };
+  const hasp::FitScene ground{ { Column()[0] }, {} };
+  const std::vector<hasp::SpreadPair> pairs{ { 0, {}, ground }, { 1, {}, ground } };
+  hasp::FitSettings settings;
+  settings.points = 256;
+  const auto together = hasp::MeasureSpreads(both, pairs, settings);
+  const auto alone = hasp::MeasureSpreads({ &both[1], 1 }, { &pairs[0], 1 }, settings);
+  EXPECT_LT(alone[0].within95Mm, 1.0);
+  EXPECT_NEAR(together[1].within95Mm, alone[0].within95Mm, 0.05 * alone[0].within95Mm);
+}
+
 TEST(Assembly, SpreadsOfNothingAndOfWhatNothingHoldsAreFinite)
 {
   EXPECT_TRUE(hasp::MeasureSpreads({}, {}, {}).empty());
