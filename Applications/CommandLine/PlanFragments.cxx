@@ -136,6 +136,10 @@ std::string MakeFragments(PlanDocument& document, const std::string& planFolder,
   if (!volume.segments.empty())
     throw Failure(ExitCode::BadInput,
       FileLabel(scan.input) + ": is a segmentation; --volume is the scan that it is of");
+  if (choice.isovalue > volume.passport.maximum)
+    throw Failure(ExitCode::WrongUse,
+      Line("--isovalue %.6g: no value of the scan is so large; they run from %.6g to %.6g",
+        choice.isovalue, volume.passport.minimum, volume.passport.maximum));
   const LoadedLabels labels = ReadLabels(choice.labels, volume.passport.geometry, session);
   FragmentLabels made{ volume.passport.hash, {}, Chosen(labels, choice.only), choice.isovalue,
     FragmentSpacing(volume.passport.geometry.spacing), choice.locked };

@@ -1,5 +1,6 @@
 #include "PlanMoves.h"
 
+#include "Failure.h"
 #include "PlanText.h"
 #include "Session.h"
 #include "VerbWork.h"
@@ -47,11 +48,13 @@ void AddMoveOptions(CLI::App& verb, PlanMove& move)
 
 std::string MakeMove(PlanDocument& document, const PlanMove& move)
 {
+  const PlanPose motion = MotionOf(move);
+  if (motion == PlanPose{})
+    throw Failure(ExitCode::WrongUse, "--move needs a --shift or a --turn, or nothing moves");
   return Try(ExitCode::BadInput, "",
     [&]
     {
       const Plan& plan = document.history.Current();
-      const PlanPose motion = MotionOf(move);
       const std::vector<PlanEdit> edits{ FindPlanObject<PlanGroup>(plan, move.object)
                                            ? MovedGroup(plan, move.object, motion)
                                            : MovedFragment(plan, move.object, motion) };

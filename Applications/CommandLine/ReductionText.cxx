@@ -33,6 +33,12 @@ Json FitJson(const FractureFit& fit)
     { "within_95_degrees", fit.spread.within95Degrees }, { "settled", fit.settled } };
 }
 
+/// Faces are planned to 2 mm.
+bool IsWide(const AssembledUnit& made)
+{
+  return !(made.within95Mm <= 2.0);
+}
+
 Json ProposalJson(const FitProposal& proposal)
 {
   Json json = FitJson(proposal.fit);
@@ -65,6 +71,7 @@ Json DescribeUnit(const ReducedUnit& unit)
   json["fit"] = FitJson(made.fit);
   json["within_95_mm"] = made.within95Mm;
   json["undecided"] = made.proposals.undecided;
+  json["wide"] = IsWide(made);
   json["proposals"] = Json::array();
   for (const FitProposal& proposal : made.proposals.proposals)
     json["proposals"].push_back(ProposalJson(proposal));
@@ -86,8 +93,9 @@ void PrintUnit(const ReducedUnit& unit)
                     "%.2f mm rms\n",
     proposals[0].startMm, DegreesOf(made.groupInWorld), made.fit.sums.facesMm2,
     made.fit.FaceRmsMm(), made.fit.StepRmsMm());
-  std::cout << Line("    at 95 %% within %.2f mm and %.2f degrees%s\n", made.within95Mm,
-    made.fit.spread.within95Degrees, made.proposals.undecided ? "; UNDECIDED, see the next" : "");
+  std::cout << Line("    at 95 %% within %.2f mm and %.2f degrees%s%s\n", made.within95Mm,
+    made.fit.spread.within95Degrees, made.proposals.undecided ? "; UNDECIDED, see the next" : "",
+    IsWide(made) ? "; WIDE, little holds it: look before you use it" : "");
   for (std::size_t n = 0; n < proposals.size(); ++n)
     std::cout << Line("    proposal %zu: share %.2f, %.2f mm from the coarse pose, faces %.0f mm2 "
                       "at %.2f mm, within %.2f mm\n",

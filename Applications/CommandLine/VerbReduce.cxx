@@ -239,7 +239,8 @@ void AddReduceVerb(CLI::App& app, Session& session)
     "Fragments begin where the plan has them: coarsely in place, within --start-mm and\n"
     "--start-degrees. Groups move as one, locked fragments not at all. Each fit says "
     "how well faces\n"
-    "meet, how far the truth may be off (at 95 %) and which other fits there are.\n"
+    "meet, how far the truth may be off (at 95 %) and which other fits there are:\n"
+    "UNDECIDED where the next is more than half as likely, WIDE where that is over 2 mm.\n"
     "Exit codes: 0 done, 1 wrong use, 2 bad input, 3 nothing could be placed.");
   verb->callback(
     [&session, options] { session.run = [&session, options] { Run(*options, session); }; });

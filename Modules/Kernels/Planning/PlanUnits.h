@@ -17,8 +17,8 @@ struct PlanUnit
   bool operator==(const PlanUnit&) const noexcept = default;
 };
 
-/// How these fragments move, in the order of each unit's first. A fragment of several groups moves
-/// with the first. Ids that are no fragment's are left out.
+/// How these fragments move, in the order of each unit's first. Groups that share a fragment move
+/// as one, under the first one's id. Ids that are no fragment's are left out.
 std::vector<PlanUnit> UnitsOf(const Plan& plan, std::span<const PlanId> fragments);
 
 } // namespace hasp

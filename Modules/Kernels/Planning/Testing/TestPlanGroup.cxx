@@ -119,10 +119,10 @@ TEST(PlanUnits, AreGroupsAndFragmentsAloneInTheirOrder)
   plan = Apply(plan, AddObject<PlanGroup>{ { 9, "", { 3, 8 } } });
   const std::vector<PlanId> all{ 3, 8, 5, 2, 77, 4 };
   const std::vector<PlanUnit> units = UnitsOf(plan, all);
-  // 3 goes with 6, its first group, 8 with 9 and alone there; 77 is none; 5 keeps 4 in its place.
-  const std::vector<PlanUnit> expected{ { 6, { 3, 2 }, false }, { 9, { 8 }, false },
-    { 7, { 5, 4 }, true } };
+  // 3 ties group 9 to group 6; 77 is none; 5 keeps 4 in its place.
+  const std::vector<PlanUnit> expected{ { 6, { 3, 8, 2 }, false }, { 7, { 5, 4 }, true } };
   EXPECT_EQ(units, expected);
+  EXPECT_EQ(UnitsOf(Apply(plan, AddObject<PlanGroup>{ { 10, "", { 4, 2 } } }), all).size(), 1u);
   plan = Apply(plan, RemoveObject{ 6 });
   EXPECT_EQ(UnitsOf(plan, std::vector<PlanId>{ 2, 3 }).size(), 2u) << "each for itself again";
   EXPECT_TRUE(UnitsOf(plan, {}).empty());
