@@ -5,6 +5,7 @@
 #include "Grid/TriangleMesh.h"
 #include "Planning/PlanFile.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -53,6 +54,13 @@ struct EvaluatedSurface
   std::shared_ptr<const MeasuredSurface> measured;
   bool closed = false;
 };
+
+/// A surface file as one mesh. name: what errors call it. Throws Failure: BadInput.
+std::shared_ptr<const TriangleMesh> ReadMesh(
+  const std::string& path, const std::string& name, Session& session);
+
+/// The surfaces in a folder, by their names without endings.
+std::map<std::string, std::filesystem::path> SurfacesIn(const std::filesystem::path& folder);
 
 /// Where fragments' surfaces come from, each read or made once.
 class EvaluatedSurfaces

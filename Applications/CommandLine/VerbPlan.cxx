@@ -7,6 +7,7 @@
 #include "PlanInput.h"
 #include "PlanMoves.h"
 #include "PlanText.h"
+#include "PlanUpkeep.h"
 #include "Session.h"
 #include "Verbs.h"
 #include "vtkHaspFileNames.h"
@@ -76,43 +77,6 @@ std::string UndoOrRedo(PlanDocument& document, bool undo)
   std::string said = (undo ? "Undone: " : "Redone: ") + NextStep(document.history, undo);
   undo ? document.history.Undo() : document.history.Redo();
   return said;
-}
-
-void Check(const std::string& folder, Session& session)
-{
-  const std::vector<std::string> faults = PlanFaults(folder);
-  session.result["faults"] = faults;
-  session.resultStands = true;
-  if (!faults.empty())
-    throw FailedCheck(
-      "the plan is damaged; if it is only in what was made, --prune mends it", faults);
-  Say(session, "every byte of the plan is as it was written");
-}
-
-/// Forgets what was made and cannot be used now, and deletes what nothing names any more.
-void Prune(PlanDocument& document, const std::string& folder, Session& session)
-{
-  const std::size_t before = document.parts.size();
-  std::erase_if(document.parts,
-    [&](const DerivedPart& part)
-    {
-      try
-      {
-        ReadBlob(folder, part.bytes);
-        if (!part.report.empty())
-          ReadBlob(folder, part.report);
-        return !WhyOutOfDate(document.history.Current(), part).empty();
-      }
-      catch (const std::runtime_error&)
-      {
-        return true; // damaged or missing
-      }
-    });
-  StorePlan(folder, document);
-  Try(ExitCode::WrongUse, "", [&] { RemoveUnusedBlobs(folder, document); });
-  const std::size_t gone = before - document.parts.size();
-  session.result["pruned"] = gone;
-  Say(session, std::to_string(gone) + " parts that were out of date or damaged are forgotten");
 }
 
 void Export(const PlanOptions& options, const PlanDocument& document, Session& session)
@@ -201,7 +165,7 @@ void Change(const PlanOptions& options, Session& session)
     return Say(session, session.result["blob"]);
   }
   if (options.prune)
-    return Prune(document, options.plan, session);
+    return PrunePlan(document, options.plan, session);
   const std::string said = MakeStep(document, options, session);
   StorePlan(options.plan, document);
   Say(session, said);
@@ -214,7 +178,7 @@ void Run(const PlanOptions& options, Session& session)
   if (options.begin)
     return Begin(options);
   if (options.check)
-    return Check(options.plan, session);
+    return CheckPlan(options.plan, session);
   if (!options.blob.empty() || !options.edits.empty() || options.undo || options.redo ||
       options.prune || options.move.object != 0 || !options.fragments.labels.empty() ||
       !options.surfaces.files.empty())
