@@ -22,7 +22,8 @@ bool Fails(const char* name)
   if (!armed)
     return false;
   names.append(name).append(" ");
-  if (++calls != failAt)
+  ++calls;
+  if (way == failing::Way::Gone ? failAt == 0 || calls < failAt : calls != failAt)
     return false;
   if (way == failing::Way::Crash)
     _exit(99);
@@ -65,6 +66,22 @@ extern "C"
   int fsync(int file)
   {
     return Fails("fsync") ? -1 : int(syscall(SYS_fsync, file));
+  }
+  int fdatasync(int file)
+  {
+    return Fails("fdatasync") ? -1 : int(syscall(SYS_fdatasync, file));
+  }
+  int ftruncate(int file, off_t size) noexcept
+  {
+    return Fails("ftruncate") ? -1 : int(syscall(SYS_ftruncate, file, size));
+  }
+  int fcntl(int file, int command, ...)
+  {
+    va_list list;
+    va_start(list, command);
+    void* argument = va_arg(list, void*);
+    va_end(list);
+    return Fails("fcntl") ? -1 : int(syscall(SYS_fcntl, file, command, argument));
   }
   int close(int file)
   {
