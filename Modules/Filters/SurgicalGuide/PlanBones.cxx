@@ -238,13 +238,22 @@ const TriangleMesh& PlanBones::MeshOf(
 
 std::vector<PlanCutMeasure> PlanBones::Cuts(PlanId fragment)
 {
+  const auto* piece = std::get_if<PieceSource>(&this->Fragment(fragment).source);
+  return piece ? this->CutsOf(piece->fragment) : std::vector<PlanCutMeasure>{};
+}
+
+const CutBone& PlanBones::Divide(PlanId divided, const ProgressFunction& progress)
+{
+  return SayingErrors(
+    [&]() -> const CutBone& { return this->PiecesOf(divided, progress).bone; }, Naming(divided));
+}
+
+std::vector<PlanCutMeasure> PlanBones::CutsOf(PlanId divided)
+{
   std::vector<PlanCutMeasure> measures;
-  if (const auto* piece = std::get_if<PieceSource>(&this->Fragment(fragment).source))
-  {
-    const Pieces& pieces = this->PiecesOf(piece->fragment, {});
-    for (std::size_t n = 0; n < pieces.bone.cuts.size(); ++n)
-      measures.push_back({ pieces.cuts[n], pieces.bone.cuts[n] });
-  }
+  const Pieces& pieces = this->PiecesOf(divided, {});
+  for (std::size_t n = 0; n < pieces.bone.cuts.size(); ++n)
+    measures.push_back({ pieces.cuts[n], pieces.bone.cuts[n] });
   return measures;
 }
 

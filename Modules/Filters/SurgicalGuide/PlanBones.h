@@ -59,6 +59,10 @@ public:
   const TriangleMesh& Mesh(PlanId fragment, const ProgressFunction& progress);
   /// What the cuts through the fragment that this one is a piece of did; none if it is no piece.
   std::vector<PlanCutMeasure> Cuts(PlanId fragment);
+  /// All pieces of the whole bone that a fragment is of, after the cuts through it and through what
+  /// it is a piece of; and what these cuts did.
+  const CutBone& Divide(PlanId divided, const ProgressFunction& progress);
+  std::vector<PlanCutMeasure> CutsOf(PlanId divided);
   /// fragments[n] is n + 1. They must be of one volume.
   BoneLabels Labels(std::span<const PlanId> fragments, const ProgressFunction& progress);
   double Isovalue(PlanId fragment) const;
