@@ -42,7 +42,15 @@ vtkSmartPointer<vtkImageData> Part(
 vtkSmartPointer<vtkImageData> BoneAround(vtkImageData* bone, const PartClaims& claims,
   const glm::dvec3& low, const glm::dvec3& high, double beyondMm)
 {
-  const AnyGridView view = ViewImage(bone);
+  vtkSmartPointer<vtkImageData> around = BoneAround(ViewImage(bone), claims, low, high, beyondMm);
+  if (!around)
+    around = bone;
+  return around;
+}
+
+vtkSmartPointer<vtkImageData> BoneAround(const AnyGridView& view, const PartClaims& claims,
+  const glm::dvec3& low, const glm::dvec3& high, double beyondMm)
+{
   const GridGeometry& g = GeometryOf(view);
   glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
   for (int corner = 0; corner < 8; ++corner)
@@ -56,7 +64,7 @@ vtkSmartPointer<vtkImageData> BoneAround(vtkImageData* bone, const PartClaims& c
   const glm::ivec3 first(glm::clamp(glm::floor(least), glm::dvec3(0.0), last)),
     end(glm::clamp(glm::ceil(most), glm::dvec3(0.0), last));
   if (glm::any(glm::lessThan(end - first, glm::ivec3(1))))
-    return bone;
+    return nullptr;
   const vtkSmartPointer<vtkImageData> around =
     std::visit([&](const auto& whole) { return Part(whole, first, end - first + 1); }, view);
   const vtkSmartPointer<vtkImageData> pieces =

@@ -51,7 +51,12 @@ bool IsPlanPath(const std::string& path)
 
 EvaluatedSide PlanSide(const std::string& path)
 {
-  EvaluatedSide side{ path, OpenPlan(path), {} };
+  return PlanSide(path, OpenPlan(path));
+}
+
+EvaluatedSide PlanSide(const std::string& folder, PlanDocument document)
+{
+  EvaluatedSide side{ folder, std::move(document), {} };
   const Plan& plan = side.document->history.Current();
   std::map<std::string, int> names;
   for (const PlanFragment& fragment : plan.fragments)

@@ -43,6 +43,8 @@ bool IsPlanPath(const std::string& path);
 /// Throws Failure: BadInput, also where there are none.
 EvaluatedSide ReadSide(const std::string& path, Session& session);
 EvaluatedSide PlanSide(const std::string& path);
+/// Of a plan that is open; `folder`: where its blobs are.
+EvaluatedSide PlanSide(const std::string& folder, PlanDocument document);
 
 /// The key that a user means by a name or an id. Throws Failure: WrongUse if there is none. Empty
 /// for an empty text, unless exactly one fragment is locked.

@@ -95,11 +95,7 @@ SurfaceFragment BakeFragment(const Plan& plan, PlanId fragment, const PlanSurfac
     [&]
     {
       return BakeSurface(surfaces.at(source.surface), settings, wants,
-        [&session](double share)
-        {
-          session.progress.Share(share);
-          return true;
-        });
+        [&session](double share) { return session.progress.Share(share); });
     });
   for (const std::string& warning : made.warnings)
     SayWarning(session, called + WithoutSubject(warning));

@@ -40,7 +40,7 @@ PartFile TakePart(const KeptParts& kept, PlanId object, Session& session)
     const PartReport read = ReadPartReport(report);
     RecipeOfReport(report); // what it says must be read to the end before it is taken
     const bool isCertified = read.verdict != "not certified";
-    if ((isCertified && kept.certified) || read.warnings > 0)
+    if ((isCertified && kept.certified) || (read.warnings > 0 && !kept.said))
       return file;
     file.stl = ReadBlob(kept.folder, part->bytes);
     file.report = report;

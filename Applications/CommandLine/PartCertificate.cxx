@@ -87,11 +87,7 @@ FitCertificate MeasurePart(
 {
   session.progress.Step("measuring the part as written");
   const auto start = std::chrono::steady_clock::now();
-  const auto progress = [&session](double share)
-  {
-    session.progress.Share(share);
-    return true;
-  };
+  const auto progress = [&session](double share) { return session.progress.Share(share); };
   const FitCertificate certificate = Try(ExitCode::FailedCheck, "the part cannot be measured: ",
     [&]
     {

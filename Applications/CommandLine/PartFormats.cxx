@@ -52,12 +52,7 @@ public:
 
 LoadedSurface Read(const std::string& path, Session& session)
 {
-  return LoadSurface(path, {},
-    [&session](double share)
-    {
-      session.progress.Share(share);
-      return true;
-    });
+  return LoadSurface(path, {}, [&session](double share) { return session.progress.Share(share); });
 }
 
 /// Largest distance of corners that belong together, mm.

@@ -45,25 +45,38 @@ constexpr std::array<std::pair<FitFaultKind, const char*>, 16> Words{ {
   { FitFaultKind::Space, "it is in another patient space" },
 } };
 
-std::string FaultText(const Json& fault)
+FitFaultKind KindOf(const std::string& name)
 {
-  std::string text;
+  const auto known = std::find_if(
+    Words.begin(), Words.end(), [&](const auto& word) { return FitFaultName(word.first) == name; });
+  return known == Words.end() ? FitFaultKind::SaidRed : known->first;
+}
+
+const char* WordsFor(FitFaultKind kind)
+{
+  const auto known =
+    std::find_if(Words.begin(), Words.end(), [&](const auto& word) { return word.first == kind; });
+  return known == Words.end() ? "it does not hold" : known->second;
+}
+
+FitFault FaultOf(const Json& fault)
+{
+  FitFault read{ KindOf(fault.at("kind").get<std::string>()), {}, std::nullopt };
+  std::string& text = read.text;
   static const std::regex object("^(slots|holes|screws)\\[[0-9]{1,4}\\]");
   const auto said = fault.at("text").get<std::string>();
   if (std::smatch found; std::regex_search(said, found, object))
     text = found.str() + ": ";
-  const auto kind = fault.at("kind").get<std::string>();
-  const auto known = std::find_if(
-    Words.begin(), Words.end(), [&](const auto& word) { return FitFaultName(word.first) == kind; });
-  text += known == Words.end() ? "it does not hold" : known->second;
+  text += WordsFor(read.kind);
   if (!fault.at("at").is_null())
   {
     const auto at = fault.at("at").get<std::array<double, 3>>();
     std::array<char, 100> place;
     std::snprintf(place.data(), place.size(), " at (%.1f, %.1f, %.1f) mm", at[0], at[1], at[2]);
     text += place.data();
+    read.at = glm::dvec3(at[0], at[1], at[2]);
   }
-  return text;
+  return read;
 }
 
 /// Whether a text of a report is one that Hasp writes.
@@ -85,7 +98,7 @@ void KeepOurs(Json& json)
   static const std::regex key("[a-z0-9_]{1,32}");
   if (json.is_object() && json.contains("kind") && json.contains("text") && json.contains("at"))
   {
-    const std::string text = FaultText(json);
+    const std::string text = FaultOf(json).text;
     json.erase("text");
     KeepOurs(json);
     json["text"] = text;
@@ -126,7 +139,7 @@ PartReport Read(const Json& json)
   if (report.verdict == "red")
   {
     for (const Json& fault : json.at("certificate").at("faults"))
-      report.faults.push_back(FaultText(fault));
+      report.faults.push_back(FaultOf(fault).text);
     if (report.faults.empty())
       report.faults.push_back("it does not hold");
   }
@@ -159,6 +172,11 @@ auto OfOurs(const Work& work)
 PartReport ReadPartReport(const std::string& report)
 {
   return OfOurs([&] { return Read(Json::parse(report)); });
+}
+
+FitFault ReadFault(const nlohmann::ordered_json& fault)
+{
+  return OfOurs([&] { return FaultOf(fault); });
 }
 
 std::vector<std::string> WarningsOf(const PartReport& report, const std::string& part)

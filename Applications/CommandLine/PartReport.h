@@ -24,6 +24,8 @@ struct PartReport
 
 /// Throws std::runtime_error, with no text of it, if it is none that Hasp writes.
 PartReport ReadPartReport(const std::string& report);
+/// One of a certificate's faults as a report has it, in words of ours. Throws likewise.
+FitFault ReadFault(const nlohmann::ordered_json& fault);
 
 /// "cut 3 does not part the bone that fragment 4 is a piece of: …", of each such cut.
 std::vector<std::string> WarningsOf(const PartReport& report, const std::string& part);

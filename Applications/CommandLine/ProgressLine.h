@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <functional>
 #include <iosfwd>
 #include <string>
 
@@ -7,7 +8,8 @@ namespace hasp
 {
 
 /// What the user sees while waiting. On a terminal one line that is rewritten, ten times a second
-/// at most, and wiped at the end; elsewhere one plain line a step. RENDER thread only.
+/// at most, and wiped at the end; elsewhere one plain line a step. Or, where somebody watches, all
+/// of it is his and nothing is written. One thread, RENDER or a WORKER that owns it.
 class ProgressLine
 {
 public:
@@ -24,11 +26,16 @@ public:
 
   void SetStyle(Style style) { this->Choice = style; }
 
-  /// Begins a step: "reading head.mha".
+  /// Is told each step, and its share; false gives the work up. Empty: nobody watches.
+  using Watch = std::function<bool(const std::string& step, double share)>;
+  void SetWatch(Watch watch) { this->Watching = std::move(watch); }
+
+  /// Begins a step: "reading head.mha". Throws Cancelled if who watches gives it up.
   void Step(const std::string& text);
 
-  /// Share of the step done, in [0,1].
-  void Share(double share);
+  /// Share of the step done, in [0,1]. False: who watches gives it up; what a ProgressFunction is
+  /// to return.
+  bool Share(double share);
 
   /// Wipes the line, so that other text can be printed.
   void Wipe();
@@ -36,6 +43,7 @@ public:
 private:
   std::ostream& Stream;
   Style Choice = Style::Steps;
+  Watch Watching;
   std::string Text;
   bool Shown = false;
   std::chrono::steady_clock::time_point Last{};

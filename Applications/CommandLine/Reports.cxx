@@ -12,6 +12,7 @@
 #endif
 #include "ReportHaptics.h"
 #include "ReportImport.h"
+#include "ReportPlanner.h"
 #include "ReportReduction.h"
 #include "ReportSegmentation.h"
 #include "ReportStereo.h"
@@ -59,6 +60,10 @@ const std::vector<ReportEntry>& ReportRegistry()
         "whether stated intervals hold, against contact alone and closest points",
         ReportReduction },
 #endif
+      { "planner",
+        "the window: first picture, pictures after a new isovalue against a mesh made anew, a drag "
+        "with contact, rest, memory",
+        ReportPlanner },
       { "import", "where samples lie and how long reading takes, against other readers",
         ReportImport },
       { "stereo", "where points lie in both eyes, against VTK's own stereo", ReportStereo },

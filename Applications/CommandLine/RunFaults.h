@@ -20,12 +20,13 @@ public:
   /// Of none.
   void Add(const Failure& failure);
   bool Has(PlanId object) const { return this->Objects.contains(object); }
+  const std::vector<std::string>& Texts() const { return this->All; }
   /// Throws Failure if there are any: all of them, and what became of the other parts.
   void Refuse(std::size_t parts, bool isKept) const;
 
 private:
   std::set<PlanId> Objects;
-  std::vector<std::string> Texts;
+  std::vector<std::string> All;
   ExitCode Code = ExitCode::FailedCheck;
 };
 

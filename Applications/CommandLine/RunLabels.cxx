@@ -113,7 +113,7 @@ private:
     this->Shared.progress.Step("making the label map of " + called);
     vtkImageData* scan = this->Images.loaded.at(segmentation.volume);
     const StepLabels made = MakeStepLabels(scan, segmentation.recipe, begin, this->Shared);
-    const bool keeps = IsPlanFolder(this->Run.plan);
+    const bool keeps = this->Run.keep || IsPlanFolder(this->Run.plan);
     this->Shared.resources.push_back({ called,
       std::size_t(made.labels->GetNumberOfPoints()) * sizeof(std::uint16_t), made.milliseconds,
       std::string("label map, made of its steps; the plan ") +
@@ -137,8 +137,12 @@ private:
     try // the parts can be made all the same
     {
       Try(ExitCode::WrongUse, "", [&] { WriteLabels(made.labels, {}, file.place.string()); });
-      KeepInPlan(this->Run.plan, id, LabelInputs(this->Now, id), ReadWholeFile(file.place.string()),
-        made.report);
+      const std::vector<PartInput> inputs = LabelInputs(this->Now, id);
+      const std::string nrrd = ReadWholeFile(file.place.string());
+      if (this->Run.keep)
+        this->Run.keep(id, inputs, nrrd, made.report);
+      else
+        KeepInPlan(this->Run.plan, id, inputs, nrrd, made.report);
     }
     catch (const Failure& failure)
     {
@@ -172,6 +176,8 @@ void AddLabelMaps(const LabelMapRun& run, const std::vector<PartFile>& parts, Ru
   session.result["label_maps"] = nlohmann::ordered_json::array();
   for (const PlanSegmentation& segmentation : plan.segmentations)
   {
+    if (images.images.contains(segmentation.id))
+      continue;
     const std::string called = CalledObject(plan, segmentation.id);
     if (!users.contains(segmentation.id))
     {

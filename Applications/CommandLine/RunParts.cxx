@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "PartCertificate.h"
+#include "PartFormats.h"
 #include "PartReport.h"
 #include "PlanInput.h"
 #include "RunCertificate.h"
@@ -86,14 +87,7 @@ PartFile MakePart(PlanRebuild& rebuild, const Plan& plan, PlanId object,
   const auto start = std::chrono::steady_clock::now();
   RebuiltPart part = Try(ExitCode::BadInput, "",
     [&]
-    {
-      return rebuild.Make(object,
-        [&](double share)
-        {
-          session.progress.Share(share);
-          return true;
-        });
-    });
+    { return rebuild.Make(object, [&](double share) { return session.progress.Share(share); }); });
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   session.resources.push_back({ called,
     part.mesh.points.size() * sizeof(glm::dvec3) + part.mesh.triangles.size() * sizeof(glm::uvec3),
@@ -183,6 +177,14 @@ std::string WriteParts(const Plan& plan, const std::vector<PartFile>& parts,
   const Json run = { { "format", "hasp-run-1" }, { "plan_hash", PlanHash(plan) },
     { "parts", std::move(list) } };
   return run.dump(2) + "\n";
+}
+
+void WriteRun(const Plan& plan, const std::vector<PartFile>& parts, const std::string& format,
+  const std::filesystem::path& folder, Session& session)
+{
+  const std::string run =
+    RunInFormat(WriteParts(plan, parts, folder, session), format, folder, session);
+  WriteBytes(run, (folder / "run.json").string());
 }
 
 } // namespace hasp

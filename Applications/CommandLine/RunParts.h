@@ -41,5 +41,9 @@ std::vector<std::string> FaultsOf(const Plan& plan, const PartFile& part);
 /// the recipes of parts that were certified, are put below `folder`.
 std::string WriteParts(const Plan& plan, const std::vector<PartFile>& parts,
   const std::filesystem::path& folder, Session& session);
+/// That, in a format that PartEndings has ("stl"), and run.json beside them: all that `hasp run`
+/// writes.
+void WriteRun(const Plan& plan, const std::vector<PartFile>& parts, const std::string& format,
+  const std::filesystem::path& folder, Session& session);
 
 } // namespace hasp

@@ -12,11 +12,7 @@ StepLabels MakeStepLabels(
   vtkImageData* scan, const SegmentationRecipe& recipe, vtkImageData* begin, Session& session)
 {
   const auto start = std::chrono::steady_clock::now();
-  const auto progress = [&](double share)
-  {
-    session.progress.Share(share);
-    return true;
-  };
+  const auto progress = [&](double share) { return session.progress.Share(share); };
   const SegmentedScan made =
     Try(ExitCode::BadInput, "", [&] { return SegmentScan(scan, recipe, begin, {}, progress); });
   const double spent = MillisecondsSince(start);

@@ -75,6 +75,8 @@ CLI::Validator Within(double least, double most)
 
 void SayWarning(Session& session, const std::string& text)
 {
+  if (session.sayWarning)
+    return session.sayWarning(text);
   session.progress.Wipe();
   if (!session.quiet)
     std::cerr << "hasp: warning: " << text << std::endl;

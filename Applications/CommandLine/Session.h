@@ -30,7 +30,10 @@ struct Session
   ResourceList resources;             ///< built and skipped, in the order of making
   nlohmann::ordered_json result = {}; ///< printed as one document by --json
   bool resultStands = false;          ///< print the result although the verb fails: it says why
-  std::function<void()> run;          ///< the verb, once the command line is understood
+  /// Hears warnings, of programs with a window: with this and progress.SetWatch nothing of the work
+  /// is written to standard output or error. Empty: they are lines on standard error.
+  std::function<void(const std::string&)> sayWarning{};
+  std::function<void()> run; ///< the verb, once the command line is understood
 };
 
 /// Adds --quiet and --show-names to a verb.
@@ -42,7 +45,7 @@ void AddCommonOptions(CLI::App& verb, Session& session);
 /// Refuses what is no number in [least, most]. CLI::Range lets NaN through.
 CLI::Validator Within(double least, double most);
 
-/// A line on stderr, unless the session is quiet.
+/// A line on stderr, unless the session is quiet; or to who hears them.
 void SayWarning(Session& session, const std::string& text);
 
 /// Shows an algorithm's progress under the step that was begun last. The session outlives it.

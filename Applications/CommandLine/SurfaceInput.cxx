@@ -27,12 +27,8 @@ LoadedSurface ReadSurface(
   session.progress.Step("reading " + name);
   try
   {
-    LoadedSurface loaded = LoadSurface(path, {},
-      [&session](double share)
-      {
-        session.progress.Share(share);
-        return true;
-      });
+    LoadedSurface loaded =
+      LoadSurface(path, {}, [&session](double share) { return session.progress.Share(share); });
     if (!quiet)
       SayWarnings(loaded.passport, name, session);
     return loaded;
@@ -40,6 +36,10 @@ LoadedSurface ReadSurface(
   catch (const std::bad_alloc&)
   {
     throw; // no fault of the file; the caller says what to do
+  }
+  catch (const Cancelled&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {

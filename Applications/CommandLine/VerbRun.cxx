@@ -71,9 +71,7 @@ public:
       this->FindFaults();
       this->KeepGood();
       this->Faults.Refuse(this->Parts.size(), IsPlanFolder(this->Options.plan));
-      const std::string run = RunInFormat(WriteParts(this->Now, this->Parts, folder, this->Shared),
-        this->Options.format, folder, this->Shared);
-      WriteBytes(run, (folder / "run.json").string());
+      WriteRun(this->Now, this->Parts, this->Options.format, folder, this->Shared);
     };
     Try(ExitCode::WrongUse, "",
       [&] { WriteInspected(this->Options.output, write, [](const std::string&) {}); });

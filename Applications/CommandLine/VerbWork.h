@@ -1,5 +1,6 @@
 #pragma once
 #include "Failure.h"
+#include "Grid/Progress.h"
 
 #include <chrono>
 #include <cstdio>
@@ -28,6 +29,10 @@ auto Try(ExitCode code, const std::string& before, const Work& work)
   catch (const Failure&)
   {
     throw;
+  }
+  catch (const Cancelled&)
+  {
+    throw; // it was asked for
   }
   catch (const std::bad_alloc&)
   {

@@ -56,10 +56,7 @@ auto Reading(const VolumeChoices& choices, Session& session, const Read& read)
                             "plan says what is in it, hasp run makes what it is for");
   session.progress.Step("reading " + FileLabel(choices.input));
   const ProgressFunction progress = [&session](double share)
-  {
-    session.progress.Share(share);
-    return true;
-  };
+  { return session.progress.Share(share); };
   VolumeReadSettings settings;
   settings.series = choices.series;
   settings.resample = choices.resample;
@@ -75,6 +72,10 @@ auto Reading(const VolumeChoices& choices, Session& session, const Read& read)
   catch (const std::bad_alloc&)
   {
     throw; // no fault of the file; the caller says what to do
+  }
+  catch (const Cancelled&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {

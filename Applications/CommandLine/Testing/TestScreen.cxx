@@ -22,11 +22,11 @@ constexpr int MostWaitMs = 60'000;
 
 } // namespace
 
-TestScreen::TestScreen(const std::vector<std::string>& more)
+TestScreen::TestScreen(const std::vector<std::string>& more, const std::string& size)
 {
   // Without -noreset it would reset when a program's first window closes.
   std::vector<std::string> words{ "Xvfb", "-displayfd", std::to_string(DisplayFd), "-screen", "0",
-    "800x600x24", "-noreset", "-nolisten", "tcp" };
+    size + "x24", "-noreset", "-nolisten", "tcp" };
   words.insert(words.end(), more.begin(), more.end());
   std::vector<char*> pointers;
   for (std::string& word : words)

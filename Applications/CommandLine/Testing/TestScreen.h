@@ -5,11 +5,12 @@
 #include <vector>
 
 /// A screen of Xvfb, of its own display, while it lives. Display() is empty where Xvfb is not
-/// installed.
+/// installed. `more`: words of Xvfb's; `size`: pixels.
 class TestScreen
 {
 public:
-  explicit TestScreen(const std::vector<std::string>& more = {});
+  explicit TestScreen(
+    const std::vector<std::string>& more = {}, const std::string& size = "800x600");
   ~TestScreen();
   TestScreen(const TestScreen&) = delete;
   void operator=(const TestScreen&) = delete;
