@@ -31,6 +31,11 @@ hasp_optional(EGL "Render without a display" OpenGL COMPONENTS EGL)
 hasp_optional(X11 "Windows on a display: hasp view" X11)
 hasp_optional(JSON "Passport, reports and --json output" nlohmann_json CONFIG)
 hasp_optional(CLI11 "The hasp command line" CLI11 CONFIG)
+hasp_optional(QT "The planner's window: hasp-planner (Qt 5)" Qt5 COMPONENTS Widgets Test)
+set(qt_modules)
+if (HASP_ENABLE_QT)
+  set(qt_modules GUISupportQt RenderingAnnotation)
+endif ()
 # VTK's wrappers are of the system's Python, not of whichever python3 comes first in PATH (a pyenv shim).
 if (EXISTS "/usr/bin/python3")
   set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that VTK was wrapped for")
@@ -57,7 +62,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   OPTIONAL_COMPONENTS glew opengl glad
   IOImage IOGeometry IOPLY IOXML IOXMLParser FiltersCore FiltersSources FiltersGeneral FiltersModeling FiltersPoints ImagingCore ImagingGeneral
   RenderingVolume RenderingVolumeOpenGL2 InteractionStyle InteractionWidgets RenderingFreeType RenderingUI
-  TestingRendering)
+  TestingRendering ${qt_modules})
 
 # After VTK: its configuration would search for all of VTK's modules by itself.
 hasp_optional(VTKDICOM "Write DICOM series (vtk-dicom)" dicom CONFIG)

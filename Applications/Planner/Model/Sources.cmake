@@ -1,0 +1,8 @@
+hasp_add_planner_part(Model
+  SOURCES
+    Model/JobQueue.cxx Model/JobQueue.h
+    Model/PlanSession.cxx Model/PlanSession.h
+    Model/ScanShelf.cxx Model/ScanShelf.h
+    Model/WorkFolder.cxx Model/WorkFolder.h
+    Model/RecentPlans.cxx Model/RecentPlans.h
+  LIBRARIES Hasp::KernelPlanning Hasp::KernelRealtime Hasp::IOMedical Hasp::CommonVolume nlohmann_json::nlohmann_json)

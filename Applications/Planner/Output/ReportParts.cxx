@@ -1,0 +1,117 @@
+#include "Output/ReportParts.h"
+
+#include "CertificateRead.h"
+#include "CertificateTable.h"
+#include "PartReport.h"
+#include "Planning/PlanLists.h"
+
+#include <optional>
+#include <stdexcept>
+
+namespace hasp
+{
+namespace
+{
+
+using Text = ReportText;
+
+QString NameOf(PartFormat format)
+{
+  switch (format)
+  {
+    case PartFormat::Stl:
+      return "STL";
+    case PartFormat::ThreeMf:
+      return "3MF";
+    case PartFormat::Ply:
+      return "PLY";
+    case PartFormat::Obj:
+      return "OBJ";
+    default:
+      return "NRRD";
+  }
+}
+
+struct Measured
+{
+  QString verdict, volume;
+  QStringList faults; ///< and warnings
+  std::optional<FitCertificate> certificate;
+};
+
+Measured ReadMeasured(
+  const DerivedPart& part, const std::filesystem::path& blobs, const ReportNaming& of)
+{
+  if (part.report.empty())
+    return { Text::tr("not certified"), "–", {}, {} };
+  try
+  {
+    const std::string text = ReadBlob(blobs, part.report);
+    const PartReport report = ReadPartReport(text);
+    Measured measured{ QString::fromStdString(VerdictOf(report)), Decimal(report.volumeMm3, 1), {},
+      CertificateOfReport(text) };
+    for (const std::string& fault : report.faults)
+      measured.faults.append(QString::fromStdString(fault));
+    for (const std::string& line : WarningsOf(report, CalledObject(of.plan, part.object)))
+      measured.faults.append(QString::fromStdString(line));
+    return measured;
+  }
+  catch (const std::exception&) // what is damaged is no part's certificate
+  {
+    return { Text::tr("what was measured on it cannot be read: make it again"), "–", {}, {} };
+  }
+}
+
+ReportTable CertificateRows(
+  const FitCertificate& certificate, const QString& part, const QStringList& faults)
+{
+  ReportTable table{ Text::tr("Certificate of %1").arg(part), faults.join("; "),
+    { Text::tr("measure"), Text::tr("measured"), Text::tr("must be"), Text::tr("verdict") }, {} };
+  for (const CertificateRow& row : CertificateTable(certificate))
+    table.rows.push_back({ QString::fromStdString(row.measure),
+      QString::fromStdString(row.measured), QString::fromStdString(row.limit),
+      row.fault           ? Text::tr("DOES NOT HOLD")
+      : row.limit.empty() ? QString()
+      : row.missing       ? Text::tr("not measured")
+                          : Text::tr("holds") });
+  return table;
+}
+
+} // namespace
+
+std::vector<ReportTable> PartTables(
+  const PlanDocument& document, const std::filesystem::path& blobs, const ReportNaming& of)
+{
+  std::vector<ReportTable> tables{ { Text::tr("Parts"),
+    Text::tr("A part is its file: by the SHA-256 of that it is known again."),
+    { Text::tr("part"), Text::tr("file"), Text::tr("verdict"), Text::tr("volume, mm³"),
+      Text::tr("SHA-256") },
+    {} } };
+  for (const PlanId object : PartObjects(of.plan))
+  {
+    const QString called = CalledInReport(of, object);
+    bool isMade = false;
+    for (const PartFormat format :
+      { PartFormat::Stl, PartFormat::ThreeMf, PartFormat::Ply, PartFormat::Obj })
+    {
+      const DerivedPart* part = PartInDate(of.plan, document.parts, object, format);
+      if (!part)
+        continue;
+      const Measured measured = ReadMeasured(*part, blobs, of);
+      tables.front().rows.push_back({ called, NameOf(format), measured.verdict, measured.volume,
+        QString::fromStdString(part->bytes) });
+      if (!isMade && measured.certificate)
+        tables.push_back(CertificateRows(*measured.certificate, called, measured.faults));
+      isMade = true;
+    }
+    // Bone is a part only where somebody wants it printed.
+    const bool isBone =
+      FindPlanObject<PlanFragment>(of.plan, object) || FindPlanObject<PlanGroup>(of.plan, object);
+    if (!isMade && !isBone)
+      tables.front().rows.push_back({ called, "–",
+        QString::fromStdString(WhyNoPart(of.plan, document.parts, object)), "–", "–" });
+  }
+  return tables;
+}
+
+} // namespace hasp

@@ -1,0 +1,120 @@
+#include "Output/ReportPictures.h"
+
+#include "Output/ReportScene.h"
+
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <array>
+#include <utility>
+
+namespace hasp
+{
+namespace
+{
+
+using Text = ReportText;
+
+const glm::dvec3 GuideColour{ 0.10, 0.45, 0.75 }, PlateColour{ 0.45, 0.48, 0.52 },
+  ImplantColour{ 0.90, 0.62, 0.00 }, TransplantColour{ 0.00, 0.62, 0.45 },
+  BladeColour{ 0.95, 0.45, 0.05 }, ResectedColour{ 0.85, 0.15, 0.15 },
+  BoneColour{ 0.89, 0.85, 0.79 };
+constexpr double BladeOpacity = 0.25, ResectedOpacity = 0.45;
+
+glm::dvec3 ColourOf(const PlanFragment& fragment)
+{
+  return { fragment.colour[0] / 255.0, fragment.colour[1] / 255.0, fragment.colour[2] / 255.0 };
+}
+
+template <typename T>
+void AddParts(ReportScene& scene, const std::vector<T>& objects, const ReportBodies& bodies,
+  const glm::dvec3& colour)
+{
+  for (const T& object : objects)
+    if (const auto part = bodies.parts.find(object.id); part != bodies.parts.end())
+      scene.Add(part->second, {}, colour);
+}
+
+/// As scanned: all bone, blades, and what is put on there.
+void AddBefore(ReportScene& scene, const Plan& plan, const ReportBodies& bodies)
+{
+  for (const PlanFragment& fragment : plan.fragments)
+    if (const auto body = bodies.fragments.find(fragment.id); body != bodies.fragments.end())
+    {
+      const bool resected = fragment.state == FragmentState::Resected;
+      scene.Add(body->second, {}, resected ? ResectedColour : ColourOf(fragment),
+        resected ? ResectedOpacity : 1.0);
+    }
+  for (const PlanCut& cut : plan.cuts)
+    scene.AddBlade(cut.blade, BladeColour, BladeOpacity);
+  AddParts(scene, plan.guides, bodies, GuideColour);
+  AddParts(scene, plan.mitreGuides, bodies, GuideColour);
+}
+
+/// As planned: bone that is kept, where it goes, and what stays in the patient.
+void AddAfter(ReportScene& scene, const Plan& plan, const ReportBodies& bodies)
+{
+  for (const PlanFragment& fragment : plan.fragments)
+    if (const auto body = bodies.fragments.find(fragment.id);
+        body != bodies.fragments.end() && fragment.state == FragmentState::Kept)
+      scene.Add(body->second, fragment.scanToPlanned, ColourOf(fragment));
+  if (bodies.scan)
+    scene.Add(bodies.scan, {}, BoneColour);
+  AddParts(scene, plan.plates, bodies, PlateColour);
+  AddParts(scene, plan.implants, bodies, ImplantColour);
+  AddParts(scene, plan.transplants, bodies, TransplantColour);
+}
+
+void Draw(ReportScene& scene, const QString& caption, std::vector<ReportPicture>& pictures)
+{
+  const std::array sides{ std::pair('A', Text::tr("from the front")),
+    std::pair('L', Text::tr("from the patient's left")),
+    std::pair('R', Text::tr("from the patient's right")), std::pair('S', Text::tr("from above")) };
+  if (!scene.IsEmpty())
+    for (const auto& [side, from] : sides)
+      pictures.push_back({ caption.arg(from), scene.Draw(side) });
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> BoneSurface(vtkImageData* image, double isovalue)
+{
+  vtkNew<vtkFlyingEdges3D> edges;
+  edges->SetInputData(image);
+  edges->SetValue(0, isovalue);
+  edges->ComputeNormalsOn();
+  edges->ComputeGradientsOff();
+  edges->ComputeScalarsOff();
+  edges->Update();
+  return edges->GetOutput();
+}
+
+std::optional<glm::dvec3> MiddleOf(vtkPolyData* surface)
+{
+  if (surface->GetNumberOfPoints() == 0)
+    return std::nullopt;
+  double middle[3];
+  surface->GetCenter(middle);
+  return glm::dvec3(middle[0], middle[1], middle[2]);
+}
+
+ReportDrawing DrawReport(const Plan& plan, const ReportBodies& bodies)
+{
+  ReportDrawing drawing;
+  ReportScene scene;
+  if (!scene.CanDraw())
+    return drawing;
+  drawing.renderer = scene.Renderer();
+  if (!plan.cuts.empty() || !plan.guides.empty() || !plan.mitreGuides.empty())
+  {
+    AddBefore(scene, plan, bodies);
+    Draw(scene, Text::tr("Cuts and guides on the bone as it was scanned, %1."), drawing.pictures);
+    scene.Clear();
+  }
+  AddAfter(scene, plan, bodies);
+  Draw(scene, Text::tr("As planned, %1."), drawing.pictures);
+  return drawing;
+}
+
+} // namespace hasp

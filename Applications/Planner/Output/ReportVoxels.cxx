@@ -1,0 +1,114 @@
+#include "Output/ReportVoxels.h"
+
+#include "PlanFragmentLabels.h"
+#include "Planning/PlanLists.h"
+#include "Tools/Planner.h"
+#include "View/BlobFile.h"
+#include "View/FragmentWork.h"
+#include "View/SceneLayer.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkProp3D.h"
+
+#include <stdexcept>
+
+namespace hasp
+{
+namespace
+{
+
+using Text = ReportText;
+
+/// The triangles of a fragment of a surface, as the scene has them; nullptr: it has not.
+vtkPolyData* TrianglesOf(const Planner& planner, PlanId fragment)
+{
+  auto* actor = vtkActor::SafeDownCast(planner.scene.PropOf(fragment));
+  return actor && actor->GetMapper()
+           ? vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))
+           : nullptr;
+}
+
+void AddFragment(const Plan& plan, PlanId fragment, vtkImageData* voxels, ReportBodies& bodies)
+{
+  bodies.fragments[fragment] = BoneSurface(voxels, IsovalueOfFragment(plan, fragment));
+}
+
+/// Those that the scene has not shown yet.
+void MakeFragmentsNow(Planner& planner, const std::vector<PlanId>& fragments, ReportBodies& bodies,
+  QStringList& missing)
+{
+  if (fragments.empty())
+    return;
+  const SceneContext context{ planner.plan, planner.scans, planner.jobs, planner.views.Scene(), {},
+    {}, {}, {} };
+  const MadeFragments made = MakeFragments(VoxelWork(context), fragments, {});
+  for (const auto& [id, image] : made.images)
+    AddFragment(planner.plan.Now(), id, image, bodies);
+  for (const auto& [id, fault] : made.faults)
+    missing.append(Text::tr("Pictures lack a fragment: %1.").arg(QString::fromStdString(fault)));
+}
+
+void AddFragments(Planner& planner, ReportBodies& bodies, QStringList& missing)
+{
+  const Plan& plan = planner.plan.Now();
+  std::vector<PlanId> unseen;
+  for (const PlanFragment& fragment : plan.fragments)
+  {
+    if (IsDivided(plan, fragment.id))
+      continue;
+    if (vtkImageData* voxels = planner.scene.ImageOfFragment(fragment.id))
+      AddFragment(plan, fragment.id, voxels, bodies);
+    else if (IsOfScan(plan, fragment.id))
+      unseen.push_back(fragment.id);
+    else if (vtkPolyData* triangles = TrianglesOf(planner, fragment.id))
+      bodies.fragments[fragment.id] = triangles;
+    else
+      missing.append(Text::tr("Pictures lack %1: its surface is not shown; open its file, show it, "
+                              "and write the report again.")
+                       .arg(QString::fromStdString(CalledObject(plan, fragment.id))));
+  }
+  MakeFragmentsNow(planner, unseen, bodies, missing);
+}
+
+/// Those in date: what is out of date is no part of the plan.
+void AddParts(Planner& planner, ReportBodies& bodies, QStringList& missing)
+{
+  const Plan& plan = planner.plan.Now();
+  for (const PlanId object : PartObjects(plan))
+    for (const PartFormat format :
+      { PartFormat::Stl, PartFormat::ThreeMf, PartFormat::Ply, PartFormat::Obj })
+    {
+      const bool isBone = FindPlanObject<PlanFragment>(plan, object) || //
+                          FindPlanObject<PlanGroup>(plan, object);
+      const DerivedPart* part = PartInDate(plan, planner.plan.Document().parts, object, format);
+      if (isBone || !part || bodies.parts.contains(object))
+        continue;
+      try
+      {
+        bodies.parts[object] = ReadMeshBlob(planner.plan.Folder(), part->bytes, format, {});
+      }
+      catch (const std::runtime_error& error)
+      {
+        missing.append(Text::tr("Pictures lack %1: %2; make it again.")
+                         .arg(QString::fromStdString(CalledObject(plan, object)),
+                           QString::fromStdString(error.what())));
+      }
+    }
+}
+
+} // namespace
+
+ReportBodies BodiesOf(Planner& planner, QStringList& missing)
+{
+  ReportBodies bodies;
+  AddFragments(planner, bodies, missing);
+  AddParts(planner, bodies, missing);
+  if (planner.plan.Now().fragments.empty())
+    if (vtkImageData* scan = planner.scene.ShownImage())
+      bodies.scan = BoneSurface(scan, planner.scene.Isovalue());
+  return bodies;
+}
+
+} // namespace hasp

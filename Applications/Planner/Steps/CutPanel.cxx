@@ -1,0 +1,247 @@
+#include "Steps/CutPanel.h"
+
+#include "Planning/BladePlacing.h"
+#include "Steps/BladeNudge.h"
+#include "Steps/FaultLine.h"
+#include "Steps/ObjectChecks.h"
+#include "Steps/ObjectChooser.h"
+#include "Steps/PanelGroup.h"
+#include "Steps/PiecesBox.h"
+#include "Steps/PointsEdit.h"
+#include "Steps/RecipeForm.h"
+#include "Steps/TouchButton.h"
+#include "Steps/TouchedFragment.h"
+
+#include <QDoubleSpinBox>
+#include <QPushButton>
+
+namespace hasp
+{
+
+CutPanel::CutPanel(Planner& planner, QWidget* parent)
+  : StepPanel(planner, parent),
+    Draft(planner),
+    Blade(planner)
+{
+  auto* column = new QVBoxLayout(this);
+  this->List = new ObjectChooser(
+    planner, "cut", tr("&New"), [](const Plan& plan) { return IdsOf(plan.cuts); });
+  column->addWidget(this->List);
+  this->Fault = new FaultLine("cut");
+  column->addWidget(this->Fault);
+  this->AddPlacing(column);
+  this->AddNumbers(column);
+  this->Nudge = new BladeNudge;
+  this->Nudge->blade = [this] { return this->Draft.Typed().blade; };
+  AddGroup(column, tr("Move the blade by numbers"), this->Nudge);
+  this->Fragments =
+    new ObjectChecks("cut.fragment", tr("No fragment yet: touch bone, and it becomes one."));
+  AddGroup(column, tr("It cuts"), this->Fragments);
+  this->Pieces = new PiecesBox(planner);
+  AddGroup(column, tr("Pieces"), this->Pieces);
+  column->addStretch(1);
+
+  connect(this->List, &ObjectChooser::ChosenChanged, this, &CutPanel::ChooseCut);
+  connect(this->List, &ObjectChooser::NewAsked, this,
+    [this]
+    {
+      this->List->Choose(0);
+      this->ChooseCut(0);
+      this->Places->Take();
+    });
+  connect(this->Nudge, &BladeNudge::Nudged, this,
+    [this](const Osteotomy& blade)
+    {
+      this->Draft.Typed().blade = blade;
+      this->Put();
+    });
+  connect(this->Fragments, &ObjectChecks::Edited, this,
+    [this]
+    {
+      this->Draft.Typed().fragments = this->Fragments->Ticked();
+      this->Put();
+    });
+  connect(&planner.plan, &PlanSession::Changed, this, &CutPanel::Follow);
+  connect(&planner.tools, &ToolBox::Changed, this,
+    [this] { this->Drag->setChecked(this->Of.tools.InHand() == &this->Blade); });
+  this->Fill();
+}
+
+CutPanel::~CutPanel()
+{
+  this->Of.tools.Take(nullptr); // while all that follows it is there
+}
+
+void CutPanel::AddPlacing(QBoxLayout* column)
+{
+  auto* bone = new TouchButton(this->Of, "cut.bone", tr("&Bone from here"),
+    tr("Touch bone: all that is connected with it becomes a fragment, which can be cut."));
+  connect(bone, &TouchButton::Touched, this, &CutPanel::AddBone);
+  this->Places = new PointsEdit(this->Of, "cut.place", tr("&Touch the cut"),
+    { tr("Touch two places: the blade goes through them as you look. A third one turns it into the "
+         "plane through all three."),
+      3, true, LandmarkPurpose::Line::Open });
+  this->Drag = new QPushButton(tr("&Drag its handles"));
+  this->Drag->setObjectName("cut.drag");
+  this->Drag->setCheckable(true);
+  AddGroup(column, tr("Place it"), bone, this->Places, this->Drag);
+  connect(this->Places, &PointsEdit::Edited, this, &CutPanel::Touched);
+  connect(this->Drag, &QPushButton::clicked, this,
+    [this](bool on) { this->Of.tools.Take(on ? &this->Blade : nullptr); });
+}
+
+void CutPanel::AddNumbers(QBoxLayout* column)
+{
+  this->Form = new RecipeForm("cut");
+  this->Form->Text(
+    "name", tr("Name"), [this]() -> std::string& { return this->Draft.Typed().name; });
+  const auto blade = [this](double Osteotomy::*member)
+  {
+    return [this, member]() -> double& { return this->Draft.Typed().blade.*member; };
+  };
+  this->Form->Number(
+    "kerf", "kerfMm", tr("Kerf"), Millimetres(0.2, 5.0, 0.05), blade(&Osteotomy::kerfMm));
+  this->Form->Number(
+    "width", "widthMm", tr("Width"), Millimetres(0.1, 500.0, 1.0), blade(&Osteotomy::widthMm));
+  this->Form->Number(
+    "depth", "depthMm", tr("Depth"), Millimetres(0.1, 500.0, 1.0), blade(&Osteotomy::depthMm));
+  this->Form
+    ->Number("reach", "reachMm", tr("Reach"), Millimetres(0.0, 500.0, 1.0),
+      [this]() -> double& { return this->Draft.Typed().reachMm; })
+    ->setToolTip(tr("Bone of the fragment that is farther from what it cuts stays whole"));
+  AddGroup(column, tr("Blade"), this->Form);
+  this->Fault->Know(this->Form);
+  connect(this->Form, &RecipeForm::Edited, this, &CutPanel::Put);
+}
+
+QString CutPanel::StillNeeds() const
+{
+  const Plan& plan = this->Of.plan.Now();
+  if (plan.volumes.empty())
+    return tr("Import a scan first.");
+  if (!this->Of.scans.Missing(plan).empty() && !this->Of.scene.ShownImage())
+    return tr("Find the plan's scan first: it is not in memory.");
+  return {};
+}
+
+void CutPanel::Enter()
+{
+  if (this->List->Chosen() != 0)
+    this->Of.tools.Take(&this->Blade);
+}
+
+void CutPanel::Leave()
+{
+  this->Of.tools.Take(nullptr);
+}
+
+void CutPanel::AddBone(const TouchedPlace& place)
+{
+  PlanFragment bone = FragmentFromTouch(this->Of, place);
+  bone.id = this->Of.plan.NewId();
+  if (this->Of.plan.Do(AddObject<PlanFragment>{ bone }))
+    this->Of.scene.Select(bone.id);
+}
+
+void CutPanel::ChooseCut(PlanId cut)
+{
+  if (cut != this->Draft.Id())
+  {
+    this->Draft.Show(cut);
+    this->Places->SetPlaces({});
+    this->Counted = 0;
+  }
+  this->Fault->Say({});
+  this->Fill();
+  const bool placing = this->Of.tools.InHand() == &this->Places->Tool();
+  if (cut != 0 && !placing && this->isVisible())
+    this->Of.tools.Take(&this->Blade);
+}
+
+void CutPanel::Touched()
+{
+  const std::size_t count = this->Places->Places().size();
+  if (count == 2 && this->Counted < 2)
+    this->Seen = ViewDirection(this->Of);
+  const bool third = count == 3 && this->Counted == 2;
+  this->Counted = count;
+  if (count < 2)
+    return;
+  this->PlaceBlade();
+  if (third && this->Of.tools.InHand() == &this->Places->Tool())
+    this->Of.tools.Take(&this->Blade);
+}
+
+void CutPanel::PlaceBlade()
+{
+  const Plan& plan = this->Of.plan.Now();
+  const std::vector<TouchedPlace>& places = this->Places->Places();
+  TouchedPlace looked = places[0]; // cuts lie in the scan
+  looked.normal = this->Seen;
+  if (!this->Draft.IsShown())
+  {
+    PlanCut fresh;
+    fresh.name = tr("cut %1").arg(plan.cuts.size() + 1).toStdString();
+    this->Draft.Begin(fresh);
+  }
+  PlanCut& cut = this->Draft.Typed();
+  if (this->Draft.IsNew())
+    cut.fragments = FragmentsOf(plan, places);
+  try
+  {
+    cut.blade = BladeThrough(this->Places->Points(), NormalInScan(plan, looked), cut.blade);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->Fault->Say(QString::fromStdString(error.what()));
+    return;
+  }
+  std::vector<PlanEdit> before;
+  if (this->Draft.IsNew() && cut.fragments.empty() && places[0].object != 0)
+    return this->Fault->Say(tr("That is a surface: only bone of scans can be cut."));
+  if (this->Draft.IsNew() && cut.fragments.empty())
+  {
+    PlanFragment bone = FragmentFromTouch(this->Of, places[0]);
+    bone.id = this->Of.plan.NewId();
+    cut.fragments = { bone.id };
+    before = { AddObject<PlanFragment>{ bone } };
+  }
+  this->Fault->Say({});
+  const bool fresh = this->Draft.IsNew();
+  if (!this->Draft.Put(fresh ? tr("Add a cut") : tr("Place cut %1").arg(cut.id), before))
+    return;
+  this->List->Choose(this->Draft.Id());
+}
+
+void CutPanel::Put()
+{
+  if (!this->Draft.IsShown())
+    return;
+  const QString fault = this->Draft.Fault();
+  this->Fault->Say(fault);
+  if (fault.isEmpty())
+    this->Draft.Put(tr("Change cut %1").arg(this->Draft.Id()));
+}
+
+void CutPanel::Follow()
+{
+  if (this->Draft.Follow())
+    this->Fault->Say({});
+  this->Fill();
+}
+
+void CutPanel::Fill()
+{
+  const Plan& plan = this->Of.plan.Now();
+  const bool shown = this->Draft.Id() != 0;
+  this->Blade.SetCut(this->Draft.Id());
+  this->Form->Refresh();
+  this->Form->setEnabled(shown);
+  this->Nudge->setEnabled(shown);
+  this->Drag->setEnabled(shown);
+  this->Fragments->Show(plan, FragmentsOfScans(plan), this->Draft.Typed().fragments);
+  this->Fragments->setEnabled(shown);
+  this->Pieces->Show(this->Draft.Id());
+}
+
+} // namespace hasp

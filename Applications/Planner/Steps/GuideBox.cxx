@@ -1,0 +1,243 @@
+// What a guide's form does; its rows are in GuideRows.cxx.
+#include "Steps/GuideBox.h"
+
+#include "PlanFragmentLabels.h"
+#include "Planning/BladePlacing.h"
+#include "Steps/MatchPoints.h"
+#include "Steps/ObjectChecks.h"
+#include "Steps/PointsEdit.h"
+#include "Steps/TouchedFragment.h"
+
+#include <QComboBox>
+#include <QTabWidget>
+
+#include <algorithm>
+
+namespace hasp
+{
+
+namespace
+{
+constexpr double SameDirection = 2e-3; // a tenth of a degree
+
+LandmarkPurpose LandmarksOf(const GuideRecipe& recipe)
+{
+  LandmarkPurpose purpose{ GuideBox::tr("Touch bone along the middle of the guide, in order.") };
+  purpose.line = recipe.outline == GuideOutline::Open ? LandmarkPurpose::Line::Open
+                                                      : LandmarkPurpose::Line::Closed;
+  return purpose;
+}
+} // namespace
+
+GuideBox::GuideBox(Planner& planner, QWidget* parent)
+  : ObjectBox(planner, "guide", tr("&New"), tr("guide"), parent),
+    Landmarks(new PointsEdit(planner, "guide.landmarks", tr("&Touch bone"), LandmarksOf({}))),
+    Pins(new PointsEdit(planner, "guide.pins", tr("Touch &pins"),
+      { tr("Touch where pins go through the guide into bone."), 100, true,
+        LandmarkPurpose::Line::None, QColor(120, 200, 255) })),
+    LabelPlace(new PointsEdit(planner, "guide.label", tr("Touch the &label's place"),
+      { tr("Touch bone below the middle of the label."), 1, true, LandmarkPurpose::Line::None,
+        QColor(255, 140, 255) })),
+    Cuts(new ObjectChecks("guide.cut", tr("The plan has no cuts: make them in the step Cut.")))
+{
+  this->NextLabel.kind = GuideLabelKind::Case;
+  auto* pages = new QTabWidget;
+  pages->setObjectName("guide.pages");
+  pages->addTab(this->AreaPage(), tr("Area"));
+  pages->addTab(this->ShapePage(), tr("Shape"));
+  pages->addTab(this->CutsPage(), tr("Cuts"));
+  pages->addTab(this->PinsPage(), tr("Pins"));
+  this->Column->addWidget(pages);
+  const auto put = [this] { this->Put(); };
+  for (RecipeForm* form : { this->Area, this->Shape, this->LabelForm })
+    connect(form, &RecipeForm::Edited, this, put);
+  connect(this->PinForm, &RecipeForm::Edited, this, &GuideBox::TakePinNumbers);
+  connect(this->Landmarks, &PointsEdit::Edited, this, &GuideBox::TakeLandmarks);
+  connect(this->Pins, &PointsEdit::Edited, this, &GuideBox::TakePins);
+  connect(&this->Pins->Tool(), &LandmarkTool::SelectedChanged, this->PinForm, &RecipeForm::Refresh);
+  connect(this->LabelPlace, &PointsEdit::Edited, this, &GuideBox::TakeLabel);
+  connect(this->Bone, qOverload<int>(&QComboBox::activated), this, &GuideBox::TakeBone);
+  connect(this->Cuts, &ObjectChecks::Edited, this,
+    [this]
+    {
+      this->Draft.Typed().cuts = this->Cuts->Ticked();
+      this->Put();
+    });
+  this->Fill();
+}
+
+void GuideBox::PutAway()
+{
+  for (PointsEdit* points : { this->Landmarks, this->Pins, this->LabelPlace })
+    points->PutAway();
+}
+
+PlanGuide GuideBox::Fresh()
+{
+  const Plan& plan = this->Of.plan.Now();
+  PlanGuide guide;
+  guide.name = tr("guide %1").arg(plan.guides.size() + 1).toStdString();
+  guide.cuts = IdsOf(plan.cuts); // a guide is there for its cuts
+  return guide;
+}
+
+void GuideBox::Begun()
+{
+  this->FollowsNormals = true;
+  this->Landmarks->Take();
+}
+
+/// As the guide's bone was scanned, of a fragment that the reduction has turned.
+glm::dvec3 GuideBox::InScan(const glm::dvec3& direction)
+{
+  TouchedPlace place;
+  place.object = this->Draft.Typed().bone;
+  place.normal = direction;
+  return NormalInScan(this->Of.plan.Now(), place);
+}
+
+glm::dvec3 GuideBox::MeanNormal()
+{
+  Planner& planner = this->Of;
+  const PlanId bone = this->Draft.Typed().bone;
+  const PlanId scan = VolumeOfFragment(planner.plan.Now(), bone);
+  std::vector<glm::dvec3> normals;
+  for (const TouchedPlace& place : this->Landmarks->Places())
+    normals.push_back(ScanNormal(planner, scan != 0 ? scan : bone, place));
+  return MeanDirection(normals).value_or(glm::dvec3(0.0));
+}
+
+void GuideBox::SetWithdrawal(const glm::dvec3& direction)
+{
+  GuideRecipe& recipe = this->Recipe();
+  for (GuideHole& hole : recipe.holes) // those that stood along it, stand along it
+    if (glm::distance(hole.axis, recipe.withdrawal) < SameDirection)
+      hole.axis = direction;
+  recipe.withdrawal = direction;
+  this->FollowsNormals = glm::distance(this->MeanNormal(), direction) < SameDirection;
+}
+
+void GuideBox::TakeLandmarks()
+{
+  if (!this->Draft.IsShown())
+    this->Draft.Begin(this->Fresh());
+  Planner& planner = this->Of;
+  const Plan& plan = planner.plan.Now();
+  PlanGuide& guide = this->Draft.Typed();
+  const std::vector<TouchedPlace>& places = this->Landmarks->Places();
+  if (guide.bone == 0 && !places.empty())
+  {
+    // Guides are worn before the saw: the whole bone, where a piece of it was touched.
+    const PlanFragment* whole = WholeOf(plan, places[0].object);
+    guide.bone = whole ? whole->id : planner.scene.ShownVolume();
+    guide.recipe.isovalue = whole ? IsovalueOfFragment(plan, whole->id) : planner.scene.Isovalue();
+  }
+  guide.recipe.landmarks = this->Landmarks->Points();
+  if (const glm::dvec3 mean = this->MeanNormal(); this->FollowsNormals && mean != glm::dvec3(0.0))
+    this->SetWithdrawal(mean);
+  this->Put();
+}
+
+void GuideBox::TakeBone()
+{
+  if (!this->Draft.IsShown())
+    return;
+  this->Draft.Typed().bone = this->Bone->currentData().toUInt();
+  this->Put();
+}
+
+void GuideBox::TakePins()
+{
+  GuideHole fresh = this->NextPin;
+  fresh.axis = this->Recipe().withdrawal;
+  this->Recipe().holes = MatchPoints(this->Recipe().holes, this->Pins->Points(), fresh);
+  this->Put();
+}
+
+GuideHole& GuideBox::Pin()
+{
+  std::vector<GuideHole>& holes = this->Recipe().holes;
+  const int chosen = this->Pins->Tool().Selected();
+  return chosen >= 0 && chosen < int(holes.size()) ? holes[std::size_t(chosen)] : this->NextPin;
+}
+
+/// Of the chosen pin, or of all, and of those to come.
+void GuideBox::TakePinNumbers()
+{
+  if (&this->Pin() == &this->NextPin)
+    for (GuideHole& hole : this->Recipe().holes)
+    {
+      hole.diameterMm = this->NextPin.diameterMm;
+      hole.depthMm = this->NextPin.depthMm;
+      hole.sleeveHeightMm = this->NextPin.sleeveHeightMm;
+    }
+  this->Put();
+}
+
+GuideLabel* GuideBox::CaseLabel()
+{
+  std::vector<GuideLabel>& labels = this->Recipe().labels;
+  const auto found = std::find_if(labels.begin(), labels.end(),
+    [](const GuideLabel& label) { return label.kind == GuideLabelKind::Case; });
+  return found == labels.end() ? nullptr : &*found;
+}
+
+GuideLabel& GuideBox::Label()
+{
+  GuideLabel* label = this->CaseLabel();
+  return label ? *label : this->NextLabel;
+}
+
+void GuideBox::TakeLabel()
+{
+  GuideLabel* label = this->CaseLabel();
+  const std::vector<glm::dvec3> points = this->LabelPlace->Points();
+  if (points.empty())
+    std::erase_if(this->Recipe().labels,
+      [](const GuideLabel& each) { return each.kind == GuideLabelKind::Case; });
+  else if (label)
+    label->point = points[0];
+  else
+  {
+    GuideLabel fresh = this->NextLabel;
+    fresh.point = points[0];
+    fresh.right = this->InScan(ViewRight(this->Of));
+    this->Recipe().labels.push_back(fresh);
+  }
+  this->Put();
+}
+
+void GuideBox::Fill()
+{
+  const Plan& plan = this->Of.plan.Now();
+  const PlanGuide& guide = this->Draft.Typed();
+  const bool shown = this->Draft.IsShown();
+  this->Landmarks->Tool().SetPurpose(LandmarksOf(guide.recipe));
+  this->Landmarks->SetPoints(guide.recipe.landmarks, guide.bone);
+  this->Pins->SetPoints(PointsOf(guide.recipe.holes), guide.bone);
+  const GuideLabel* label = this->CaseLabel();
+  this->LabelPlace->SetPoints(
+    label ? std::vector<glm::dvec3>{ label->point } : std::vector<glm::dvec3>{}, guide.bone);
+  if (shown && !this->Draft.IsNew())
+    this->FollowsNormals =
+      glm::distance(this->MeanNormal(), guide.recipe.withdrawal) < SameDirection;
+  this->FillBones();
+  this->Cuts->Show(plan, IdsOf(plan.cuts), guide.cuts);
+  this->FillForms();
+  this->Pins->setEnabled(shown);
+  this->LabelPlace->setEnabled(shown);
+  this->Cuts->setEnabled(shown);
+}
+
+void GuideBox::FillBones()
+{
+  const Plan& plan = this->Of.plan.Now();
+  this->Bone->clear();
+  for (const PlanVolume& volume : plan.volumes)
+    this->Bone->addItem(CalledWithName(plan, volume.id), volume.id);
+  for (const PlanId fragment : FragmentsOfScans(plan))
+    this->Bone->addItem(CalledWithName(plan, fragment), fragment);
+  this->Bone->setCurrentIndex(this->Bone->findData(this->Draft.Typed().bone));
+}
+
+} // namespace hasp

@@ -1,0 +1,48 @@
+#include "Steps/PanelWidgets.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+
+namespace hasp
+{
+
+QPushButton* AddButton(QBoxLayout* layout, const char* name, const QString& text)
+{
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  layout->addWidget(button);
+  return button;
+}
+
+QCheckBox* AddCheckBox(QBoxLayout* layout, const char* name, const QString& text)
+{
+  auto* box = new QCheckBox(text);
+  box->setObjectName(QLatin1String(name));
+  layout->addWidget(box);
+  return box;
+}
+
+QDoubleSpinBox* AddSpinBox(
+  QBoxLayout* layout, const char* name, const QString& label, const NumberRange& range)
+{
+  auto* box = new QDoubleSpinBox;
+  box->setObjectName(QLatin1String(name));
+  box->setDecimals(range.decimals);
+  box->setRange(range.least, range.most);
+  box->setValue(range.value);
+  box->setSuffix(range.unit);
+  box->setKeyboardTracking(false);
+  if (!label.isEmpty())
+  {
+    auto* text = new QLabel(label);
+    text->setBuddy(box);
+    layout->addWidget(text);
+  }
+  layout->addWidget(box);
+  return box;
+}
+
+} // namespace hasp

@@ -1,0 +1,27 @@
+#pragma once
+#include <QString>
+
+class QBoxLayout;
+class QCheckBox;
+class QDoubleSpinBox;
+class QPushButton;
+
+namespace hasp
+{
+
+/// What panels are made of, each behind what their layout has already. RENDER.
+
+QPushButton* AddButton(QBoxLayout* layout, const char* name, const QString& text);
+QCheckBox* AddCheckBox(QBoxLayout* layout, const char* name, const QString& text);
+
+struct NumberRange
+{
+  double least = 0.0, most = 1.0, value = 0.0;
+  QString unit;
+  int decimals = 1;
+};
+/// With its label, unless that is empty. Typed numbers count when they are complete.
+QDoubleSpinBox* AddSpinBox(
+  QBoxLayout* layout, const char* name, const QString& label, const NumberRange& range);
+
+} // namespace hasp

@@ -1,0 +1,61 @@
+#pragma once
+#include "Steps/StepPanel.h"
+#include "Tools/PaintTool.h"
+#include "Tools/PickTool.h"
+
+class QBoxLayout;
+class QCheckBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace hasp
+{
+
+class LabelList;
+
+/// What is bone, and which fragment each part of it is: by painting on it, by its pieces, or from a
+/// place in it.
+///
+/// Widgets: IsovalueBox's and LabelList's; split.paint, split.radius, split.eraser,
+/// split.paint.crosshair, split.working, split.rethreshold, split.fill, split.close,
+/// split.close.radius, split.make, split.pieces, split.pieces.least, split.bone.pick,
+/// split.bone.crosshair.
+class SplitPanel : public StepPanel
+{
+  Q_OBJECT
+public:
+  explicit SplitPanel(Planner& planner, QWidget* parent = nullptr);
+
+  QString Title() const override { return tr("Split"); }
+  QString StillNeeds() const override;
+  void Enter() override; ///< slices show where bone begins
+  void Leave() override; ///< what is painted stays in the plan; its preview is released
+
+  PaintTool& Paint() { return this->Brush; }
+
+private:
+  QGroupBox* MakePainting();
+  void AddCleaning(QBoxLayout* layout);
+  QGroupBox* MakeBones();
+  void Refresh();
+  void ShowWork();
+  void ShowLine();
+  void AddStep(const SegmentationStep& step, const QString& label);
+  void UseIsovalue();
+
+  PaintTool Brush;
+  PickTool Pick;
+  bool Entered = false;
+  LabelList* Labels = nullptr;
+  QPushButton *Painting = nullptr, *AtCrosshair = nullptr, *Rethreshold = nullptr, *Fill = nullptr,
+              *Close = nullptr, *Make = nullptr, *Pieces = nullptr, *Picking = nullptr,
+              *BoneAtCrosshair = nullptr;
+  QCheckBox* Eraser = nullptr;
+  QDoubleSpinBox *Radius = nullptr, *CloseRadius = nullptr, *Least = nullptr;
+  QProgressBar* Working = nullptr;
+};
+
+} // namespace hasp

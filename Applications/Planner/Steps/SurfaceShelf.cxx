@@ -1,0 +1,109 @@
+#include "Steps/SurfaceShelf.h"
+
+#include "Tools/Planner.h"
+#include "vtkHaspOutputFile.h"
+#include "vtkHaspSurfaceFile.h"
+#include "vtkHaspSurfaceHash.h"
+#include "vtkHaspVolumeView.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace hasp
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+fs::path FileOf(const fs::path& folder, const std::string& hash)
+{
+  return folder / (hash + ".ply");
+}
+
+} // namespace
+
+SurfaceShelf::SurfaceShelf(Planner& planner) : QObject(&planner), With(planner) {}
+
+SurfaceShelf& SurfaceShelf::Of(Planner& planner)
+{
+  if (auto* there = planner.findChild<SurfaceShelf*>(QString(), Qt::FindDirectChildrenOnly))
+    return *there;
+  return *new SurfaceShelf(planner); // the planner's own
+}
+
+void SurfaceShelf::Put(const std::string& hash, Mesh mesh)
+{
+  this->With.scene.PutSurface(hash, MakePolyData(*mesh));
+  this->Meshes.insert_or_assign(hash, std::move(mesh));
+  Q_EMIT this->Added();
+}
+
+SurfaceShelf::Mesh SurfaceShelf::Find(const std::string& hash) const
+{
+  const auto found = this->Meshes.find(hash);
+  return found == this->Meshes.end() ? nullptr : found->second;
+}
+
+std::vector<PlanSurface> SurfaceShelf::Missing(const Plan& plan) const
+{
+  std::vector<PlanSurface> missing;
+  std::copy_if(plan.surfaces.begin(), plan.surfaces.end(), std::back_inserter(missing),
+    [&](const PlanSurface& surface) { return !this->Meshes.contains(surface.hash); });
+  return missing;
+}
+
+fs::path SurfaceShelf::Folder() const
+{
+  return this->With.folders.state / "surfaces";
+}
+
+bool SurfaceShelf::IsKept(const std::string& hash) const
+{
+  std::error_code ignored; // then it is not
+  return fs::exists(FileOf(this->Folder(), hash), ignored);
+}
+
+void SurfaceShelf::Keep(const fs::path& folder, const std::string& hash, const TriangleMesh& mesh)
+{
+  const fs::path file = FileOf(folder, hash);
+  std::error_code error;
+  if (fs::exists(file, error))
+    return;
+  fs::create_directories(folder, error);
+  try
+  {
+    WriteSurface(MakePolyData(mesh), file.string());
+  }
+  catch (const std::exception&) // as the header says
+  {
+  }
+}
+
+SurfaceShelf::Mesh SurfaceShelf::ReadKept(
+  const fs::path& folder, const std::string& hash, const ProgressFunction& progress)
+{
+  const fs::path file = FileOf(folder, hash);
+  std::error_code error;
+  if (!fs::exists(file, error))
+    return nullptr;
+  try
+  {
+    auto mesh = std::make_shared<const TriangleMesh>(
+      MakeTriangleMesh(LoadSurface(file.string(), {}, progress).surface));
+    if (SurfaceHash(*mesh) == hash)
+      return mesh;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::exception&) // damaged: as if it were not there
+  {
+  }
+  fs::remove(file, error);
+  return nullptr;
+}
+
+} // namespace hasp

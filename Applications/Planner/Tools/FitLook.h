@@ -1,0 +1,13 @@
+#pragma once
+
+class vtkRenderer;
+
+namespace hasp
+{
+
+struct FitBody;
+
+/// Looks at a part and its way off the bone from the side, the way up. RENDER.
+void LookAtWay(vtkRenderer* renderer, const FitBody& body);
+
+} // namespace hasp

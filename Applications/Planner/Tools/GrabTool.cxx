@@ -1,0 +1,250 @@
+#include "Tools/GrabTool.h"
+
+#include "Devices/HapticDevice.h"
+#include "HapticExchange.h"
+#include "Tools/Planner.h"
+#include "vtkHaspHapticInteractor.h"
+#include "vtkHaspHapticLoop.h"
+#include "vtkHaspReductionSession.h"
+
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkProp3D.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hasp
+{
+namespace
+{
+constexpr int TellMs = 100;
+constexpr double MostSamples = 8e6; ///< of the largest fragment's distances: some seconds
+}
+
+GrabTool::GrabTool(Planner& planner, QObject* parent)
+  : Tool(parent),
+    Of(planner),
+    Faults([&planner](const QString& text) { planner.SayFault(text); })
+{
+  this->Command->SetClientData(this);
+  this->Command->SetCallback([](vtkObject* object, unsigned long event, void* self, void*)
+    { static_cast<GrabTool*>(self)->Heard(object, event); });
+  this->Soon.setSingleShot(true);
+  this->Soon.setInterval(0);
+  this->Telling.setInterval(TellMs);
+  connect(&this->Soon, &QTimer::timeout, this, &GrabTool::Follow);
+  connect(&this->Telling, &QTimer::timeout, this,
+    [this]
+    {
+      const GrabState now = this->State();
+      if (!now.held.empty())
+        this->Of.views.Scene().Moving();
+      const bool isBaking = this->Hand && this->Hand->GetState() == vtkHaspHapticInteractor::Baking;
+      if (!isBaking && now.held.empty())
+        this->Telling.stop();
+      Q_EMIT this->StateChanged();
+    });
+}
+
+GrabTool::~GrabTool()
+{
+  if (this->Of.tools.InHand() == this)
+    this->Of.tools.Take(nullptr);
+}
+
+void GrabTool::MakeHand()
+{
+  if (this->Hand)
+    return;
+  this->Hand = vtkSmartPointer<vtkHaspHapticInteractor>::New();
+  this->Faults.Follow(this->Hand);
+  this->Faults.Follow(this->Hand->GetLoop());
+  this->Hand->SetRenderer(this->Of.views.Scene().Renderer());
+}
+
+void GrabTool::Begin()
+{
+  this->MakeHand();
+  if (!this->HasDevice)
+    this->Hand->UseMouse();
+  this->Hand->SetSnapToFit(this->Snap);
+  this->Hand->SetShowForces(this->Forces);
+  for (const unsigned long event :
+    { vtkHaspHapticInteractor::GrabEvent, vtkHaspHapticInteractor::ReleaseEvent,
+      vtkHaspHapticInteractor::ContactEvent, vtkHaspHapticInteractor::FreeEvent })
+    this->Hand->AddObserver(event, this->Command);
+  this->Session = vtkSmartPointer<vtkHaspReductionSession>::New();
+  this->Faults.Follow(this->Session);
+  this->Session->SetHistory(this->Of.plan.History());
+  this->Session->SetInteractor(this->Hand);
+  this->Session->AddObserver(vtkHaspReductionSession::PlanChangedEvent, this->Command);
+  // Right before a frame: its pose is the newest.
+  this->FrameTag =
+    this->Of.views.Scene().renderWindow()->AddObserver(vtkCommand::StartEvent, this->Command);
+  connect(&this->Of.plan, &PlanSession::Changed, this, &GrabTool::FollowSoon);
+  connect(&this->Of.scene, &PlanScene::PropsChanged, this, &GrabTool::FollowSoon);
+  this->Follow();
+  this->Hand->Start();
+}
+
+void GrabTool::End()
+{
+  this->Hand->Release(); // a step of the plan
+  disconnect(&this->Of.plan, &PlanSession::Changed, this, &GrabTool::FollowSoon);
+  disconnect(&this->Of.scene, &PlanScene::PropsChanged, this, &GrabTool::FollowSoon);
+  this->Of.views.Scene().renderWindow()->RemoveObserver(this->FrameTag);
+  this->Soon.stop();
+  this->Telling.stop();
+  this->Hand->Stop();
+  this->Hand->RemoveObserver(this->Command);
+  this->Session->RemoveObserver(this->Command);
+  this->Session->SetInteractor(nullptr); // takes back what was given to it
+  this->Session = nullptr;
+  this->Known.clear();
+  if (!this->HasDevice)
+    this->Hand = nullptr;
+  this->Of.views.Scene().Draw();
+  Q_EMIT this->HeldChanged();
+  Q_EMIT this->StateChanged();
+}
+
+QString GrabTool::Hint() const
+{
+  return tr("Drag a fragment to move it; the wheel moves it in depth, the middle button turns it, "
+            "Shift holds it. Beside fragments the view turns. Esc: back");
+}
+
+bool GrabTool::UseDevice(std::unique_ptr<HapticDevice> device)
+{
+  if (!device)
+    return this->UseMouse();
+  this->MakeHand();
+  this->HasDevice = this->Hand->SetDevice(std::move(device));
+  if (this->HasDevice && this->Session)
+    this->Hand->Start();
+  return this->HasDevice;
+}
+
+bool GrabTool::UseMouse()
+{
+  this->HasDevice = false;
+  if (!this->Session)
+  {
+    this->Hand = nullptr; // Begin asks for the mouse
+    return true;
+  }
+  return this->Hand->UseMouse() && this->Hand->Start();
+}
+
+void GrabTool::SetSnap(bool on)
+{
+  this->Snap = on;
+  if (this->Hand)
+    this->Hand->SetSnapToFit(on);
+}
+
+void GrabTool::SetShowForces(bool on)
+{
+  this->Forces = on;
+  if (this->Hand)
+    this->Hand->SetShowForces(on);
+  this->Of.views.Scene().Draw();
+}
+
+/// So that the largest fragment's distances have MostSamples at most.
+double GrabTool::Spacing() const
+{
+  double mm = 0.1;
+  for (const PlanFragment& fragment : this->Of.plan.Now().fragments)
+    if (vtkImageData* image = this->Of.scene.ImageOfFragment(fragment.id))
+    {
+      const int* dims = image->GetDimensions();
+      const double* step = image->GetSpacing();
+      const double volume = dims[0] * step[0] * dims[1] * step[1] * dims[2] * step[2];
+      mm =
+        std::max({ mm, std::min({ step[0], step[1], step[2] }), std::cbrt(volume / MostSamples) });
+    }
+  return mm;
+}
+
+void GrabTool::Follow()
+{
+  if (!this->Session || this->Hand->GetHeldTool() >= 0)
+    return; // when it is let go
+  std::map<PlanId, vtkWeakPointer<vtkProp3D>> now;
+  for (const PlanFragment& fragment : this->Of.plan.Now().fragments)
+    if (vtkProp3D* prop = this->Of.scene.PropOf(fragment.id))
+      now[fragment.id] = prop; // the session knows which of them are resected
+  for (const auto& [id, prop] : this->Known)
+    if (const auto found = now.find(id); found == now.end() || found->second != prop)
+      this->Session->RemoveFragment(id);
+  this->Hand->SetSpacing(this->Spacing());
+  for (const auto& [id, prop] : now)
+    if (const auto found = this->Known.find(id);
+        found == this->Known.end() || found->second != prop)
+      this->Session->AddFragment(id, prop);
+  this->Known = std::move(now);
+  this->Session->Follow();
+  this->Telling.start();
+  this->Of.views.Scene().Draw();
+}
+
+void GrabTool::Heard(vtkObject* object, unsigned long event)
+{
+  if (object == this->Session)
+    this->Of.plan.Took();
+  else if (object != this->Hand)
+    this->Hand->Update(); // a frame begins
+  else if (event == vtkHaspHapticInteractor::GrabEvent ||
+           event == vtkHaspHapticInteractor::ReleaseEvent)
+  {
+    this->Telling.start();
+    if (event == vtkHaspHapticInteractor::ReleaseEvent)
+      this->FollowSoon(); // what has changed meanwhile
+    Q_EMIT this->HeldChanged();
+    Q_EMIT this->StateChanged();
+  }
+  else
+    Q_EMIT this->StateChanged(); // it touches, or does not any more
+}
+
+std::vector<PlanId> GrabTool::Held() const
+{
+  std::vector<PlanId> held;
+  const int tool = this->Session ? this->Hand->GetHeldTool() : -1;
+  for (const auto& [id, prop] : this->Known)
+    if (tool >= 0 && this->Session->GetTool(id) == tool)
+      held.push_back(id);
+  return held;
+}
+
+vtkHaspHapticInteractor* GrabTool::Haptic() const
+{
+  return this->Hand;
+}
+
+GrabState GrabTool::State() const
+{
+  GrabState state;
+  if (!this->Session)
+    return state;
+  state.isReady = this->Hand->GetState() == vtkHaspHapticInteractor::Ready;
+  state.share = this->Hand->GetProgress();
+  state.held = this->Held();
+  if (state.held.empty())
+    return state;
+  const HapticSnapshot& seen = this->Hand->GetLoop()->GetSnapshot();
+  state.isTouching = seen.contacts > 0;
+  state.contactN = glm::length(seen.contact.force);
+  state.attractionN = glm::length(seen.attraction.force);
+  state.deepestMm = std::max(0.0, -seen.deepestMm);
+  return state;
+}
+
+} // namespace hasp

@@ -1,0 +1,20 @@
+#include "Tools/Planner.h"
+
+namespace hasp
+{
+
+Planner::Planner(const PlannerFolders& folders, const std::filesystem::path& work, ViewGrid& views)
+  : folders(folders),
+    plan(work),
+    scans(folders.state / "scans"),
+    views(views),
+    scene(plan, scans, jobs, views.Scene())
+{
+  connect(&this->plan, &PlanSession::Refused, this, &Planner::SayFault);
+  connect(&this->plan, &PlanSession::Warned, this, &Planner::SayFault);
+  connect(&this->jobs, &JobQueue::Failed, this,
+    [this](const QString& what, const QString& text)
+    { this->SayFault(tr("%1 failed: %2").arg(what, text)); });
+}
+
+} // namespace hasp

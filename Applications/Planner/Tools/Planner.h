@@ -1,0 +1,52 @@
+#pragma once
+#include "Model/JobQueue.h"
+#include "Model/PlanSession.h"
+#include "Model/ScanShelf.h"
+#include "Tools/Tool.h"
+#include "View/PlanScene.h"
+#include "View/SceneView.h"
+#include "View/ViewGrid.h"
+
+#include <QObject>
+#include <QString>
+
+#include <filesystem>
+
+namespace hasp
+{
+
+class StudyLog;
+
+/// Where the planner keeps what is its own (never a patient's): journals, kept scans, the recent
+/// list.
+struct PlannerFolders
+{
+  std::filesystem::path state; ///< $XDG_STATE_HOME/hasp-planner, ~/.local/state/hasp-planner
+  std::filesystem::path plans; ///< where plans are saved unless said otherwise: ~/Hasp
+};
+
+/// Everything that the window's parts share. Made by PlannerWindow. Threads: RENDER.
+struct Planner : public QObject
+{
+  Q_OBJECT
+public:
+  Planner(const PlannerFolders& folders, const std::filesystem::path& work, ViewGrid& views);
+
+  PlannerFolders folders;
+  PlanSession plan;
+  ScanShelf scans;
+  JobQueue jobs;
+  ViewGrid& views;
+  PlanScene scene; ///< in views.Scene()
+  ToolBox tools;
+  StudyLog* study = nullptr; ///< none: no study is run
+
+  /// A line to the user, in the message bar until it is closed or another comes; faults stay red.
+  void Say(const QString& text) { Q_EMIT Said(text, false); }
+  void SayFault(const QString& text) { Q_EMIT Said(text, true); }
+
+Q_SIGNALS:
+  void Said(const QString& text, bool fault);
+};
+
+} // namespace hasp

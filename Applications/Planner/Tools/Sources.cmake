@@ -1,0 +1,23 @@
+hasp_add_planner_part(Tools
+  SOURCES
+    Tools/Tool.cxx Tools/Tool.h
+    Tools/Planner.cxx Tools/Planner.h
+    Tools/BladeTool.cxx Tools/BladeTool.h
+    Tools/DistanceBody.cxx Tools/DistanceBody.h
+    Tools/DistanceColours.cxx Tools/DistanceColours.h
+    Tools/FitBody.h
+    Tools/FitLook.cxx Tools/FitLook.h
+    Tools/FitTool.cxx Tools/FitTool.h
+    Tools/GrabTool.cxx Tools/GrabTool.h
+    Tools/LandmarkTool.cxx Tools/LandmarkTool.h
+    Tools/MeasureTool.cxx Tools/MeasureTool.h
+    Tools/PaintPreview.cxx Tools/PaintPreview.h
+    Tools/PaintTool.cxx Tools/PaintTool.h
+    Tools/PickTool.cxx Tools/PickTool.h
+    Tools/PropCover.cxx Tools/PropCover.h
+    Tools/StrokeEdits.cxx Tools/StrokeEdits.h
+    Tools/ToolMarks.cxx Tools/ToolMarks.h
+    Tools/Touch.cxx Tools/Touch.h
+    Tools/ViewMouse.cxx Tools/ViewMouse.h
+    Tools/VtkFaults.cxx Tools/VtkFaults.h
+  LIBRARIES HaspPlannerView)

@@ -1,0 +1,31 @@
+#include "Tools/Tool.h"
+
+namespace hasp
+{
+
+void ToolBox::Take(Tool* tool)
+{
+  if (tool == this->Now)
+    return;
+  if (Tool* before = this->Now)
+  {
+    this->Now = nullptr;
+    disconnect(before, nullptr, this, nullptr);
+    before->End();
+  }
+  this->Now = tool;
+  if (tool)
+  {
+    connect(tool, &Tool::HintChanged, this, &ToolBox::Changed);
+    connect(tool, &QObject::destroyed, this,
+      [this, tool]
+      {
+        if (this->Now == tool)
+          this->Now = nullptr;
+      });
+    tool->Begin();
+  }
+  Q_EMIT this->Changed();
+}
+
+} // namespace hasp

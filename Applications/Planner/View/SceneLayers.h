@@ -1,0 +1,61 @@
+#pragma once
+#include "View/BladeProps.h"
+#include "View/FragmentProps.h"
+#include "View/GhostProps.h"
+#include "View/MeasureProps.h"
+#include "View/PartProps.h"
+#include "View/ScanSurface.h"
+#include "View/SurfaceProps.h"
+
+#include "vtkBoundingBox.h"
+
+#include <array>
+
+namespace hasp
+{
+
+/// All that a scene is made of. Threads: RENDER.
+struct SceneLayers
+{
+  explicit SceneLayers(SceneContext& of)
+    : fragments(of),
+      scan(of),
+      surfaces(of),
+      parts(of),
+      ghosts(of),
+      blades(of),
+      measures(of)
+  {
+  }
+  /// The scan after the fragments, on which it rests whether it is seen; measures last, for they
+  /// follow what is there.
+  std::array<SceneLayer*, 7> All()
+  {
+    return { &this->fragments, &this->scan, &this->surfaces, &this->parts, &this->ghosts,
+      &this->blades, &this->measures };
+  }
+  vtkBoundingBox Bounds()
+  {
+    vtkBoundingBox box;
+    for (const SceneLayer* layer : this->All())
+      layer->AddBounds(box);
+    return box;
+  }
+  void Forget() ///< another plan
+  {
+    this->fragments.Forget();
+    this->scan.Forget();
+    this->parts.Forget();
+    this->ghosts.Forget();
+  }
+
+  FragmentProps fragments;
+  ScanSurface scan;
+  SurfaceProps surfaces;
+  PartProps parts;
+  GhostProps ghosts;
+  BladeProps blades;
+  MeasureProps measures;
+};
+
+} // namespace hasp

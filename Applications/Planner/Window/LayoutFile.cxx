@@ -1,0 +1,167 @@
+#include "Window/LayoutFile.h"
+
+#include "Window/LayoutNames.h"
+#include "Window/LayoutWidgets.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QWidget>
+
+#include <algorithm>
+#include <fstream>
+
+namespace hasp
+{
+namespace
+{
+
+constexpr int LeastMs = 50; // between two files
+constexpr int NoisyMs = 2;  // until it is looked again whether more has come
+
+nlohmann::ordered_json NameOrNull(const QWidget* widget)
+{
+  const QString name = widget ? LayoutName(*widget) : QString();
+  return name.isEmpty() ? nlohmann::ordered_json(nullptr)
+                        : nlohmann::ordered_json(name.toStdString());
+}
+
+nlohmann::ordered_json DescribeModal()
+{
+  const QWidget* modal = QApplication::activeModalWidget();
+  if (!modal)
+    return nullptr;
+  return { { "name", NameOrNull(modal) }, { "class", modal->metaObject()->className() },
+    { "title", modal->windowTitle().toStdString() } };
+}
+
+/// A button that a key has pressed: it comes up, and does what it is for, by itself.
+bool ComesUpSoon()
+{
+  if (QApplication::mouseButtons() != Qt::NoButton)
+    return false;
+  const QWidgetList widgets = QApplication::allWidgets();
+  return std::any_of(widgets.begin(), widgets.end(),
+    [](const QWidget* widget)
+    {
+      const auto* button = qobject_cast<const QAbstractButton*>(widget);
+      return button && button->isDown() && button->isVisible();
+    });
+}
+
+} // namespace
+
+LayoutFile::LayoutFile(std::filesystem::path file, State state, UserWords words, QObject* parent)
+  : QObject(parent),
+    File(std::move(file)),
+    Of(std::move(state)),
+    Words(std::move(words))
+{
+  this->Looking.setSingleShot(true);
+  this->Looking.setTimerType(Qt::PreciseTimer);
+  connect(&this->Looking, &QTimer::timeout, this, &LayoutFile::Look);
+  this->Noise.start();
+  this->Looking.start(0);
+  qApp->installEventFilter(this);
+}
+
+LayoutFile::~LayoutFile()
+{
+  std::error_code ignored; // it is not there if it could not be written
+  std::filesystem::remove(this->File, ignored);
+}
+
+bool LayoutFile::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == &this->Looking)
+    return false;
+  this->Count(watched, event);
+  ++this->Seen;
+  if (!this->Looking.isActive())
+  {
+    this->Noise.start();
+    this->Looking.start(NoisyMs);
+  }
+  return false;
+}
+
+/// Inputs come to a window first, and from there to widgets, one after the other.
+void LayoutFile::Count(QObject* watched, QEvent* event)
+{
+  if (!watched->isWindowType() || !event->spontaneous())
+    return;
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::Wheel:
+      ++this->Events;
+      break;
+    case QEvent::ShortcutOverride: // comes before the key itself, which a shortcut swallows
+      this->Overridden = true;
+      this->Events += static_cast<const QKeyEvent*>(event)->isAutoRepeat() ? 0 : 1;
+      break;
+    case QEvent::KeyPress:
+      if (!this->Overridden && !static_cast<const QKeyEvent*>(event)->isAutoRepeat())
+        ++this->Events;
+      this->Overridden = false;
+      break;
+    default:
+      break;
+  }
+}
+
+void LayoutFile::Look()
+{
+  const bool quiet = this->Seen == this->SeenAtLook;
+  this->SeenAtLook = this->Seen;
+  if (!quiet && this->Noise.elapsed() < LeastMs)
+    return this->Looking.start(NoisyMs);
+  if (this->Wrote.isValid() && this->Wrote.elapsed() < LeastMs)
+    return this->Looking.start(static_cast<int>(LeastMs - this->Wrote.elapsed()));
+  const std::string text = this->Describe(quiet);
+  // A blinking cursor alone is no reason to say that it is not settled.
+  if (text != this->Last && (quiet || this->Describe(true) != this->Last))
+    this->Write(text);
+  if (!quiet)
+    this->Looking.start(LeastMs);
+}
+
+std::string LayoutFile::Describe(bool quiet) const
+{
+  nlohmann::ordered_json state = this->Of ? this->Of() : nlohmann::ordered_json::object();
+  state["events"] = this->Events;
+  state["settled"] =
+    quiet && !state.value("busy", false) && !state.value("pending", false) && !ComesUpSoon();
+  const nlohmann::ordered_json layout{ { "format", "hasp-layout-1" }, { "state", state },
+    { "modal", DescribeModal() }, { "popup", NameOrNull(QApplication::activePopupWidget()) },
+    { "focus", NameOrNull(QApplication::focusWidget()) },
+    { "widgets", DescribeWidgets(this->Words ? this->Words() : QStringList()) } };
+  return layout.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void LayoutFile::Write(const std::string& text)
+{
+  this->Wrote.start();
+  std::filesystem::path temporary = this->File;
+  temporary += ".part";
+  std::error_code error;
+  if (std::ofstream(temporary, std::ios::binary | std::ios::trunc) << text << std::flush)
+    std::filesystem::rename(temporary, this->File, error);
+  else
+    error = std::make_error_code(std::errc::io_error);
+  if (!error)
+    this->Last = text;
+  else if (!this->Told)
+  {
+    this->Told = true;
+    Q_EMIT this->Failed(
+      tr("The layout file cannot be written: give --layout a place that can be, or "
+         "free space on its disk."));
+  }
+}
+
+} // namespace hasp

@@ -1,0 +1,113 @@
+#include "Window/RunPlanner.h"
+
+#include "Model/WorkFolder.h"
+#include "Output/StudyLog.h"
+#include "Window/LayoutFile.h"
+#include "Window/PlannerOptions.h"
+#include "Window/PlannerScript.h"
+#include "Window/PlannerWindow.h"
+#include "Window/Recovery.h"
+#include "Window/StudyMode.h"
+#include "Window/WindowState.h"
+
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QTranslator>
+
+#include <X11/Xlib.h> // last: it defines words as macros
+
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+namespace hasp
+{
+namespace
+{
+
+/// Qt ends the process where there is no display: ask before.
+bool CanShow()
+{
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  if (platform && *platform && std::string(platform) != "xcb")
+    return true; // who sets it knows
+  Display* display = XOpenDisplay(nullptr);
+  int code = 0, event = 0, error = 0;
+  const bool openGL = display && XQueryExtension(display, "GLX", &code, &event, &error);
+  if (display)
+    XCloseDisplay(display);
+  if (!openGL)
+    std::cerr << (display ? "hasp-planner: the display has no OpenGL"
+                          : "hasp-planner: no display; set DISPLAY to one (over ssh: ssh -X; on a "
+                            "server: xvfb-run -s '-noreset' hasp-planner)")
+              << "\n";
+  return openGL;
+}
+
+void Translate(QApplication& application, const std::string& language)
+{
+  const QLocale locale = language.empty() ? QLocale() : QLocale(QString::fromStdString(language));
+  for (const auto& [file, folder] : { std::pair{ QString("hasp-planner"), QString(":/i18n") },
+         std::pair{ QString("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath) } })
+  {
+    auto* translator = new QTranslator(&application);
+    if (translator->load(locale, file, "_", folder))
+      application.installTranslator(translator);
+  }
+}
+
+int Show(QApplication& application, const PlannerOptions& options)
+{
+  WorkFolder work(options.state);
+  PlannerWindow window({ options.state, options.plans }, work);
+  const auto study = BeginStudy(window, options);
+  window.resize(options.size);
+  window.show();
+  std::optional<LayoutFile> layout;
+  if (!options.layout.empty())
+    layout.emplace(
+      options.layout, [&window] { return StateOf(window); }, [&window] { return WordsOf(window); });
+  PlannerScript script(window, options);
+  // Once the window is there: what is asked then stands before something.
+  QTimer::singleShot(0, &window,
+    [&]
+    {
+      if (options.recover && !options.IsScript())
+        OfferRecovery(window);
+      script.Begin();
+    });
+  application.exec();
+  return script.ExitCode();
+}
+
+} // namespace
+
+int RunPlanner(int argc, char* argv[])
+{
+  PlannerOptions options;
+  int exitCode = 0;
+  if (!ReadPlannerOptions(argc, argv, options, exitCode))
+    return exitCode;
+  if (!CanShow())
+    return 4;
+  QSurfaceFormat::setDefaultFormat(FrameView::defaultFormat());
+  QCoreApplication::setApplicationName("hasp-planner");
+  QCoreApplication::setOrganizationName({}); // nothing is kept in settings of Qt's
+  int words = 1;                             // Qt has its own meaning for some of ours
+  QApplication application(words, argv);
+  Translate(application, options.language);
+  try
+  {
+    return Show(application, options);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "hasp-planner: " << error.what() << "\n";
+    return 1;
+  }
+}
+
+} // namespace hasp

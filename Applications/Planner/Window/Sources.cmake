@@ -1,0 +1,31 @@
+hasp_add_planner_part(Window
+  SOURCES
+    Window/KeysPage.cxx Window/KeysPage.h
+    Window/LayoutFile.cxx Window/LayoutFile.h
+    Window/LayoutNames.cxx Window/LayoutNames.h
+    Window/LayoutRects.cxx Window/LayoutRects.h
+    Window/LayoutWidgets.cxx Window/LayoutWidgets.h
+    Window/MeasureDrag.cxx Window/MeasureDrag.h
+    Window/MeasureWindow.cxx Window/MeasureWindow.h
+    Window/MessageBar.cxx Window/MessageBar.h
+    Window/ObjectActions.cxx
+    Window/ObjectList.cxx Window/ObjectList.h
+    Window/PlannerFiles.cxx
+    Window/PlannerMeasure.cxx Window/PlannerMeasure.h
+    Window/PlannerMenus.cxx Window/PlannerMenus.h
+    Window/PlannerOptions.cxx Window/PlannerOptions.h
+    Window/PlannerScript.cxx Window/PlannerScript.h
+    Window/PlannerWindow.cxx Window/PlannerWindow.h
+    Window/Recovery.cxx Window/Recovery.h
+    Window/RunPlanner.cxx Window/RunPlanner.h
+    Window/Samples.cxx Window/Samples.h
+    Window/StereoPage.cxx Window/StereoPage.h
+    Window/StereoSettings.cxx Window/StereoSettings.h
+    Window/StereoWindow.cxx Window/StereoWindow.h
+    Window/StudyMode.cxx Window/StudyMode.h
+    Window/Tour.cxx Window/Tour.h Window/TourStops.cxx
+    Window/UsePanel.cxx Window/UsePanel.h
+    Window/ViewPresets.cxx Window/ViewPresets.h
+    Window/WindowState.cxx Window/WindowState.h
+    Window/WorkflowBar.cxx Window/WorkflowBar.h
+  LIBRARIES HaspPlannerSteps HaspSceneParts HaspPlanParts Hasp::Studies CLI11::CLI11 X11::X11)

@@ -1,0 +1,88 @@
+#include "Window/StereoWindow.h"
+
+#include "Devices/HeadPose.h"
+#include "StereoView.h"
+#include "View/SceneView.h"
+
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QVTKOpenGLNativeWidget.h>
+
+namespace hasp
+{
+namespace
+{
+constexpr int HeadMs = 8; // a head is asked 120 times a second
+
+} // namespace
+
+StereoWindowWidget::StereoWindowWidget(
+  SceneView& scene, const StereoChoices& choices, const HeadChoices& head, QWidget* parent)
+  : QWidget(parent, Qt::Window),
+    Shown(new QVTKOpenGLNativeWidget(this))
+{
+  this->setAttribute(Qt::WA_DeleteOnClose);
+  this->setObjectName("stereo.window");
+  this->setWindowTitle(tr("Stereo - Hasp planner"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(this->Shown);
+  this->Shown->setAttribute(Qt::WA_TransparentForMouseEvents); // its interactor moves nothing
+  this->setMouseTracking(true);
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  this->Shown->setRenderWindow(window.Get());
+  HeadPose rest;
+  rest.position = RoomHead(choices).position;
+  std::unique_ptr<HeadTracker> tracker = MakeHeadTracker(head, rest);
+  this->View = std::make_unique<StereoView>(scene.Renderer(), window, choices, std::move(tracker));
+  connect(&scene, &SceneView::Shown, this, &StereoWindowWidget::Draw);
+  if (this->View->IsTracked())
+  {
+    connect(&this->Head, &QTimer::timeout, this,
+      [this]
+      {
+        if (this->View->HeadMoved(SteadySeconds()))
+          this->Draw();
+      });
+    this->Head.start(HeadMs);
+  }
+}
+
+StereoWindowWidget::~StereoWindowWidget() = default;
+
+void StereoWindowWidget::Draw()
+{
+  if (!this->isVisible() || !this->Shown->isValid())
+    return;
+  this->View->Draw(SteadySeconds());
+  this->Shown->update();
+}
+
+void StereoWindowWidget::keyPressEvent(QKeyEvent* event)
+{
+  if (event->key() == Qt::Key_F11)
+    this->isFullScreen() ? this->showNormal() : this->showFullScreen();
+  else if (event->key() == Qt::Key_Escape || event->key() == Qt::Key_3)
+    this->close();
+  else
+    QWidget::keyPressEvent(event);
+}
+
+void StereoWindowWidget::mouseMoveEvent(QMouseEvent* event)
+{
+  this->View->PointAt(2.0 * event->x() / std::max(1, this->width()) - 1.0,
+    1.0 - 2.0 * event->y() / std::max(1, this->height()));
+}
+
+void StereoWindowWidget::closeEvent(QCloseEvent* event)
+{
+  Q_EMIT this->Closed();
+  QWidget::closeEvent(event);
+}
+
+} // namespace hasp

@@ -1,0 +1,28 @@
+#include "Window/WindowState.h"
+
+#include "Planning/PlanLists.h"
+#include "Window/PlannerWindow.h"
+
+namespace hasp
+{
+
+nlohmann::ordered_json StateOf(const PlannerWindow& window)
+{
+  Planner& parts = window.Parts();
+  return { { "busy", !parts.jobs.IsIdle() }, { "pending", !window.IsSettled() },
+    { "step", window.ChosenStep().toStdString() }, { "frames", parts.views.Scene().Frames() },
+    { "plan", PlanHash(parts.plan.Now()) }, { "modified", parts.plan.IsModified() },
+    { "message", window.LastMessage().toStdString() } };
+}
+
+QStringList WordsOf(const PlannerWindow& window)
+{
+  const Plan& plan = window.Parts().plan.Now();
+  QStringList words{ QString::fromStdString(plan.caseLabel) };
+  ForEachPlanObject(
+    plan, [&](const auto& object) { words += QString::fromStdString(object.name); });
+  words.removeAll(QString());
+  return words;
+}
+
+} // namespace hasp
