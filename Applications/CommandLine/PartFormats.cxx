@@ -138,6 +138,17 @@ void ForEachFile(Json& run, const std::function<void(Json&)>& visit)
 
 } // namespace
 
+std::size_t BytesOf(const std::string& path)
+{
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored))
+    return fs::file_size(path, ignored);
+  std::size_t bytes = 0;
+  for (const auto& entry : fs::directory_iterator(path, ignored))
+    bytes += entry.file_size(ignored);
+  return bytes;
+}
+
 const std::vector<std::string>& PartEndings()
 {
   static const std::vector<std::string> endings{ ".stl", ".3mf", ".ply", ".obj" };

@@ -87,17 +87,6 @@ OutputKind KindOfOutput(const std::string& path)
                                                             : OutputKind::Unknown;
 }
 
-std::size_t BytesOf(const std::string& path)
-{
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored))
-    return std::filesystem::file_size(path, ignored);
-  std::size_t bytes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(path, ignored))
-    bytes += entry.file_size(ignored);
-  return bytes;
-}
-
 void AddConvertVerb(CLI::App& app, Session& session)
 {
   auto options = std::make_shared<ConvertOptions>();

@@ -16,7 +16,7 @@ OUTSIDE = [  # first match wins
     ("egl", r"EGL/.*"),
     ("x11", r"X11/.*"),
     ("vtk", r"vtk\w*\.(h|txx)|vtksys/.*"),
-    ("qt", r"Q[A-Z].*|QVTK.*"),
+    ("qt", r"Q[A-Z].*|Qt[A-Z]\w*|QVTK.*"),
     ("posix", r"(unistd|fcntl|dirent|dlfcn|signal|pthread|sched|spawn|time|poll)\.h|(sys|linux|arpa|netinet)/.*"),
     ("glm", r"glm/.*"),
     ("tbb", r"(oneapi/)?tbb/.*"),

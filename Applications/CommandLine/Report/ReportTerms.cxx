@@ -1,5 +1,6 @@
 #include "ReportTerms.h"
 
+#include "PlannerTerms.h"
 #include "ReductionTerms.h"
 #include "SegmentationTerms.h"
 
@@ -210,17 +211,6 @@ std::vector<ReportTerm> OthersOf(const std::string& report)
       { "import", "FORMAT.time.READER: time to read a file of that format / that reader's; the "
                   "error is where samples lie; error_time: both as curves" },
     };
-  if (report == "planner")
-    return {
-      { "planner.first", "from the program's start to the sample's first complete picture" },
-      { "planner.isovalue",
-        "from a new isovalue to its picture / the same by a mesh made anew; @: samples a side" },
-      { "planner.drag",
-        "a fragment in hand, in contact, in a window of 1280x800: fps: frames a second; full: with all "
-        "pixels; share: least pixels along an axis; tick: of the haptic thread" },
-      { "planner.idle", "frames drawn while nothing happens" },
-      { "planner.reopened", "growth of memory over plans that are opened again and again" },
-    };
   if (report == "stability")
     return {
       { "stability.pass", "share of the cases below that came out as predicted" },
@@ -244,6 +234,7 @@ std::vector<ReportTerm> TermsOf(const std::string& report)
                                   : report == "distance"     ? DistanceTerms()
                                   : report == "guides"       ? GuideTerms()
                                   : report == "haptics"      ? HapticTerms()
+                                  : report == "planner"      ? PlannerTerms()
                                   : report == "reduction"    ? ReductionTerms()
                                   : report == "segmentation" ? SegmentationTerms()
                                   : report == "stereo"       ? StereoTerms()

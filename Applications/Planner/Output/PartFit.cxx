@@ -66,7 +66,7 @@ std::vector<SurfacePoint> PointsOf(const TriangleMesh& mesh)
 
 } // namespace
 
-std::shared_ptr<const FitBody> MakeFitBody(
+std::shared_ptr<const PartOnBone> MakePartOnBone(
   PartWork& work, PlanId object, const ProgressFunction& progress)
 {
   const std::string called = CalledObject(work.Now(), object);
@@ -75,7 +75,7 @@ std::shared_ptr<const FitBody> MakeFitBody(
     throw Failure(
       ExitCode::BadInput, called + ": it is put on no bone, so that nothing can be tried");
   const PartClaims& claims = part.check->claims;
-  FitBody body;
+  PartOnBone body;
   body.object = object;
   body.called = called;
   body.part = WithNormals(MakePolyData(part.mesh), true); // as one: haptics takes closed meshes
@@ -83,7 +83,7 @@ std::shared_ptr<const FitBody> MakeFitBody(
   body.withdrawal = WayOff(part, called);
   glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
   for (const glm::dvec3& point : part.mesh.points)
-    for (const glm::dvec3& at : { point, point + FitBody::LiftMm * body.withdrawal })
+    for (const glm::dvec3& at : { point, point + PartOnBone::LiftMm * body.withdrawal })
     {
       low = glm::min(low, at);
       high = glm::max(high, at);
@@ -91,10 +91,10 @@ std::shared_ptr<const FitBody> MakeFitBody(
   body.bone = BoneAround(part.check->bone, claims, low, high, AroundMm);
   if (!body.bone)
     throw Failure(ExitCode::BadInput, called + ": it lies beside its scan");
-  return std::make_shared<const FitBody>(std::move(body));
+  return std::make_shared<const PartOnBone>(std::move(body));
 }
 
-PartSeat SeatPart(const FitBody& body, const ProgressFunction& progress)
+PartSeat SeatPart(const PartOnBone& body, const ProgressFunction& progress)
 {
   const AnyGridView bone = ViewImage(body.bone);
   const auto sharing = [&](double from, double to) -> ProgressFunction
@@ -114,7 +114,7 @@ PartSeat SeatPart(const FitBody& body, const ProgressFunction& progress)
     { .points = int(std::min<std::size_t>(points.size(), MostPoints)) });
   SeatSettings settings;
   settings.withdrawal = body.withdrawal;
-  settings.liftMm = FitBody::LiftMm;
+  settings.liftMm = PartOnBone::LiftMm;
   settings.pressMm = PressMm;
   const HapticBody bones[] = { { map, {} } };
   return { SeatByContact(*shell, {}, bones, settings, sharing(0.9, 1.0)), PointMm };

@@ -103,7 +103,7 @@ std::optional<Seat> FitBox::LastSeat() const
   return this->Made->seat->seat;
 }
 
-void FitBox::WithBody(const std::function<void(const std::shared_ptr<const FitBody>&)>& then)
+void FitBox::WithBody(const std::function<void(const std::shared_ptr<const PartOnBone>&)>& then)
 {
   if (!this->Shown)
     return;
@@ -117,7 +117,7 @@ void FitBox::WithBody(const std::function<void(const std::shared_ptr<const FitBo
       [work, object, then, inputs = PartInputs(this->Of.plan.Now(), object),
         box = QPointer<FitBox>(this)](const ProgressFunction& progress) -> JobQueue::Finish
       {
-        auto body = MakeFitBody(*work, object, progress);
+        auto body = MakePartOnBone(*work, object, progress);
         return [=]
         {
           if (!box || !box->IsOfNow(inputs))
@@ -139,7 +139,7 @@ void FitBox::TakeInHand(bool on)
   if (!on)
     return this->Of.tools.Take(nullptr);
   this->WithBody(
-    [this](const std::shared_ptr<const FitBody>& body)
+    [this](const std::shared_ptr<const PartOnBone>& body)
     {
       this->Hand.SetBody(body);
       this->Of.tools.Take(&this->Hand);
@@ -149,7 +149,7 @@ void FitBox::TakeInHand(bool on)
 void FitBox::Push()
 {
   this->WithBody(
-    [this](const std::shared_ptr<const FitBody>& body)
+    [this](const std::shared_ptr<const PartOnBone>& body)
     {
       this->Of.jobs.Add(tr("Pushing %1 on").arg(QString::fromStdString(body->called)),
         [body, box = QPointer<FitBox>(this)](const ProgressFunction& progress) -> JobQueue::Finish

@@ -35,7 +35,7 @@ public:
 
 private:
   /// Calls `then` with the body of the part that is shown, made first if it is not there.
-  void WithBody(const std::function<void(const std::shared_ptr<const FitBody>&)>& then);
+  void WithBody(const std::function<void(const std::shared_ptr<const PartOnBone>&)>& then);
   void TakeInHand(bool on);
   void Push();
   void Refresh();
@@ -47,7 +47,7 @@ private:
   struct Kept
   {
     std::vector<PartInput> inputs; ///< that it is of
-    std::shared_ptr<const FitBody> body;
+    std::shared_ptr<const PartOnBone> body;
     std::optional<PartSeat> seat;
   };
   std::optional<Kept> Made;

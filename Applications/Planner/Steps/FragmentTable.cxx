@@ -99,8 +99,10 @@ void FragmentTable::FollowScene()
     QTreeWidgetItem* item = this->topLevelItem(row);
     if (IdOf(item) != id || item->isSelected())
       continue;
-    const QSignalBlocker quiet(this);
-    this->setCurrentItem(item);
+    {
+      const QSignalBlocker quiet(this); // the scene has it already
+      this->setCurrentItem(item);
+    }
     Q_EMIT this->SelectionChanged();
   }
 }

@@ -33,6 +33,7 @@ protected:
   PlanGuide Fresh() override;
   void Begun() override;
   void Fill() override;
+  QString WhyNotMade() override;
 
 private:
   GuideRecipe& Recipe() { return this->Draft.Typed().recipe; }

@@ -1,4 +1,6 @@
 // The rows of a guide's form.
+#include "Planning/GuideSlots.h"
+#include "Planning/PlanLists.h"
 #include "Steps/GuideBox.h"
 #include "Steps/ObjectChecks.h"
 #include "Steps/PointsEdit.h"
@@ -157,6 +159,29 @@ void GuideBox::AddLabelRows()
     { { "view", tr("My right"), [this] { return this->InScan(ViewRight(this->Of)); } } },
     [this] { return this->Label().right; },
     [this](const glm::dvec3& direction) { this->Label().right = direction; });
+}
+
+/// Its cuts' slots must be ones that its recipe can show.
+QString GuideBox::WhyNotMade()
+{
+  const Plan& plan = this->Of.plan.Now();
+  for (const PlanId id : this->Draft.Typed().cuts)
+    try
+    {
+      const std::string called = CalledObject(plan, id);
+      GuideRecipe recipe = this->Recipe();
+      const auto* cut = FindPlanObject<PlanCut>(plan, id);
+      if (!cut)
+        continue;
+      recipe.slots = { SlotOfBlade(cut->blade, recipe.withdrawal, called) };
+      ValidateGuideRecipe(recipe);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return QString::fromStdString(error.what())
+        .replace(QStringLiteral("slots[0]"), QString::fromStdString(CalledObject(plan, id)));
+    }
+  return {};
 }
 
 } // namespace hasp

@@ -6,7 +6,7 @@
 namespace hasp
 {
 
-bool IsPlanFolder(const std::string& path)
+bool HoldsPlan(const std::string& path)
 {
   std::error_code ignored; // then it is none
   return std::filesystem::is_regular_file(std::filesystem::path(path) / "plan.json", ignored);

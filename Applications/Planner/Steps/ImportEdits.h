@@ -13,7 +13,7 @@ namespace hasp
 {
 
 /// Is it a plan: a folder with a plan.json? UTF-8 path.
-bool IsPlanFolder(const std::string& path);
+bool HoldsPlan(const std::string& path);
 
 /// The volume of that hash; 0: none.
 PlanId VolumeOfHash(const Plan& plan, const std::string& hash);

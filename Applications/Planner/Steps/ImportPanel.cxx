@@ -98,7 +98,7 @@ void ImportPanel::ImportPath(const QString& path)
 {
   if (path.isEmpty())
     return;
-  if (IsPlanFolder(path.toStdString()))
+  if (HoldsPlan(path.toStdString()))
   {
     this->OpenPlan(path);
     return;

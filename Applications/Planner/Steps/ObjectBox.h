@@ -48,6 +48,8 @@ protected:
   virtual T Fresh() = 0;   ///< a new one, as far as it is known
   virtual void Begun() {}  ///< a new one is shown: what is to be touched first is in hand
   virtual void Fill() = 0; ///< all widgets as the draft has it
+  /// Why it cannot be made though the plan takes it, as far as that is known; empty: it can.
+  virtual QString WhyNotMade() { return {}; }
 
   /// One of its forms: asked to fill itself, and known to the line of faults.
   RecipeForm* Add(RecipeForm* form)
@@ -66,22 +68,14 @@ protected:
   }
   void ShowFault(const QString& text) { this->Fault->Say(text); }
   /// Into the plan, or says why not. `label`: of the step, where it is no plain change.
-  void Put(const QString& label = {}, std::vector<PlanEdit> before = {})
+  void Put(const QString& label = {})
   {
     if (!this->Draft.IsShown())
       return;
-    const QString fault = before.empty() ? this->Draft.Fault() : QString();
-    this->ShowFault(fault);
-    if (!fault.isEmpty())
-      return this->Fill();
-    const bool fresh = this->Draft.IsNew();
-    const QString step = !label.isEmpty() ? label
-                         : fresh
-                           ? QWidget::tr("Add a %1").arg(this->Noun)
-                           : QWidget::tr("Change %1 %2").arg(this->Noun).arg(this->Draft.Id());
-    if (this->Draft.Put(step, std::move(before)))
+    if (this->Draft.Fault().isEmpty() && this->Draft.Put(label.isEmpty() ? this->Label() : label))
       this->List->Choose(this->Draft.Id());
     this->Fill();
+    this->Judge();
     this->Status->Show(this->Draft.Id());
   }
   void Show(PlanId id)
@@ -91,8 +85,8 @@ protected:
     if (id == 0 && this->Draft.IsNew())
       return; // it is being made
     this->Draft.Show(id);
-    this->ShowFault({});
     this->Fill();
+    this->Judge();
     this->Status->Show(id);
   }
   void BeginNew()
@@ -117,10 +111,21 @@ protected:
 private:
   void Follow()
   {
-    if (this->Draft.Follow())
-      this->ShowFault({});
+    this->Draft.Follow();
     this->Fill();
+    this->Judge();
     this->Status->Show(this->Draft.Id());
+  }
+  /// What is not right: the plan would not take it, or it cannot be made.
+  void Judge()
+  {
+    const QString fault = this->Draft.IsShown() ? this->Draft.Fault() : QString();
+    this->ShowFault(fault.isEmpty() && this->Draft.IsShown() ? this->WhyNotMade() : fault);
+  }
+  QString Label() const
+  {
+    return this->Draft.IsNew() ? QWidget::tr("Add a %1").arg(this->Noun)
+                               : QWidget::tr("Change %1 %2").arg(this->Noun).arg(this->Draft.Id());
   }
 };
 

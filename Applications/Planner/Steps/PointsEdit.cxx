@@ -80,8 +80,7 @@ PointsEdit::PointsEdit(Planner& planner, const QString& name, const QString& tex
       this->Fill();
       Q_EMIT this->Edited();
     });
-  connect(&this->Hand, &LandmarkTool::SelectedChanged, this,
-    [this](int place) { this->List->setCurrentCell(place, place < 0 ? -1 : 0); });
+  connect(&this->Hand, &LandmarkTool::SelectedChanged, this, &PointsEdit::ShowSelected);
   connect(this->List, &QTableWidget::currentCellChanged, this,
     [this](int place)
     {
@@ -142,7 +141,6 @@ void PointsEdit::PutAway()
 void PointsEdit::Fill()
 {
   this->Filling = true;
-  const int chosen = this->Hand.Selected();
   this->List->setRowCount(int(this->Places().size()));
   for (int row = 0; row < this->List->rowCount(); ++row)
     for (int axis = 0; axis < 3; ++axis)
@@ -153,8 +151,15 @@ void PointsEdit::Fill()
       const double value = this->PointOf(this->Places()[std::size_t(row)])[axis];
       item->setText(QString::number(value, 'f', 2));
     }
-  this->List->setCurrentCell(chosen, chosen < 0 ? -1 : 0);
   this->Filling = false;
+  this->ShowSelected(this->Hand.Selected());
+}
+
+void PointsEdit::ShowSelected(int place)
+{
+  const bool filling = std::exchange(this->Filling, true); // its row may not be there yet
+  this->List->setCurrentCell(place, place < 0 ? -1 : 0);
+  this->Filling = filling;
 }
 
 void PointsEdit::Type(QTableWidgetItem* item)

@@ -46,6 +46,7 @@ Q_SIGNALS:
 private:
   glm::dvec3 PointOf(const TouchedPlace& place) const;
   void Fill();
+  void ShowSelected(int place);
   void Type(QTableWidgetItem* item);
   void Swap(int by);
 

@@ -1,5 +1,6 @@
 #include "Steps/SplitPanel.h"
 
+#include "Steps/BonesBox.h"
 #include "Steps/FragmentMaking.h"
 #include "Steps/IsovalueBox.h"
 #include "Steps/LabelList.h"
@@ -21,8 +22,7 @@ namespace hasp
 
 SplitPanel::SplitPanel(Planner& planner, QWidget* parent)
   : StepPanel(planner, parent),
-    Brush(planner),
-    Pick(planner, tr("Click on the bone that shall be a fragment. Esc: back"))
+    Brush(planner)
 {
   auto* layout = new QVBoxLayout(this);
   auto* bone = new QGroupBox(tr("Bone"));
@@ -30,7 +30,8 @@ SplitPanel::SplitPanel(Planner& planner, QWidget* parent)
   inBone->addWidget(new IsovalueBox(planner));
   layout->addWidget(bone);
   layout->addWidget(this->MakePainting());
-  layout->addWidget(this->MakeBones());
+  this->Bones = new BonesBox(planner);
+  layout->addWidget(this->Bones);
   layout->addStretch(1);
 
   connect(&planner.tools, &ToolBox::Changed, this, &SplitPanel::Refresh);
@@ -39,8 +40,6 @@ SplitPanel::SplitPanel(Planner& planner, QWidget* parent)
   connect(&planner.scene, &PlanScene::IsovalueChanged, this, &SplitPanel::Refresh);
   connect(&planner.scene, &PlanScene::IsovalueChanged, this, &SplitPanel::ShowLine);
   connect(&this->Brush.Preview(), &PaintPreview::WorkChanged, this, &SplitPanel::ShowWork);
-  connect(&this->Pick, &PickTool::Picked, this,
-    [this](const PlanScene::Place& place) { AddBoneAt(this->Of, place.inScan); });
   this->Brush.SetNames(this->Labels->Names());
   this->Brush.SetLabel(this->Labels->Label());
   this->Refresh();
@@ -129,28 +128,6 @@ void SplitPanel::AddCleaning(QBoxLayout* layout)
   layout->addLayout(row);
 }
 
-QGroupBox* SplitPanel::MakeBones()
-{
-  auto* group = new QGroupBox(tr("Whole pieces of bone"));
-  auto* layout = new QVBoxLayout(group);
-  this->Picking = AddButton(layout, "split.bone.pick", tr("Bone from here: &click on it"));
-  this->Picking->setCheckable(true);
-  connect(this->Picking, &QPushButton::clicked, this,
-    [this](bool on) { this->Of.tools.Take(on ? &this->Pick : nullptr); });
-  this->BoneAtCrosshair =
-    AddButton(layout, "split.bone.crosshair", tr("&Whole bone at the crosshair"));
-  connect(this->BoneAtCrosshair, &QPushButton::clicked, this,
-    [this] { AddBoneAt(this->Of, this->Of.views.Crosshair()); });
-  auto* row = new QHBoxLayout;
-  this->Pieces = AddButton(row, "split.pieces", tr("All pieces of at leas&t"));
-  this->Least = AddSpinBox(row, "split.pieces.least", {}, { 0.0, 1e6, 500.0, tr(" mm³") });
-  this->Least->setAccessibleName(tr("Least volume of a piece"));
-  connect(this->Pieces, &QPushButton::clicked, this,
-    [this] { MakePieces(this->Of, this->Least->value()); });
-  layout->addLayout(row);
-  return group;
-}
-
 QString SplitPanel::StillNeeds() const
 {
   if (this->Of.plan.Now().volumes.empty())
@@ -177,7 +154,8 @@ void SplitPanel::Leave()
 {
   this->Entered = false;
   this->ShowLine();
-  if (this->Of.tools.InHand() == &this->Brush || this->Of.tools.InHand() == &this->Pick)
+  this->Bones->PutAway();
+  if (this->Of.tools.InHand() == &this->Brush)
     this->Of.tools.Take(nullptr);
   this->Brush.Preview().Release();
 }
@@ -186,11 +164,8 @@ void SplitPanel::Refresh()
 {
   const bool has = this->Of.scene.ShownImage() != nullptr;
   this->Painting->setChecked(this->Of.tools.InHand() == &this->Brush);
-  this->Picking->setChecked(this->Of.tools.InHand() == &this->Pick);
-  for (QWidget* widget : { static_cast<QWidget*>(this->Painting),
-         static_cast<QWidget*>(this->AtCrosshair), static_cast<QWidget*>(this->Pieces),
-         static_cast<QWidget*>(this->Picking), static_cast<QWidget*>(this->BoneAtCrosshair) })
-    widget->setEnabled(has);
+  this->Painting->setEnabled(has);
+  this->AtCrosshair->setEnabled(has);
   const PlanSegmentation* painted =
     has ? PaintedIn(this->Of.plan.Now(), this->Of.scene.ShownVolume()) : nullptr;
   for (QPushButton* button : { this->Fill, this->Close, this->Make })

@@ -1,7 +1,6 @@
 #pragma once
 #include "Steps/StepPanel.h"
 #include "Tools/PaintTool.h"
-#include "Tools/PickTool.h"
 
 class QBoxLayout;
 class QCheckBox;
@@ -14,15 +13,15 @@ class QPushButton;
 namespace hasp
 {
 
+class BonesBox;
 class LabelList;
 
 /// What is bone, and which fragment each part of it is: by painting on it, by its pieces, or from a
 /// place in it.
 ///
-/// Widgets: IsovalueBox's and LabelList's; split.paint, split.radius, split.eraser,
+/// Widgets: IsovalueBox's, LabelList's and BonesBox'; split.paint, split.radius, split.eraser,
 /// split.paint.crosshair, split.working, split.rethreshold, split.fill, split.close,
-/// split.close.radius, split.make, split.pieces, split.pieces.least, split.bone.pick,
-/// split.bone.crosshair.
+/// split.close.radius, split.make.
 class SplitPanel : public StepPanel
 {
   Q_OBJECT
@@ -39,7 +38,6 @@ public:
 private:
   QGroupBox* MakePainting();
   void AddCleaning(QBoxLayout* layout);
-  QGroupBox* MakeBones();
   void Refresh();
   void ShowWork();
   void ShowLine();
@@ -47,14 +45,13 @@ private:
   void UseIsovalue();
 
   PaintTool Brush;
-  PickTool Pick;
   bool Entered = false;
   LabelList* Labels = nullptr;
+  BonesBox* Bones = nullptr;
   QPushButton *Painting = nullptr, *AtCrosshair = nullptr, *Rethreshold = nullptr, *Fill = nullptr,
-              *Close = nullptr, *Make = nullptr, *Pieces = nullptr, *Picking = nullptr,
-              *BoneAtCrosshair = nullptr;
+              *Close = nullptr, *Make = nullptr;
   QCheckBox* Eraser = nullptr;
-  QDoubleSpinBox *Radius = nullptr, *CloseRadius = nullptr, *Least = nullptr;
+  QDoubleSpinBox *Radius = nullptr, *CloseRadius = nullptr;
   QProgressBar* Working = nullptr;
 };
 

@@ -7,6 +7,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -78,12 +80,17 @@ private:
     auto* key = Named<QLabel>("keys", "");
     auto* line = Named<QLineEdit>("line");
     connect(line, &QLineEdit::returnPressed, [key] { key->setText("returned"); });
+    auto* file = Named<QLabel>("file", "");
+    auto* open = Named<QPushButton>("open", "Open");
+    connect(open, &QPushButton::clicked,
+      [this, file]
+      { file->setText(QFileInfo(QFileDialog::getOpenFileName(this, "Open")).fileName()); });
     auto* off = Named<QPushButton>("off", "Off");
     off->setEnabled(false);
     auto* group = Named<QGroupBox>("group", "Group");
     group->setCheckable(true);
-    return { this->Counted, off, group, once, slow, ask, number, combo, list, secret, key, line,
-      Named<QCheckBox>("check", "Chec&k"), this->Tabs(), this->Below() };
+    return { this->Counted, open, file, off, group, once, slow, ask, number, combo, list, secret,
+      key, line, Named<QCheckBox>("check", "Chec&k"), this->Tabs(), this->Below() };
   }
 
   static QWidget* Tabs()

@@ -221,6 +221,14 @@ void PlannerProcess::SetChecked(const std::string& name, bool checked)
     this->Click(name);
 }
 
+void PlannerProcess::AnswerFile(const std::string& path)
+{
+  this->Click("fileNameEdit"); // QFileDialog's
+  this->Key("ctrl+a");
+  this->Type(path);
+  this->Key("Return");
+}
+
 void PlannerProcess::Menu(const std::vector<std::string>& path)
 {
   for (const std::string& name : path)

@@ -123,12 +123,11 @@ bool PlannerProcess::ReadLayout()
   return true;
 }
 
-void PlannerProcess::Await(
-  const std::string& what, const std::function<bool(const Json&)>& holds, bool counted)
+bool PlannerProcess::Comes(
+  double withinS, const std::function<bool(const Json&)>& holds, bool counted)
 {
   const auto start = Clock::now();
-  auto before = start;
-  for (;;)
+  for (auto before = start; this->IsRunning();)
   {
     this->ReadLayout();
     const auto now = Clock::now();
@@ -141,13 +140,19 @@ void PlannerProcess::Await(
         this->BusyS += passedS;
     }
     if (holds(this->Now))
-      return;
-    if (!this->IsRunning())
-      this->Fail("it ended while this was waited for: " + what);
-    if (std::chrono::duration<double>(now - start).count() > this->patienceS)
-      this->Fail("this did not come: " + what);
+      return true;
+    if (std::chrono::duration<double>(now - start).count() > withinS)
+      return false;
     std::this_thread::sleep_for(LookAgain);
   }
+  return false;
+}
+
+void PlannerProcess::Await(
+  const std::string& what, const std::function<bool(const Json&)>& holds, bool counted)
+{
+  if (!this->Comes(this->patienceS, holds, counted))
+    this->Fail((this->IsRunning() ? "this did not come: " : "it ended before this came: ") + what);
 }
 
 void PlannerProcess::WaitUntil(
@@ -178,8 +183,14 @@ void PlannerProcess::Act(const std::function<void()>& input)
 
 void PlannerProcess::Fail(const std::string& what) const
 {
-  throw std::runtime_error("the planner: " + what + "\n--- its layout:\n" + this->Now.dump(1) +
-                           "\n--- its output:\n" + this->Output());
+  std::string text = "the planner: " + what + "\n--- its layout:\n";
+  for (const auto& [key, value] : this->Now.items())
+    if (key != "widgets")
+      text += key + ": " + value.dump() + "\n";
+    else
+      for (const Json& widget : value)
+        text += widget.dump() + "\n";
+  throw std::runtime_error(text + "--- its output:\n" + this->Output());
 }
 
 UserEffort PlannerProcess::Effort() const

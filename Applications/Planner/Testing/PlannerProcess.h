@@ -64,7 +64,8 @@ public:
   void SetNumber(const std::string& spin, double value); ///< clicks, types, Tab
   void SetText(const std::string& line, const std::string& latin1);
   void SetChecked(const std::string& name, bool checked); ///< a click, if it is not
-  void Menu(const std::vector<std::string>& path);        ///< {"menu.file", "file.save"}
+  void AnswerFile(const std::string& path);        ///< in a dialog that asks for a file or a folder
+  void Menu(const std::vector<std::string>& path); ///< {"menu.file", "file.save"}
   ///@}
   void Key(const std::string& keys); ///< as ScreenHand's: "ctrl+z"
   void Type(const std::string& latin1);
@@ -89,6 +90,7 @@ public:
   void Kill9();
   int ExitCode(); ///< waits for its end; 128 + signal if one ended it
   bool IsRunning();
+  pid_t Process() const { return this->Child; }
   std::string Output() const; ///< what it has written on both streams
 
   double patienceS;
@@ -98,6 +100,8 @@ private:
   bool ReadLayout();
   void Act(const std::function<void()>& input);
   void Await(const std::string& what, const std::function<bool(const Json&)>& holds, bool counted);
+  /// False: not within that time.
+  bool Comes(double withinS, const std::function<bool(const Json&)>& holds, bool counted);
   Json Ready(const std::string& name);
   void ScrollTo(const std::string& name);
   Json Row(const std::string& name, const std::function<bool(const Json&)>& fits);

@@ -43,8 +43,7 @@ std::filesystem::path NewFolder()
 
 StepsDesk::StepsDesk(vtkSmartPointer<vtkImageData> scan)
   : Folder(NewFolder()),
-    planner({ this->Folder / "state", this->Folder }, this->Folder / "work", this->views.grid),
-    link(this->planner)
+    planner({ this->Folder / "state", this->Folder }, this->Folder / "work", this->views.grid)
 {
   QObject::connect(&this->planner, &Planner::Said, &this->planner,
     [this](const QString& text, bool fault)
@@ -52,7 +51,9 @@ StepsDesk::StepsDesk(vtkSmartPointer<vtkImageData> scan)
       if (fault)
         this->said = text;
     });
+  QObject::connect(&this->planner.scene, &PlanScene::PropsChanged, [this] { this->ShowSlices(); });
   this->Add(scan);
+  this->ShowSlices();
   this->planner.scene.SetIsovalue(226.0);
   this->Settle();
 }
@@ -63,6 +64,13 @@ StepsDesk::~StepsDesk()
   this->planner.jobs.CancelAll();
   std::error_code ignored;
   std::filesystem::remove_all(this->Folder, ignored);
+}
+
+void StepsDesk::ShowSlices()
+{
+  vtkImageData* image = this->planner.scene.ShownImage();
+  if (image != this->views.grid.Image())
+    this->views.grid.SetImage(image, true);
 }
 
 PlanId StepsDesk::Add(vtkSmartPointer<vtkImageData> scan)

@@ -1,6 +1,5 @@
 #pragma once
 #include "Tools/Planner.h"
-#include "Tools/SliceLink.h"
 #include "ViewsDesk.h"
 
 #include <QString>
@@ -29,7 +28,6 @@ private:
 public:
   ViewsDesk views;
   Planner planner;
-  SliceLink link;
   QString said; ///< the last fault
 
   /// Another scan of the plan, in memory. Its id.
@@ -61,6 +59,8 @@ public:
   ///@}
 
 private:
+  void ShowSlices(); ///< of the scan that the 3D view shows, as the window does
+
   QWidget* Panel = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include "ViewsDesk.h"
 
 #include "QVTKInteractor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 
@@ -34,11 +35,18 @@ TEST(FrameView, ManyRequestsAreOneFrame)
 TEST(FrameView, RequestsOfVtkAreFramesLikeOthers)
 {
   ViewsDesk desk;
+  int drawn = 0; // by the window itself, whoever asked
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&drawn);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* seen, void*) { ++*static_cast<int*>(seen); });
+  desk.scene.renderWindow()->AddObserver(vtkCommand::StartEvent, count);
   const auto before = desk.scene.Frames();
   for (int i = 0; i < 100; ++i)
     desk.scene.interactor()->Render();
   desk.Settle();
   EXPECT_EQ(desk.scene.Frames(), before + 1);
+  EXPECT_EQ(drawn, 1);
 }
 
 TEST(FrameView, DrawsNothingAtRest)

@@ -84,7 +84,7 @@ TEST_F(LayoutFile, EachEventIsCountedOnce)
   EXPECT_EQ(grows([&] { subject->Wheel("area", 0.5, 0.5, -3); }), 3);
   EXPECT_EQ(grows([&] { subject->Drag("area", 0.2, 0.2, 0.4, 0.4); }), 2);
   EXPECT_EQ(grows([&] { subject->Key("ctrl+m"); }), 2); // a shortcut, which comes as no key
-  EXPECT_EQ(grows([&] { subject->Key("x"); }), 1);
+  EXPECT_EQ(grows([&] { subject->Type("nnnn"); }), 4);  // in one millisecond: as if it repeated
 }
 
 TEST_F(LayoutFile, KeysGoToTheWindowOnTop)
@@ -148,6 +148,17 @@ TEST_F(LayoutFile, EachKindOfWidgetTakesWhatItIsGiven)
   EXPECT_FALSE(subject->Has("first"));
   subject->Menu({ "menu.count", "count.once" });
   EXPECT_EQ(subject->Text("count"), "1");
+}
+
+TEST_F(LayoutFile, FilesAreAnsweredAndNoPathIsShown)
+{
+  const auto subject = this->Open();
+  std::ofstream(this->folder / "a_file-1.txt") << "text";
+  subject->Click("open");
+  EXPECT_EQ(subject->Layout()["modal"]["class"], "QFileDialog");
+  EXPECT_EQ(subject->Layout().dump().find(Canary), std::string::npos);
+  subject->AnswerFile((this->folder / "a_file-1.txt").string());
+  EXPECT_EQ(subject->Text("file"), "a_file-1.txt");
 }
 
 TEST_F(LayoutFile, RowsAreFoundByTheirIds)

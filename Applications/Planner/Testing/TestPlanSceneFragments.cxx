@@ -6,7 +6,9 @@
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 #include "vtkWeakPointer.h"
 
 #include <QSignalSpy>
@@ -179,6 +181,32 @@ TEST_F(PlanSceneOfBalls, AJobThatWasGivenUpIsBegunAgainByTheNextChange)
   this->desk.plan.Do(RenameObject{ this->left, "x" });
   this->desk.Settle();
   EXPECT_NE(this->desk.scene.PropOf(this->left), nullptr);
+}
+
+TEST_F(PlanSceneOfBalls, ASurfaceIsShownOnceItsTrianglesAreThere)
+{
+  const std::string hash(64, 'c');
+  const PlanId surface = this->desk.Add(PlanSurface{ 0, "", hash });
+  PlanFragment fragment;
+  fragment.source = SurfaceSource{ surface };
+  fragment.scanToPlanned.position = { 5, 0, 0 };
+  const PlanId sherd = this->desk.Add(fragment);
+  this->desk.Settle();
+  EXPECT_EQ(this->desk.scene.PropOf(sherd), nullptr);
+  EXPECT_EQ(this->desk.UseOf("fragment 2").reason, "its surface is not in memory");
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(10.0);
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  sphere->Update();
+  this->desk.scene.PutSurface(hash, sphere->GetOutput());
+  this->desk.Settle();
+  ASSERT_NE(this->desk.scene.PropOf(sherd), nullptr);
+  const PlanScene::Place place = this->Under({ 5, 0, 0 });
+  EXPECT_EQ(place.object, sherd);
+  EXPECT_NEAR(glm::length(place.inScan), 10.0, 0.05); // of 60 facets around
+  EXPECT_NEAR(place.world.x - place.inScan.x, 5.0, 1e-9);
+  EXPECT_GT(this->desk.UseOf("fragment 2, tree of picks").bytes, 0U);
 }
 
 } // namespace

@@ -7,11 +7,10 @@
 
 #include "vtkActor.h"
 #include "vtkActor2DCollection.h"
+#include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 
 #include <QFile>
@@ -57,24 +56,24 @@ TEST_F(PlanSceneOfBalls, LooksFromEachSideOnWhatIsShown)
 TEST_F(PlanSceneOfBalls, ABladeIsSeenThroughAndIsItsBox)
 {
   this->AddBalls();
-  this->cut = this->desk.Add(CutAt(this->balls.left.x, this->left));
+  this->cut = this->desk.Add(CutAt(-30.0, this->left));
   this->desk.Settle();
-  vtkActor* blade = this->desk.ActorOf(this->cut);
-  ASSERT_NE(blade, nullptr);
-  EXPECT_LT(blade->GetProperty()->GetOpacity(), 0.5);
-  const double* bounds = blade->GetBounds();
-  const double expected[6] = { -16.5, -15.5, -30.0, 30.0, -30.0, 30.0 };
+  ASSERT_NE(this->desk.scene.PropOf(this->cut), nullptr);
+  const double opacity = this->desk.ActorOf(this->cut)->GetProperty()->GetOpacity();
+  EXPECT_LT(opacity, 0.5);
+  const double* bounds = this->desk.ActorOf(this->cut)->GetBounds();
+  const double expected[6] = { -30.5, -29.5, -30.0, 30.0, -30.0, 30.0 };
   for (int n = 0; n < 6; ++n)
     EXPECT_NEAR(bounds[n], expected[n], 1e-9) << n;
-  this->desk.scene.LookFrom('L'); // it stands before the left ball, from here
+  this->desk.scene.LookFrom('R'); // it stands before the left ball, from here
   EXPECT_EQ(this->Under(this->balls.left).object, this->left);
   this->desk.scene.Select(this->cut);
-  EXPECT_GT(this->desk.ActorOf(this->cut)->GetProperty()->GetOpacity(), 0.5);
-  PlanCut moved = CutAt(0.0, this->left);
+  EXPECT_GT(this->desk.ActorOf(this->cut)->GetProperty()->GetOpacity(), opacity);
+  PlanCut moved = CutAt(this->balls.left.x, this->left);
   moved.id = this->cut;
   this->desk.plan.Do(ChangeObject<PlanCut>{ moved });
-  EXPECT_NEAR(this->desk.ActorOf(this->cut)->GetBounds()[0], -0.5, 1e-9);
-  this->desk.scene.LookFrom('A');
+  EXPECT_NEAR(this->desk.ActorOf(this->cut)->GetBounds()[0], -16.5, 1e-9);
+  this->desk.view.Renderer()->GetActiveCamera()->Azimuth(50.0);
   this->desk.Picture("PlanSceneBlade");
 }
 
@@ -100,7 +99,7 @@ TEST_F(PlanSceneOfBalls, AMeasureSaysItsValueAndFollowsItsFragments)
   EXPECT_NE(this->desk.scene.PropOf(length), nullptr);
   this->desk.Picture("PlanSceneMeasure");
   const glm::dvec3 shift(0, 0, 12);
-  this->desk.plan.Do(PoseFragments{ { { this->right, { shift, {} } } } });
+  this->desk.plan.Do(PoseFragments{ { { this->right, { shift } } } });
   const std::string moved =
     QString("%1 mm").arg(glm::distance(a, b + shift), 0, 'f', 2).toStdString();
   EXPECT_EQ(TextIn(this->desk), moved);
@@ -146,7 +145,7 @@ TEST_F(PlanSceneOfBalls, AGhostLiesMirroredAndIsMadeOnce)
   this->desk.Picture("PlanSceneGhost");
   QSignalSpy jobs(&this->desk.jobs, &JobQueue::Began);
   this->desk.plan.Do(RenameObject{ ghost, "ghost" });
-  this->desk.plan.Do(PoseFragments{ { { this->right, { { 9, 0, 0 }, {} } } } });
+  this->desk.plan.Do(PoseFragments{ { { this->right, { { 9, 0, 0 } } } } });
   this->desk.Settle();
   EXPECT_EQ(jobs.count(), 0);
   EXPECT_EQ(this->desk.ActorOf(ghost), actor);
@@ -225,32 +224,6 @@ TEST_F(PlanSceneOfBalls, ADamagedLabelMapIsTold)
     << this->desk.refused[0].toStdString();
   EXPECT_FALSE(this->desk.refused[0].contains(this->desk.folder.path()));
   EXPECT_EQ(this->desk.scene.PropOf(one), nullptr);
-}
-
-TEST_F(PlanSceneOfBalls, ASurfaceIsShownOnceItsTrianglesAreThere)
-{
-  const std::string hash(64, 'c');
-  const PlanId surface = this->desk.Add(PlanSurface{ 0, "", hash });
-  PlanFragment fragment;
-  fragment.source = SurfaceSource{ surface };
-  fragment.scanToPlanned.position = { 5, 0, 0 };
-  const PlanId sherd = this->desk.Add(fragment);
-  this->desk.Settle();
-  EXPECT_EQ(this->desk.scene.PropOf(sherd), nullptr);
-  EXPECT_EQ(this->desk.UseOf("fragment 2").reason, "its surface is not in memory");
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(10.0);
-  sphere->SetThetaResolution(60);
-  sphere->SetPhiResolution(60);
-  sphere->Update();
-  this->desk.scene.PutSurface(hash, sphere->GetOutput());
-  this->desk.Settle();
-  ASSERT_NE(this->desk.scene.PropOf(sherd), nullptr);
-  const PlanScene::Place place = this->Under({ 5, 0, 0 });
-  EXPECT_EQ(place.object, sherd);
-  EXPECT_NEAR(glm::length(place.inScan), 10.0, 0.05); // of 60 facets around
-  EXPECT_NEAR(place.world.x - place.inScan.x, 5.0, 1e-9);
-  EXPECT_GT(this->desk.UseOf("fragment 2, tree of picks").bytes, 0U);
 }
 
 } // namespace

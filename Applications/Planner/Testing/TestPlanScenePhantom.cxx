@@ -78,10 +78,35 @@ protected:
     this->desk.Settle();
   }
 
+  void ExpectPicksOnTheScan();
+
   SceneDesk desk;
   GridGeometry grid = PhantomGrid({ 1, 1, 1 });
   std::vector<std::int16_t> samples = SamplePhantom(this->grid);
 };
+
+// Bone that is all of one fragment is drawn and picked as the scan's own trilinear surface, which
+// is found in another way (FirstTrilinearHit) along the normal of the place: a tenth of a voxel at
+// most.
+void PlanSceneOfThePhantom::ExpectPicksOnTheScan()
+{
+  this->desk.scene.LookFrom('L');
+  int met = 0;
+  const GridView<const std::int16_t> scan{ this->samples.data(), this->grid };
+  for (int y = 100; y < 400; y += 29)
+    for (int x = 100; x < 500; x += 31)
+    {
+      const auto place = this->desk.scene.PlaceAt(x, y);
+      if (!place || place->object != LeftJaw)
+        continue;
+      const glm::dvec3 out = 2.0 * place->normal; // before it, where there is no other bone
+      const auto judge = FirstTrilinearHit(scan, 226.0, place->inScan + out, -out);
+      ASSERT_TRUE(judge.has_value());
+      EXPECT_LT(glm::distance(judge->position, place->inScan), 0.1);
+      ++met;
+    }
+  EXPECT_GT(met, 10);
+}
 
 // The whole plan: pieces, one resected, blades; a guide that is made, goes out of date, and comes
 // back; a damaged one.
@@ -99,6 +124,7 @@ TEST_F(PlanSceneOfThePhantom, ItsPiecesAndItsGuideAreThere)
   EXPECT_EQ(this->desk.ActorOf(LeftJaw)->GetProperty()->GetOpacity(), 1.0);
   EXPECT_EQ(this->desk.scene.PropOf(Guide), nullptr);
   EXPECT_EQ(this->desk.UseOf("guide 8").reason, "it has not been made");
+  this->ExpectPicksOnTheScan();
 
   this->KeepGuide(SomeStl(20.0F));
   ASSERT_NE(this->desk.scene.PropOf(Guide), nullptr);
@@ -119,30 +145,6 @@ TEST_F(PlanSceneOfThePhantom, ItsPiecesAndItsGuideAreThere)
     << this->desk.refused[0].toStdString();
   EXPECT_EQ(this->desk.ActorOf(Guide), before); // as out of date
   EXPECT_LT(this->desk.ActorOf(Guide)->GetProperty()->GetOpacity(), 0.5);
-}
-
-// Bone that is all of one fragment is drawn and picked as the scan's own trilinear surface, which
-// is found in another way (FirstTrilinearHit) along the normal of the place: a tenth of a voxel at
-// most.
-TEST_F(PlanSceneOfThePhantom, APickOfAPieceIsTheScansOwnSurface)
-{
-  this->desk.scene.SetVisible(FrontCut, false);
-  this->desk.scene.LookFrom('L');
-  int met = 0;
-  const GridView<const std::int16_t> scan{ this->samples.data(), this->grid };
-  for (int y = 100; y < 400; y += 29)
-    for (int x = 100; x < 500; x += 31)
-    {
-      const auto place = this->desk.scene.PlaceAt(x, y);
-      if (!place || place->object != LeftJaw)
-        continue;
-      const glm::dvec3 out = 2.0 * place->normal; // before it, where there is no other bone
-      const auto judge = FirstTrilinearHit(scan, 226.0, place->inScan + out, -out);
-      ASSERT_TRUE(judge.has_value());
-      EXPECT_LT(glm::distance(judge->position, place->inScan), 0.1);
-      ++met;
-    }
-  EXPECT_GT(met, 10);
 }
 
 } // namespace

@@ -29,16 +29,16 @@ using namespace hasp;
 namespace
 {
 
-std::shared_ptr<const FitBody> BodyOf(const Planner& planner, PlanId object)
+std::shared_ptr<const PartOnBone> BodyOf(const Planner& planner, PlanId object)
 {
   PartWork work(planner, { object });
-  return MakeFitBody(work, object, {});
+  return MakePartOnBone(work, object, {});
 }
 
 /// The same with a ball of bone in it.
-FitBody WithBall(const FitBody& body, const glm::dvec3& middle, double radius)
+PartOnBone WithBall(const PartOnBone& body, const glm::dvec3& middle, double radius)
 {
-  FitBody with = body;
+  PartOnBone with = body;
   with.bone = std::visit(
     [&]<typename T>(const GridView<const T>& bone)
     {
@@ -112,11 +112,11 @@ TEST_F(PlannerParts, AreTriedOnAndPutBackFromTheCheckPanel)
   this->Finish();
   FitTool& tool = panel.Fit().Tool();
   ASSERT_EQ(this->planner->tools.InHand(), &tool);
-  EXPECT_NEAR(tool.State().offMm, FitBody::LiftMm, 1e-9);
+  EXPECT_NEAR(tool.State().offMm, PartOnBone::LiftMm, 1e-9);
   tool.Show(*panel.Fit().LastSeat());
   EXPECT_NEAR(tool.State().offMm, -panel.Fit().LastSeat()->depthMm, 1e-9);
   button("check.lift")->click();
-  EXPECT_NEAR(tool.State().offMm, FitBody::LiftMm, 1e-9);
+  EXPECT_NEAR(tool.State().offMm, PartOnBone::LiftMm, 1e-9);
   panel.Leave();
   EXPECT_EQ(this->planner->tools.InHand(), nullptr);
   EXPECT_EQ(this->planner->plan.Document(), before); // nothing of it is an edit

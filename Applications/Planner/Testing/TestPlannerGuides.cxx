@@ -4,6 +4,8 @@
 #include "Planning/PlanLists.h"
 #include "Steps/GuidePanel.h"
 
+#include <QDoubleSpinBox>
+
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -127,7 +129,12 @@ TEST_F(GuideSteps, PinsAndTheLabelAreTouched)
 TEST_F(GuideSteps, ItIsMadeAndSaysWhenItIsOutOfDate)
 {
   this->TouchGuide();
-  this->desk.Type("guide.spacing", "0.8"); // a quick one
+  const Plan before = this->desk.Now();
+  this->desk.Type("guide.spacing", "0.8"); // too coarse for the slot of a saw of 1 mm
+  EXPECT_TRUE(this->desk.TextOf("guide.fault").contains("cut 3"));
+  EXPECT_NE(this->desk.Now(), before); // the plan takes it: another cut may do
+  this->desk.Type("guide.spacing", "0.7");
+  EXPECT_EQ(this->desk.TextOf("guide.fault"), "");
   EXPECT_TRUE(this->desk.TextOf("guide.status").contains("has not been made"));
   this->desk.Press("guide.make");
   this->desk.Settle();

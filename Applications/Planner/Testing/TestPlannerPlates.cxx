@@ -93,9 +93,9 @@ protected:
       if (auto* fragment = std::get_if<AddObject<PlanFragment>>(&edit))
         if (auto* bone = std::get_if<ComponentSource>(&fragment->object.source))
           bone->spacingMm = 1.6; // of these coarse scans
-    this->wanted = std::get<AddObject<PlanTransplant>>(edits.at(7)).object;
-    this->mitre = std::get<AddObject<PlanMitreGuide>>(edits.at(8)).object;
-    edits.resize(7);
+    this->wanted = std::get<AddObject<PlanTransplant>>(edits.at(8)).object;
+    this->mitre = std::get<AddObject<PlanMitreGuide>>(edits.at(9)).object;
+    edits.resize(8);
     EXPECT_TRUE(this->desk.planner.plan.Do(std::move(edits)));
     this->desk.Show(&this->panel);
     this->desk.Settle();

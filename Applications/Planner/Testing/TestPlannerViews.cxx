@@ -149,6 +149,16 @@ TEST(SceneView, HasVtksKeys)
   EXPECT_NEAR(camera->GetDistance(), distance, 1e-6 * distance);
 
   LookFromTheFront(desk.scene);
+  const double far = camera->GetDistance();
+  desk.Key(desk.scene, Qt::Key_PageUp);
+  EXPECT_LT(camera->GetDistance(), far);
+  desk.Key(desk.scene, Qt::Key_Left); // as a drag to the left: the patient's left side comes
+  EXPECT_GT(camera->GetPosition()[0], 1.0);
+  LookFromTheFront(desk.scene);
+  desk.Key(desk.scene, Qt::Key_Up); // as a drag upwards: what is below comes
+  EXPECT_LT(camera->GetPosition()[2], -1.0);
+
+  LookFromTheFront(desk.scene);
   desk.scene.Draw();
   desk.Settle();
   const auto tip = desk.scene.PixelOf({ 20, 0, 0 }); // of the cone

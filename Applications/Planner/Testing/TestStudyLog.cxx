@@ -36,7 +36,10 @@ protected:
   {
     fs::create_directories(this->folder / name);
     auto session = std::make_unique<PlanSession>(this->folder / name);
-    PlanFragment skull{ 2, "skull of Erika", ComponentSource{ 1 } }, jaw = skull;
+    PlanFragment skull, jaw;
+    skull.id = 2;
+    skull.name = "skull of Erika";
+    skull.source = ComponentSource{ 1 };
     skull.locked = true;
     jaw.id = 3;
     jaw.name = "jaw of Erika";

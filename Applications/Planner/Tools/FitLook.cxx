@@ -1,6 +1,6 @@
 #include "Tools/FitLook.h"
 
-#include "Tools/FitBody.h"
+#include "Tools/PartOnBone.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
@@ -13,7 +13,7 @@
 namespace hasp
 {
 
-void LookAtWay(vtkRenderer* renderer, const FitBody& body)
+void LookAtWay(vtkRenderer* renderer, const PartOnBone& body)
 {
   constexpr double FromAbove = 0.6; // so that the inner side of a rim does not hide the bone
   const glm::dvec3& off = body.withdrawal;
@@ -28,7 +28,7 @@ void LookAtWay(vtkRenderer* renderer, const FitBody& body)
   body.part->GetBounds(box);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double way = FitBody::LiftMm * off[axis];
+    const double way = PartOnBone::LiftMm * off[axis];
     box[2 * axis] += std::min(way, 0.0);
     box[2 * axis + 1] += std::max(way, 0.0);
   }

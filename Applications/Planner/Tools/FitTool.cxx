@@ -64,7 +64,7 @@ FitTool::~FitTool()
     this->Of.tools.Take(nullptr);
 }
 
-void FitTool::SetBody(std::shared_ptr<const FitBody> body)
+void FitTool::SetBody(std::shared_ptr<const PartOnBone> body)
 {
   if (this->IsInHand() && body != this->Tried)
     this->Of.tools.Take(nullptr);
@@ -165,7 +165,7 @@ void FitTool::Cover()
 
 void FitTool::Lift()
 {
-  this->PutAt(FitBody::LiftMm);
+  this->PutAt(PartOnBone::LiftMm);
 }
 
 void FitTool::PutAt(double offMm)

@@ -1,6 +1,6 @@
 #pragma once
 #include "Haptics/SeatByContact.h"
-#include "Tools/FitBody.h"
+#include "Tools/PartOnBone.h"
 #include "Tools/PropCover.h"
 #include "Tools/Tool.h"
 #include "Tools/VtkFaults.h"
@@ -37,7 +37,7 @@ struct FitState
 };
 
 /// The test fit of a part before it is exported (thesis 4.2): the part is moved against its bone
-/// and touches it, with the mouse or a haptic device. It begins FitBody::LiftMm off its planned
+/// and touches it, with the mouse or a haptic device. It begins PartOnBone::LiftMm off its planned
 /// place.
 ///
 /// While it is in hand the view shows the part and the bone that it is held to, as they lie in the
@@ -53,8 +53,8 @@ public:
   ~FitTool() override;
 
   /// What is tried, and where: before it is taken in hand. nullptr: nothing.
-  void SetBody(std::shared_ptr<const FitBody> body);
-  const std::shared_ptr<const FitBody>& Body() const { return this->Tried; }
+  void SetBody(std::shared_ptr<const PartOnBone> body);
+  const std::shared_ptr<const PartOnBone>& Body() const { return this->Tried; }
 
   void Begin() override;
   void End() override;
@@ -86,7 +86,7 @@ private:
   PropCover Others;
   vtkNew<vtkCallbackCommand> Command;
   vtkNew<vtkCamera> Before; ///< as the view looked
-  std::shared_ptr<const FitBody> Tried;
+  std::shared_ptr<const PartOnBone> Tried;
   std::unique_ptr<CellProp> Bone;
   std::unique_ptr<MeshProp> Part;
   std::unique_ptr<ToolMarks> Marks;

@@ -7,8 +7,8 @@
 #include "vtkHaspHapticLoop.h"
 #include "vtkHaspReductionSession.h"
 
+#include "QVTKInteractor.h"
 #include "vtkCommand.h"
-#include "vtkImageData.h"
 #include "vtkProp3D.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -16,7 +16,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace hasp
@@ -24,7 +23,6 @@ namespace hasp
 namespace
 {
 constexpr int TellMs = 100;
-constexpr double MostSamples = 8e6; ///< of the largest fragment's distances: some seconds
 }
 
 GrabTool::GrabTool(Planner& planner, QObject* parent)
@@ -35,6 +33,9 @@ GrabTool::GrabTool(Planner& planner, QObject* parent)
   this->Command->SetClientData(this);
   this->Command->SetCallback([](vtkObject* object, unsigned long event, void* self, void*)
     { static_cast<GrabTool*>(self)->Heard(object, event); });
+  // A press may come with another number of pixels: the pointer has not moved by the difference.
+  this->BeforePress->SetCallback([](vtkObject* interactor, unsigned long, void*, void*)
+    { interactor->InvokeEvent(vtkCommand::MouseMoveEvent); });
   this->Soon.setSingleShot(true);
   this->Soon.setInterval(0);
   this->Telling.setInterval(TellMs);
@@ -84,6 +85,8 @@ void GrabTool::Begin()
   this->Session->SetHistory(this->Of.plan.History());
   this->Session->SetInteractor(this->Hand);
   this->Session->AddObserver(vtkHaspReductionSession::PlanChangedEvent, this->Command);
+  this->Of.views.Scene().interactor()->AddObserver(
+    vtkCommand::LeftButtonPressEvent, this->BeforePress, 2.0F); // before the hand
   // Right before a frame: its pose is the newest.
   this->FrameTag =
     this->Of.views.Scene().renderWindow()->AddObserver(vtkCommand::StartEvent, this->Command);
@@ -98,6 +101,7 @@ void GrabTool::End()
   this->Hand->Release(); // a step of the plan
   disconnect(&this->Of.plan, &PlanSession::Changed, this, &GrabTool::FollowSoon);
   disconnect(&this->Of.scene, &PlanScene::PropsChanged, this, &GrabTool::FollowSoon);
+  this->Of.views.Scene().interactor()->RemoveObserver(this->BeforePress);
   this->Of.views.Scene().renderWindow()->RemoveObserver(this->FrameTag);
   this->Soon.stop();
   this->Telling.stop();
@@ -157,44 +161,6 @@ void GrabTool::SetShowForces(bool on)
   this->Of.views.Scene().Draw();
 }
 
-/// So that the largest fragment's distances have MostSamples at most.
-double GrabTool::Spacing() const
-{
-  double mm = 0.1;
-  for (const PlanFragment& fragment : this->Of.plan.Now().fragments)
-    if (vtkImageData* image = this->Of.scene.ImageOfFragment(fragment.id))
-    {
-      const int* dims = image->GetDimensions();
-      const double* step = image->GetSpacing();
-      const double volume = dims[0] * step[0] * dims[1] * step[1] * dims[2] * step[2];
-      mm =
-        std::max({ mm, std::min({ step[0], step[1], step[2] }), std::cbrt(volume / MostSamples) });
-    }
-  return mm;
-}
-
-void GrabTool::Follow()
-{
-  if (!this->Session || this->Hand->GetHeldTool() >= 0)
-    return; // when it is let go
-  std::map<PlanId, vtkWeakPointer<vtkProp3D>> now;
-  for (const PlanFragment& fragment : this->Of.plan.Now().fragments)
-    if (vtkProp3D* prop = this->Of.scene.PropOf(fragment.id))
-      now[fragment.id] = prop; // the session knows which of them are resected
-  for (const auto& [id, prop] : this->Known)
-    if (const auto found = now.find(id); found == now.end() || found->second != prop)
-      this->Session->RemoveFragment(id);
-  this->Hand->SetSpacing(this->Spacing());
-  for (const auto& [id, prop] : now)
-    if (const auto found = this->Known.find(id);
-        found == this->Known.end() || found->second != prop)
-      this->Session->AddFragment(id, prop);
-  this->Known = std::move(now);
-  this->Session->Follow();
-  this->Telling.start();
-  this->Of.views.Scene().Draw();
-}
-
 void GrabTool::Heard(vtkObject* object, unsigned long event)
 {
   if (object == this->Session)
@@ -212,16 +178,6 @@ void GrabTool::Heard(vtkObject* object, unsigned long event)
   }
   else
     Q_EMIT this->StateChanged(); // it touches, or does not any more
-}
-
-std::vector<PlanId> GrabTool::Held() const
-{
-  std::vector<PlanId> held;
-  const int tool = this->Session ? this->Hand->GetHeldTool() : -1;
-  for (const auto& [id, prop] : this->Known)
-    if (tool >= 0 && this->Session->GetTool(id) == tool)
-      held.push_back(id);
-  return held;
 }
 
 vtkHaspHapticInteractor* GrabTool::Haptic() const

@@ -83,7 +83,7 @@ private:
 
   Planner& Of;
   VtkFaults Faults;
-  vtkNew<vtkCallbackCommand> Command;
+  vtkNew<vtkCallbackCommand> Command, BeforePress;
   vtkSmartPointer<vtkHaspHapticInteractor> Hand;
   vtkSmartPointer<vtkHaspReductionSession> Session;  ///< null: it is not in hand
   std::map<PlanId, vtkWeakPointer<vtkProp3D>> Known; ///< that the session has

@@ -5,7 +5,9 @@
 #include "View/SliceView.h"
 #include "vtkHaspSeedPainter.h"
 
+#include "QVTKInteractor.h"
 #include "vtkImageSlice.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <QTimer>
@@ -24,6 +26,9 @@ PaintTool::PaintTool(Planner& planner, QObject* parent)
   this->Command->SetClientData(this);
   this->Command->SetCallback([](vtkObject* painter, unsigned long event, void* self, void*)
     { static_cast<PaintTool*>(self)->Heard(*static_cast<vtkHaspSeedPainter*>(painter), event); });
+  this->BeforePress->SetClientData(this);
+  this->BeforePress->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<PaintTool*>(self)->LookBeforePress(); });
 }
 
 PaintTool::~PaintTool()
@@ -51,11 +56,24 @@ void PaintTool::Begin()
       canvas.painter->AddObserver(event, this->Command);
     canvas.painter->EnabledOn();
   }
+  this->Of.views.Scene().interactor()->AddObserver(
+    vtkCommand::LeftButtonPressEvent, this->BeforePress, 2.0F); // before the painter
   this->Shown.Show();
+}
+
+/// A painter asks for a frame whose depth it has not, and our frames come later: too late for a
+/// press that no motion came before, or that ended a turn of the view.
+void PaintTool::LookBeforePress()
+{
+  const int* at = this->Of.views.Scene().interactor()->GetEventPosition();
+  double place[3];
+  if (!this->Canvases.front().painter->GetPlace(at[0], at[1], place))
+    this->Of.views.Scene().renderWindow()->Render();
 }
 
 void PaintTool::End()
 {
+  this->Of.views.Scene().interactor()->RemoveObserver(this->BeforePress);
   for (Canvas& canvas : this->Canvases)
   {
     canvas.painter->RemoveObserver(this->Command); // a drag that is cut off here is none

@@ -65,11 +65,12 @@ private:
   void SetUp(vtkHaspSeedPainter& painter) const;
   void Heard(vtkHaspSeedPainter& painter, unsigned long event);
   bool Take(const std::vector<BrushStroke>& pieces);
+  void LookBeforePress();
 
   Planner& Of;
   VtkFaults Faults;
   PaintPreview Shown;
-  vtkNew<vtkCallbackCommand> Command;
+  vtkNew<vtkCallbackCommand> Command, BeforePress;
   std::vector<Canvas> Canvases; ///< while it is in hand
   std::vector<LabelName> Names;
   int Now = 2;

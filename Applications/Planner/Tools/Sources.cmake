@@ -5,10 +5,10 @@ hasp_add_planner_part(Tools
     Tools/BladeTool.cxx Tools/BladeTool.h
     Tools/DistanceBody.cxx Tools/DistanceBody.h
     Tools/DistanceColours.cxx Tools/DistanceColours.h
-    Tools/FitBody.h
+    Tools/PartOnBone.h
     Tools/FitLook.cxx Tools/FitLook.h
     Tools/FitTool.cxx Tools/FitTool.h
-    Tools/GrabTool.cxx Tools/GrabTool.h
+    Tools/GrabFollow.cxx Tools/GrabTool.cxx Tools/GrabTool.h
     Tools/LandmarkTool.cxx Tools/LandmarkTool.h
     Tools/MeasureTool.cxx Tools/MeasureTool.h
     Tools/PaintPreview.cxx Tools/PaintPreview.h

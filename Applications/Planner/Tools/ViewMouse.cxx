@@ -4,7 +4,6 @@
 #include "View/SliceView.h"
 #include "View/ViewGrid.h"
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
@@ -13,6 +12,8 @@ namespace hasp
 
 namespace
 {
+constexpr double ClickPixels = 3.0; // a hand that clicks moves so far
+
 template <typename Act>
 void ForEachView(ViewGrid& views, Act act)
 {
@@ -67,27 +68,37 @@ bool ViewMouse::Pressed(FrameView& view, const QMouseEvent& event, bool twice)
   if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier)
     return false;
   this->From = event.localPos();
+  this->Gone = false;
   view.setFocus(Qt::MouseFocusReason);
   const bool ours = this->press && this->press(view, this->From);
   this->Now = ours ? Press::Ours : twice ? Press::Swallow : Press::Click;
   return ours || twice;
 }
 
+/// Whether the pointer has gone anywhere since the press.
+bool ViewMouse::HasGone(const QMouseEvent& event)
+{
+  const QPointF way = event.localPos() - this->From;
+  this->Gone = this->Gone || way.manhattanLength() > ClickPixels;
+  return this->Gone;
+}
+
 bool ViewMouse::Moved(FrameView& view, const QMouseEvent& event)
 {
-  if (this->Now == Press::Ours)
+  if (this->Now == Press::None)
+  {
+    if (event.buttons() == Qt::NoButton)
+      this->ShowGrip(view, event.localPos());
+    return false;
+  }
+  const bool gone = this->HasGone(event);
+  if (this->Now == Press::Ours && gone)
   {
     view.Moving();
     if (this->drag)
       this->drag(view, event.localPos());
-    return true;
   }
-  if (this->Now == Press::None && event.buttons() == Qt::NoButton)
-    this->ShowGrip(view, event.localPos());
-  if (this->Now != Press::Click)
-    return this->Now == Press::Swallow;
-  const QPointF way = event.localPos() - this->From;
-  if (way.manhattanLength() < QApplication::startDragDistance())
+  if (this->Now != Press::Click || !gone)
     return true;           // a hand is not that steady: the view stays
   this->Now = Press::None; // the view's drag
   return false;
@@ -98,12 +109,13 @@ bool ViewMouse::Released(FrameView& view, const QMouseEvent& event)
   if (event.button() != Qt::LeftButton)
     return this->Now == Press::Ours || this->Now == Press::Swallow;
   const Press was = this->Now;
+  const bool gone = this->HasGone(event);
   this->Now = Press::None;
+  if (was == Press::Ours && gone && this->drag)
+    this->drag(view, event.localPos()); // the last move may have been elsewhere
   if (was == Press::Ours && this->release)
     this->release(view, event.localPos());
-  const bool still =
-    (event.localPos() - this->From).manhattanLength() < QApplication::startDragDistance();
-  if ((was == Press::Click || was == Press::Swallow) && still && this->click)
+  if ((was == Press::Click || was == Press::Swallow) && !gone && this->click)
     this->click(view, this->From);
   return was == Press::Ours || was == Press::Swallow;
 }

@@ -55,6 +55,7 @@ private:
     Swallow ///< the second one of a double click: the view must not hear of it
   };
   bool Pressed(FrameView& view, const QMouseEvent& event, bool twice);
+  bool HasGone(const QMouseEvent& event);
   bool Moved(FrameView& view, const QMouseEvent& event);
   bool Released(FrameView& view, const QMouseEvent& event);
   void ShowGrip(FrameView& view, const QPointF& pixel);
@@ -62,6 +63,7 @@ private:
   QPointer<ViewGrid> Views;
   Press Now = Press::None;
   QPointF From;
+  bool Gone = false; ///< from there
 };
 
 } // namespace hasp

@@ -16,19 +16,22 @@ namespace
 {
 
 const glm::dvec3 BladeColour{ 0.95, 0.50, 0.10 }, SelectedBladeColour{ 1.0, 0.80, 0.25 };
-constexpr double BladeOpacity = 0.35, SelectedBladeOpacity = 0.6;
+constexpr double BladeOpacity = 0.2, SelectedBladeOpacity = 0.4;
 constexpr float EdgeWidth = 1.5F; ///< pixels
 
-/// The sides of a box, turned outwards; corner bits: 1 along, 2 depth, 4 normal.
+/// The sides of a box, turned outwards, and its edges; corner bits: 1 along, 2 depth, 4 normal.
 constexpr vtkIdType Sides[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
   { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
 
-vtkSmartPointer<vtkPolyData> BoxOf(const Osteotomy& blade)
+constexpr vtkIdType Edges[12][2] = { { 0, 1 }, { 2, 3 }, { 4, 5 }, { 6, 7 }, { 0, 2 }, { 1, 3 },
+  { 4, 6 }, { 5, 7 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
+
+vtkSmartPointer<vtkPoints> CornersOf(const Osteotomy& blade)
 {
   const glm::dvec3 along = 0.5 * blade.widthMm * blade.along;
   const glm::dvec3 depth = 0.5 * blade.depthMm * glm::cross(blade.normal, blade.along);
   const glm::dvec3 normal = 0.5 * blade.kerfMm * blade.normal;
-  vtkNew<vtkPoints> points;
+  auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -36,13 +39,32 @@ vtkSmartPointer<vtkPolyData> BoxOf(const Osteotomy& blade)
                           (corner & 2 ? depth : -depth) + (corner & 4 ? normal : -normal);
     points->InsertNextPoint(at.x, at.y, at.z);
   }
-  vtkNew<vtkCellArray> sides;
-  for (const auto& side : Sides)
-    sides->InsertNextCell(4, side);
+  return points;
+}
+
+template <std::size_t Cells, std::size_t Corners>
+vtkSmartPointer<vtkCellArray> CellsOf(const vtkIdType (&corners)[Cells][Corners])
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& cell : corners)
+    cells->InsertNextCell(Corners, cell);
+  return cells;
+}
+
+vtkSmartPointer<vtkPolyData> BoxOf(const Osteotomy& blade)
+{
   auto box = vtkSmartPointer<vtkPolyData>::New();
-  box->SetPoints(points);
-  box->SetPolys(sides);
+  box->SetPoints(CornersOf(blade));
+  box->SetPolys(CellsOf(Sides));
   return box;
+}
+
+vtkSmartPointer<vtkPolyData> EdgesOf(const Osteotomy& blade)
+{
+  auto edges = vtkSmartPointer<vtkPolyData>::New();
+  edges->SetPoints(CornersOf(blade));
+  edges->SetLines(CellsOf(Edges));
+  return edges;
 }
 
 } // namespace
@@ -60,16 +82,17 @@ bool BladeProps::Sync()
     {
       entry.blade = cut.blade;
       entry.shown = std::make_unique<MeshProp>(this->Of.view, BoxOf(cut.blade));
+      entry.edges = std::make_unique<MeshProp>(this->Of.view, EdgesOf(cut.blade));
+      entry.edges->Actor()->GetProperty()->LightingOff();
+      entry.edges->Actor()->GetProperty()->SetLineWidth(EdgeWidth);
       changed = true;
     }
     if (!entry.shown)
       continue;
     const glm::dvec3& colour = selected ? SelectedBladeColour : BladeColour;
     entry.shown->SetLook({ colour, selected ? SelectedBladeOpacity : BladeOpacity, selected });
-    vtkProperty* property = entry.shown->Actor()->GetProperty();
-    property->EdgeVisibilityOn();
-    property->SetEdgeColor(colour.x, colour.y, colour.z);
-    property->SetLineWidth(EdgeWidth);
+    entry.edges->SetLook({ colour, 1.0, selected });
+    entry.edges->SetVisible(visible);
     entry.shown->SetVisible(visible);
   }
   return changed;

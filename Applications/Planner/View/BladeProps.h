@@ -10,7 +10,8 @@ namespace hasp
 struct BladeEntry
 {
   Osteotomy blade;
-  std::unique_ptr<MeshProp> shown;
+  std::unique_ptr<MeshProp> shown; ///< the box
+  std::unique_ptr<MeshProp> edges; ///< of it
 };
 
 /// Cuts as the box of bone that their saws turn to dust, where the scan is. They are seen through,

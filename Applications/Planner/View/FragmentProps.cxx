@@ -12,16 +12,6 @@
 
 namespace hasp
 {
-namespace
-{
-
-QString WhatIsMade(std::size_t fragments)
-{
-  return QCoreApplication::translate(
-    "PlanScene", "Showing %n fragment(s)", nullptr, int(fragments));
-}
-
-} // namespace
 
 vtkImageData* FragmentProps::ImageOf(PlanId fragment) const
 {
@@ -125,7 +115,7 @@ void FragmentProps::MakeMissing(const Shapes& missing)
   for (const auto& wanted : missing)
     fragments.push_back(wanted.first);
   this->Asked = missing;
-  this->Job.Begin(WhatIsMade(fragments.size()),
+  this->Job.Begin(QCoreApplication::translate("PlanScene", "Showing fragments"),
     [this, work = VoxelWork(this->Of), fragments, missing](const ProgressFunction& progress)
     {
       const auto made =

@@ -74,12 +74,13 @@ public:
 
 Q_SIGNALS:
   void Shown(); ///< after each frame
-  /// The left button; not where a tool or widget has taken it.
+  /// The left button, not where a tool or widget has taken it; or the key m.
   void DoubleClicked();
 
 protected:
   bool event(QEvent* event) override;
   void paintGL() override;
+  void keyPressEvent(QKeyEvent* event) override;
 
   virtual void Prepare() {}                          ///< right before a frame, after `before`
   virtual void PaintMarks(QPainter&) {}              ///< over the picture, pixels of the widget

@@ -136,8 +136,7 @@ void GhostProps::MakeMissing(const std::map<PlanId, GhostShape>& missing)
   if (this->Job.IsUnderWay() && missing == this->Asked)
     return;
   this->Asked = missing;
-  this->Job.Begin(
-    QCoreApplication::translate("PlanScene", "Mirroring %n ghost(s)", nullptr, int(missing.size())),
+  this->Job.Begin(QCoreApplication::translate("PlanScene", "Mirroring bone"),
     [this, missing, kept = VoxelWork(this->Of)](const ProgressFunction& progress)
     {
       VoxelWork work = kept;

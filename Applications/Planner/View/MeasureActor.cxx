@@ -68,6 +68,7 @@ MeasureActor::MeasureActor(SceneView& view) : SceneActor(view)
   property->LightingOff();
   property->SetLineWidth(LineWidth);
   property->SetPointSize(PointSize);
+  property->RenderPointsAsSpheresOn();
   this->Text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   vtkTextProperty* letters = this->Text->GetTextProperty();
   letters->SetFontSize(int(LetterPixels * view.devicePixelRatioF()));

@@ -109,8 +109,7 @@ void PartProps::ReadMissing(const std::map<PlanId, PartBlob>& missing)
   if (this->Job.IsUnderWay() && missing == this->Asked)
     return;
   this->Asked = missing;
-  this->Job.Begin(
-    QCoreApplication::translate("PlanScene", "Showing %n part(s)", nullptr, int(missing.size())),
+  this->Job.Begin(QCoreApplication::translate("PlanScene", "Showing parts"),
     [this, missing, folder = this->Of.plan.Folder()](const ProgressFunction& progress)
     {
       std::map<PlanId, Read> read;

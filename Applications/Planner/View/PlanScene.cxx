@@ -10,6 +10,7 @@
 
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <map>
 
 namespace hasp
@@ -22,7 +23,13 @@ struct PlanScene::Internals
   SceneContext of;
   std::map<PlanId, bool> asked; ///< to be visible, or not
   double isovalue = 0.0;        ///< that was told last
-  bool isSeen = false;          ///< the camera has been put before something
+  /// What the camera has been put before.
+  enum
+  {
+    Nothing,
+    Something,
+    Bone
+  } seen = Nothing;
   SceneLayers layers;
 };
 
@@ -37,6 +44,7 @@ PlanScene::PlanScene(PlanSession& plan, ScanShelf& scans, JobQueue& jobs, SceneV
       },
       [this](const QString& text) { Q_EMIT this->Refused(text); } }))
 {
+  qRegisterMetaType<hasp::PlanId>("hasp::PlanId"); // of SelectedChanged
   connect(&plan, &PlanSession::Replaced, this, &PlanScene::Forget);
   connect(&plan, &PlanSession::Changed, this, &PlanScene::Sync);
   connect(&plan, &PlanSession::PartsChanged, this, &PlanScene::Sync);
@@ -66,7 +74,7 @@ void PlanScene::Forget()
 {
   Internals& self = *this->Self;
   self.asked.clear();
-  self.isSeen = false;
+  self.seen = Internals::Nothing;
   self.of.labelMaps.clear();
   self.layers.Forget();
   this->Select(0);
@@ -93,16 +101,19 @@ void PlanScene::Sync()
   }
 }
 
-/// The first time that there is something, from the front.
+/// From the front, the first time that there is something, and again that there is bone.
 void PlanScene::Show()
 {
   Internals& self = *this->Self;
-  if (!self.isSeen)
-    if (const vtkBoundingBox box = self.layers.Bounds(); box.IsValid())
-    {
-      LookFromSide(self.of.view.Renderer(), box, 'A');
-      self.isSeen = true;
-    }
+  if (self.seen != Internals::Bone)
+  {
+    const auto now = self.layers.BoneBounds().IsValid() ? Internals::Bone
+                     : self.layers.Bounds().IsValid()   ? Internals::Something
+                                                        : Internals::Nothing;
+    if (now > self.seen)
+      LookFromSide(self.of.view.Renderer(), self.layers.Bounds(), 'A');
+    self.seen = std::max(self.seen, now);
+  }
   self.of.view.Draw();
 }
 

@@ -25,7 +25,7 @@ class SceneView;
 
 /// What is seen of a plan: its objects as props in the 3D view, each in its place after the
 /// reduction. Follows the plan (PlanSession::Changed): what is new is made, what has moved is
-/// moved, what is gone is released; what takes long (a fragment's cells, a ghost) is made on the
+/// moved, what is gone is released; what takes long (a fragment's voxels, a ghost) is made on the
 /// WORKER and is there when it is done. Nothing is made of what is not shown.
 ///
 ///   the scan                while it has no fragments: its isosurface, by RayCaching while the

@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr double Specular = 0.2, SpecularPower = 20.0;
-constexpr double Glow = 0.35; ///< of what is selected
+constexpr double Glow = 0.28; ///< of what is selected
 const glm::dvec3 GlowColour{ 1.0, 0.72, 0.10 };
 
 glm::dmat4 DataToWorld(vtkActor* actor)

@@ -34,11 +34,27 @@ struct SceneLayers
     return { &this->fragments, &this->scan, &this->surfaces, &this->parts, &this->ghosts,
       &this->blades, &this->measures };
   }
-  vtkBoundingBox Bounds()
+  /// Around bone.
+  vtkBoundingBox BoneBounds() const
   {
     vtkBoundingBox box;
-    for (const SceneLayer* layer : this->All())
-      layer->AddBounds(box);
+    this->fragments.AddBounds(box);
+    this->scan.AddBounds(box);
+    this->surfaces.AddBounds(box);
+    return box;
+  }
+  /// Around all but blades, which are larger than what they cut, and measures; around these where
+  /// there is nothing else.
+  vtkBoundingBox Bounds() const
+  {
+    vtkBoundingBox box = this->BoneBounds();
+    this->parts.AddBounds(box);
+    this->ghosts.AddBounds(box);
+    if (!box.IsValid())
+    {
+      this->blades.AddBounds(box);
+      this->measures.AddBounds(box);
+    }
     return box;
   }
   void Forget() ///< another plan

@@ -29,6 +29,8 @@ namespace
 
 constexpr double CubeHalf = 22.0; // pixels
 constexpr double CrosshairMm = 12.0;
+constexpr double KeyDegrees = 5.0;
+constexpr double KeyZoom = 1.1;
 
 /// Bone is bright and of one colour: what shows its shape is light from above the viewer's left
 /// shoulder, and a weaker one from the right that keeps shadows readable. Both go with the viewer.
@@ -145,12 +147,45 @@ void SceneView::TurnAboutPointer()
   this->Draw();
 }
 
+void SceneView::Turn(double azimuth, double elevation)
+{
+  vtkCamera* camera = this->Renderer()->GetActiveCamera();
+  camera->Azimuth(azimuth);
+  camera->Elevation(elevation);
+  camera->OrthogonalizeViewUp();
+  this->Moving();
+  this->Draw();
+}
+
+void SceneView::Zoom(double closer)
+{
+  vtkCamera* camera = this->Renderer()->GetActiveCamera();
+  if (camera->GetParallelProjection())
+    camera->SetParallelScale(camera->GetParallelScale() / closer);
+  else
+    camera->Dolly(closer);
+  this->Moving();
+  this->Draw();
+}
+
 void SceneView::keyPressEvent(QKeyEvent* event)
 {
   if (event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier))
     return FrameView::keyPressEvent(event);
   switch (event->key())
   {
+    case Qt::Key_Left:
+      return this->Turn(KeyDegrees, 0.0);
+    case Qt::Key_Right:
+      return this->Turn(-KeyDegrees, 0.0);
+    case Qt::Key_Up:
+      return this->Turn(0.0, -KeyDegrees);
+    case Qt::Key_Down:
+      return this->Turn(0.0, KeyDegrees);
+    case Qt::Key_PageUp:
+      return this->Zoom(KeyZoom);
+    case Qt::Key_PageDown:
+      return this->Zoom(1.0 / KeyZoom);
     case Qt::Key_W:
       return this->SetWireframe(true);
     case Qt::Key_S:
@@ -176,6 +211,8 @@ void SceneView::PaintMarks(QPainter& painter)
     this->PaintCrosshair(painter);
   if (this->IsParallel())
     PaintRuler(painter, this->rect(), this->MmPerPixel());
+  if (this->hasFocus())
+    PaintFrame(painter, this->rect(), QColor(190, 200, 215), 2.0);
 }
 
 /// A line along each axis of the patient, in the colour of the slices that it is normal to.

@@ -13,9 +13,11 @@ namespace hasp
 ///
 ///   left drag          turns          Shift+left, middle   moves
 ///   right drag, wheel  zooms          Ctrl+left            rolls
+///   arrows             turn           PageUp, PageDown     zoom
 ///   r                  all in sight   f                    turns about what is under the pointer
 ///   w, s               wireframe, surface of VTK's own meshes
 ///   5                  parallel projection and back
+///   m, double click    asks for all of the space, or gives it back
 ///
 /// VTK's other keys do nothing here and go to the window: e and q close nothing.
 ///
@@ -48,6 +50,8 @@ protected:
 private:
   void SetWireframe(bool wireframe);
   void TurnAboutPointer();
+  void Turn(double azimuth, double elevation); ///< degrees
+  void Zoom(double closer);
   void PaintCrosshair(QPainter& painter) const;
 
   std::optional<glm::dvec3> Cross;

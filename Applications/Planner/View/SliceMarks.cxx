@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr double FrameWidth = 2.0; // pixels
+constexpr double KeyboardFrameWidth = 4.0;
 constexpr double Margin = 7.0;
 constexpr double CrossGap = 7.0; // so that what is under the crosshair is seen
 
@@ -48,10 +49,7 @@ void PaintSliceMarks(QPainter& painter, const SliceMarks& marks)
   PaintText(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks.place, marks.frame.lighter(120));
   PaintText(painter, inner, Qt::AlignRight | Qt::AlignTop, marks.windowLevel);
   PaintText(painter, inner, Qt::AlignLeft | Qt::AlignBottom, marks.grey);
-  painter.setPen(QPen(marks.frame, FrameWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-  painter.setBrush(Qt::NoBrush);
-  const double half = 0.5 * FrameWidth;
-  painter.drawRect(marks.area.adjusted(half, half, -half, -half));
+  PaintFrame(painter, marks.area, marks.frame, marks.keyboard ? KeyboardFrameWidth : FrameWidth);
 }
 
 } // namespace hasp

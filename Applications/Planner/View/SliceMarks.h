@@ -16,6 +16,7 @@ struct SliceMarks
 {
   QRectF area;                      ///< of the view, pixels
   QColor frame;                     ///< the plane's
+  bool keyboard = false;            ///< the view has it: a wider frame
   QString left, right, top, bottom; ///< the patient's sides
   QString place;                    ///< "S 12.3 mm"
   QString grey;                     ///< at the crosshair: "312 HU"

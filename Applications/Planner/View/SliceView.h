@@ -25,9 +25,11 @@ class SliceIsoline;
 ///   it
 ///                            sets the crosshair
 ///   Shift + move             the crosshair, in all views
-///   right drag               zooms (up: closer), about the place of the press
+///   right drag, up/down      zooms (up: closer), about the place of the press, or the crosshair
 ///   middle, Shift+left       moves
+///   Shift + arrows           window and level, as a drag that way
 ///   r                        all of the slice          v   the slice in the 3D view, and away
+///   m, double click          asks for all of the space, or gives it back
 ///
 /// Tools may have the mouse instead: observe interactor() and abort what you take. What the views
 /// share (place, window, zoom) is asked for by signals and set by ViewGrid in all of them.
@@ -102,6 +104,9 @@ private:
   void BeginDrag(const SliceMouse& mouse);
   void ContinueDrag();
   void StepBy(int steps);
+  void DragWindowLevel(const QPoint& moved); ///< pixels
+  void DragZoom(int up, const glm::dvec3& fixed);
+  bool AnswerShifted(int key);
 
   SliceAxis Which;
   const SliceFrame& Shape;

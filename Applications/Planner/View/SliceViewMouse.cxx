@@ -20,6 +20,7 @@ namespace
 
 constexpr int ClickPixels = 3;          // a hand that clicks moves so far
 constexpr double RangePerPixel = 0.002; // of the image's grey values, as 3D Slicer
+constexpr int KeyPixels = 10;           // a key is a drag of so many
 constexpr double ZoomPerPixel = 0.01;   // of the logarithm
 
 } // namespace
@@ -102,12 +103,7 @@ void SliceView::ContinueDrag()
   switch (this->Now)
   {
     case Drag::WindowLevel:
-    {
-      const double grey = RangePerPixel * this->GreyRange;
-      Q_EMIT this->WindowLevelAsked(
-        std::max(grey, this->Window + grey * moved.x()), this->Level - grey * moved.y());
-      return;
-    }
+      return this->DragWindowLevel(moved);
     case Drag::Move:
       this->Middle -= this->MmPerPixel() *
                       (double(moved.x()) * this->Shape.right - double(moved.y()) * this->Shape.up);
@@ -115,8 +111,20 @@ void SliceView::ContinueDrag()
       this->Draw();
       return;
     default:
-      Q_EMIT this->ZoomAsked(this->Closer * std::exp(-ZoomPerPixel * moved.y()), this->Fixed);
+      this->DragZoom(-moved.y(), this->Fixed);
   }
+}
+
+void SliceView::DragWindowLevel(const QPoint& moved)
+{
+  const double grey = RangePerPixel * this->GreyRange;
+  Q_EMIT this->WindowLevelAsked(
+    std::max(grey, this->Window + grey * moved.x()), this->Level - grey * moved.y());
+}
+
+void SliceView::DragZoom(int up, const glm::dvec3& fixed)
+{
+  Q_EMIT this->ZoomAsked(this->Closer * std::exp(ZoomPerPixel * up), fixed);
 }
 
 void SliceView::SetShownInScene(bool shown)
@@ -127,9 +135,35 @@ void SliceView::SetShownInScene(bool shown)
   Q_EMIT this->ShownInSceneChanged(shown);
 }
 
+/// Window and level. False: it is another key.
+bool SliceView::AnswerShifted(int key)
+{
+  switch (key)
+  {
+    case Qt::Key_Left:
+      this->DragWindowLevel({ -KeyPixels, 0 });
+      return true;
+    case Qt::Key_Right:
+      this->DragWindowLevel({ KeyPixels, 0 });
+      return true;
+    case Qt::Key_Up:
+      this->DragWindowLevel({ 0, -KeyPixels });
+      return true;
+    case Qt::Key_Down:
+      this->DragWindowLevel({ 0, KeyPixels });
+      return true;
+    default:
+      return false;
+  }
+}
+
 void SliceView::keyPressEvent(QKeyEvent* event)
 {
-  if (event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier))
+  const Qt::KeyboardModifiers held =
+    event->modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+  if (held == Qt::ShiftModifier && this->AnswerShifted(event->key()))
+    return;
+  if (held != Qt::NoModifier)
     return FrameView::keyPressEvent(event);
   switch (event->key())
   {
@@ -139,13 +173,17 @@ void SliceView::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Right:
     case Qt::Key_F:
       return this->StepBy(1);
+    case Qt::Key_Up:
+      return this->DragZoom(KeyPixels, this->At);
+    case Qt::Key_Down:
+      return this->DragZoom(-KeyPixels, this->At);
     case Qt::Key_R:
       Q_EMIT this->ResetAsked();
       return;
     case Qt::Key_V:
       return this->SetShownInScene(!this->InScene);
     default:
-      FrameView::keyPressEvent(event); // the window's
+      FrameView::keyPressEvent(event);
   }
 }
 
@@ -154,6 +192,7 @@ void SliceView::PaintMarks(QPainter& painter)
   SliceMarks marks;
   marks.area = this->rect();
   marks.frame = this->Shape.colour;
+  marks.keyboard = this->hasFocus();
   marks.left = SideLetter(-this->Shape.right);
   marks.right = SideLetter(this->Shape.right);
   marks.top = SideLetter(this->Shape.up);

@@ -1,6 +1,6 @@
 hasp_add_planner_part(Views
   SOURCES
-    View/FrameView.cxx View/FrameView.h
+    View/FrameView.cxx View/FrameView.h View/FrameViewEvents.cxx
     View/OrientationCube.cxx View/OrientationCube.h
     View/SceneStyle.cxx View/SceneStyle.h
     View/SceneView.cxx View/SceneView.h

@@ -50,6 +50,14 @@ void PaintLine(QPainter& painter, const QPointF& from, const QPointF& to, const 
   painter.drawLine(from, to);
 }
 
+void PaintFrame(QPainter& painter, const QRectF& area, const QColor& colour, double width)
+{
+  painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.setBrush(Qt::NoBrush);
+  const double half = 0.5 * width;
+  painter.drawRect(area.adjusted(half, half, -half, -half));
+}
+
 QString NumberText(double value, char format, int precision)
 {
   QLocale locale;

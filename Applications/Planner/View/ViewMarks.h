@@ -36,6 +36,8 @@ void PaintText(QPainter& painter, const QRectF& where, int flags, const QString&
   const QColor& colour = Qt::white);
 /// A line with the same edge.
 void PaintLine(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour);
+/// Along the border of `area`, within it; width in pixels.
+void PaintFrame(QPainter& painter, const QRectF& area, const QColor& colour, double width);
 /// A scale bar along the lower edge of `area`, at its right, a third of it at most, with its length
 /// in mm. Nothing where mmPerPixel is not > 0.
 void PaintRuler(QPainter& painter, const QRectF& area, double mmPerPixel);

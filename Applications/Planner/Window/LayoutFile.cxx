@@ -8,7 +8,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QEvent>
-#include <QKeyEvent>
 #include <QWidget>
 
 #include <algorithm>
@@ -20,6 +19,7 @@ namespace
 {
 
 constexpr int LeastMs = 50; // between two files
+constexpr int DownMs = 200; // for 100 ms a button is down that a key has pressed
 constexpr int NoisyMs = 2;  // until it is looked again whether more has come
 
 nlohmann::ordered_json NameOrNull(const QWidget* widget)
@@ -38,11 +38,8 @@ nlohmann::ordered_json DescribeModal()
     { "title", modal->windowTitle().toStdString() } };
 }
 
-/// A button that a key has pressed: it comes up, and does what it is for, by itself.
-bool ComesUpSoon()
+bool IsAnyButtonDown()
 {
-  if (QApplication::mouseButtons() != Qt::NoButton)
-    return false;
   const QWidgetList widgets = QApplication::allWidgets();
   return std::any_of(widgets.begin(), widgets.end(),
     [](const QWidget* widget)
@@ -99,14 +96,15 @@ void LayoutFile::Count(QObject* watched, QEvent* event)
     case QEvent::MouseButtonRelease:
     case QEvent::Wheel:
       ++this->Events;
+      this->Input.start();
       break;
     case QEvent::ShortcutOverride: // comes before the key itself, which a shortcut swallows
       this->Overridden = true;
-      this->Events += static_cast<const QKeyEvent*>(event)->isAutoRepeat() ? 0 : 1;
+      ++this->Events;
+      this->Input.start();
       break;
     case QEvent::KeyPress:
-      if (!this->Overridden && !static_cast<const QKeyEvent*>(event)->isAutoRepeat())
-        ++this->Events;
+      this->Events += this->Overridden ? 0 : 1;
       this->Overridden = false;
       break;
     default:
@@ -126,8 +124,15 @@ void LayoutFile::Look()
   // A blinking cursor alone is no reason to say that it is not settled.
   if (text != this->Last && (quiet || this->Describe(true) != this->Last))
     this->Write(text);
-  if (!quiet)
+  if (!quiet || this->ComesUpSoon())
     this->Looking.start(LeastMs);
+}
+
+/// A button comes up by itself, and does then what it is for. Some are down for good.
+bool LayoutFile::ComesUpSoon() const
+{
+  return this->Input.isValid() && this->Input.elapsed() < DownMs &&
+         QApplication::mouseButtons() == Qt::NoButton && IsAnyButtonDown();
 }
 
 std::string LayoutFile::Describe(bool quiet) const
@@ -135,7 +140,7 @@ std::string LayoutFile::Describe(bool quiet) const
   nlohmann::ordered_json state = this->Of ? this->Of() : nlohmann::ordered_json::object();
   state["events"] = this->Events;
   state["settled"] =
-    quiet && !state.value("busy", false) && !state.value("pending", false) && !ComesUpSoon();
+    quiet && !state.value("busy", false) && !state.value("pending", false) && !this->ComesUpSoon();
   const nlohmann::ordered_json layout{ { "format", "hasp-layout-1" }, { "state", state },
     { "modal", DescribeModal() }, { "popup", NameOrNull(QApplication::activePopupWidget()) },
     { "focus", NameOrNull(QApplication::focusWidget()) },

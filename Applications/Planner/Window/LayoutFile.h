@@ -24,7 +24,8 @@ namespace hasp
 ///   popup     the name of the menu or list that is open; null: none
 ///   focus     the name of the widget that has the keyboard; null: none that has a name
 ///   state     what the program says of itself, and of this:
-///     events    presses and releases of buttons, presses of keys and steps of the wheel so far
+///     events    presses and releases of buttons, presses of keys (repeated ones too) and steps of
+///               the wheel so far
 ///     settled   all that was sent to the program has been handled, and nothing is pending
 ///
 /// Whoever sends an input waits until `events` has grown by it and `settled` is true. A click that
@@ -58,6 +59,7 @@ protected:
 private:
   void Count(QObject* watched, QEvent* event);
   void Look();
+  bool ComesUpSoon() const;
   std::string Describe(bool quiet) const;
   void Write(const std::string& text);
 
@@ -65,7 +67,7 @@ private:
   State Of;
   UserWords Words;
   QTimer Looking;
-  QElapsedTimer Noise, Wrote; ///< since the first event after rest; since it was written
+  QElapsedTimer Noise, Wrote, Input; ///< since the first event after rest; the file; an input
   unsigned long long Seen = 0, SeenAtLook = 0, Events = 0;
   bool Overridden = false; ///< the key that is pressed has been counted
   bool Told = false;       ///< Failed

@@ -47,8 +47,15 @@ struct FragmentImage
 /// elsewhere those at the isovalue or above are mirrored at it, to 2 isovalue - value, or to what
 /// the type has nearest to that below the isovalue. So the isosurface is the scan's own to the last
 /// bit in cells whose bone is all of the label, and half way to a neighbour of the same grey value;
-/// bone without a label is such a neighbour. An image reaches two samples beyond its label, or to
-/// the scan's end: bone that goes on beyond the scan is open there.
+/// bone without a label is such a neighbour.
+///
+/// Where bone is missing in a sawn box samples on either side of its face rise and fall with their
+/// distance from it, as steeply as the label's grey values are high there, so that the surface is
+/// the face: exactly where bone is of one grey value, and else within a part of a voxel. No sample
+/// of the label rises. Of bone in such a box that has the label nothing is missing.
+///
+/// An image reaches two samples beyond its label, or to the scan's end: bone that goes on beyond
+/// the scan is open there.
 ///
 /// labels  on the scan's grid; 0 is nothing
 /// Throws std::invalid_argument unless the labels are of the scan's grid, for the level of label 0,

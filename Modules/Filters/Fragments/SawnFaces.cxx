@@ -74,39 +74,46 @@ public:
     return this->Labels(at.x, at.y, at.z) == this->Where.label;
   }
 
-  /// Of a sample of the label beside the box: is there bone beside it that has another label or
-  /// none, in the box or beyond it?
-  bool IsBesideLoss(const glm::ivec3& at, double across) const
+  /// Of a sample of the label beside the box: the contrast to be faced with there, which is the
+  /// most that the label has around; 0 unless there is bone beside it that has another label or
+  /// none, in the box or beyond it.
+  double ContrastBesideLoss(const glm::ivec3& at, double across) const
   {
-    bool found = false;
+    bool loss = false;
+    double contrast = 0.0;
     this->EachNeighbour(at,
-      [&](const glm::ivec3& other)
+      [&](const glm::ivec3& other, double value)
       {
         const double there = this->Box.Local(other).z;
-        found = found || (!this->IsOwn(other) && (std::abs(there) <= this->Where.box.half.z ||
-                                                   (there > 0.0) != (across > 0.0)));
+        if (this->IsOwn(other))
+          contrast = std::max(contrast, value);
+        else
+          loss =
+            loss || std::abs(there) <= this->Where.box.half.z || (there > 0.0) != (across > 0.0);
       });
-    return found;
+    return loss ? contrast : 0.0;
   }
   /// Of bone that has another label or none: how far it lies behind the face that the label ends at
-  /// beside it, mm; infinity: it lies behind none.
-  double BehindFace(const glm::ivec3& at, double across) const
+  /// beside it, mm, and that contrast. Infinity: it lies behind none.
+  std::pair<double, double> BehindFace(const glm::ivec3& at, double across) const
   {
     const double half = this->Where.box.half.z;
-    double least = std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity(), contrast = 0.0;
     this->EachNeighbour(at,
-      [&](const glm::ivec3& other)
+      [&](const glm::ivec3& other, double value)
       {
         const double there = this->Box.Local(other).z;
         const double behind = there > 0.0 ? half - across : half + across;
-        if (this->IsOwn(other) && std::abs(there) >= half && behind >= 0.0)
-          least = std::min(least, behind);
+        if (!this->IsOwn(other) || std::abs(there) < half || behind < 0.0)
+          return;
+        least = std::min(least, behind);
+        contrast = std::max(contrast, value);
       });
-    return least;
+    return { least, contrast };
   }
 
 private:
-  /// Those of 26 that are bone.
+  /// Those of 26, and itself, that are bone, with how much: value - isovalue.
   template <typename Visit>
   void EachNeighbour(const glm::ivec3& at, const Visit& visit) const
   {
@@ -115,8 +122,8 @@ private:
     for (int k = low.z; k <= high.z; ++k)
       for (int j = low.y; j <= high.y; ++j)
         for (int i = low.x; i <= high.x; ++i)
-          if (double(this->Grey(i, j, k)) >= this->Where.isovalue)
-            visit(glm::ivec3(i, j, k));
+          if (const double bone = double(this->Grey(i, j, k)) - this->Where.isovalue; bone >= 0.0)
+            visit(glm::ivec3(i, j, k), bone);
   }
 
   const GridView<const T>& Grey;
@@ -145,17 +152,19 @@ void FlattenFaces(const GridView<Sample>& image, const GridView<const T>& grey,
         const auto value = Sample(grey(i, j, k));
         const glm::dvec3 local = box.Local({ i, j, k });
         const double distance = box.Distance(local);
-        if (distance >= reach || !side.Inside(double(value)))
+        if (distance >= reach || !side.IsInside(double(value)))
           continue;
         Sample& is = image(i - where.first.x, j - where.first.y, k - where.first.z);
         if (scan.IsOwn({ i, j, k }))
         {
-          if (distance >= 0.0 && scan.IsBesideLoss({ i, j, k }, local.z))
-            is = std::min(is, side.Lowered(value, distance / reach));
-          continue;
+          const double contrast =
+            distance >= 0.0 ? scan.ContrastBesideLoss({ i, j, k }, local.z) : 0.0;
+          if (contrast > 0.0)
+            is = std::min(is, side.Inside(value, distance / reach * contrast));
         }
-        const double share = std::min(1.0, scan.BehindFace({ i, j, k }, local.z) / reach);
-        is = std::max(is, side.Below(where.isovalue - share * (double(value) - where.isovalue)));
+        else if (const auto [behind, contrast] = scan.BehindFace({ i, j, k }, local.z);
+                 behind < reach)
+          is = std::max(is, side.Below(where.isovalue - behind / reach * contrast));
       }
 }
 

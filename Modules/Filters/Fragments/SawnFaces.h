@@ -27,23 +27,24 @@ public:
     }
     this->MostBelow = std::max(below, Least);
   }
-  bool Inside(double value) const { return value >= this->Isovalue; }
+  bool IsInside(double value) const { return value >= this->Isovalue; }
   /// The nearest of T that is outside.
   T Below(double value) const { return T(std::clamp(value, Least, this->MostBelow)); }
   /// What is inside, as far outside.
   T Mirrored(T value) const
   {
-    return this->Inside(double(value)) ? this->Below(2.0 * this->Isovalue - double(value)) : value;
+    return this->IsInside(double(value)) ? this->Below(2.0 * this->Isovalue - double(value))
+                                         : value;
   }
-  /// What is inside, a share of it from the isovalue; stays inside, and no more than it was.
-  T Lowered(T value, double share) const
+  /// So much above the isovalue; inside, and no more than `most`, which is.
+  T Inside(T most, double above) const
   {
-    double less = this->Isovalue + share * (double(value) - this->Isovalue);
+    double value = this->Isovalue + above;
     if constexpr (std::is_integral_v<T>)
-      less = std::max(std::round(less), std::ceil(this->Isovalue));
-    T is = T(std::min(less, double(value)));
-    if (!this->Inside(double(is))) // rounding of float
-      is = std::nextafter(is, value);
+      value = std::max(std::round(value), std::ceil(this->Isovalue));
+    T is = T(std::min(value, double(most)));
+    if (!this->IsInside(double(is))) // rounding of float
+      is = std::nextafter(is, most);
     return is;
   }
 

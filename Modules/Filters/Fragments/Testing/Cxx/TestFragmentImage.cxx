@@ -333,6 +333,19 @@ TEST(FragmentImage, ASawnFaceIsPlane)
   }
 }
 
+// Bone whose values differ from place to place, as marrow's and cortex' do: the face is within a
+// quarter of a voxel, where voxels alone would be off by a half.
+TEST(FragmentImage, ASawnFaceOfUnevenBoneIsNearlyPlane)
+{
+  SawnBlock block(0.7);
+  for (std::size_t n = 0; n < block.samples.size(); ++n)
+    block.samples[n] = std::int16_t(n * 7919 % 1009 < 500 ? 700 : 1200);
+  double worst = 0.0;
+  EachCrossing(block.Image(1),
+    [&](const glm::dvec3& p) { worst = std::max(worst, std::abs(block.Across(p) + 0.35)); });
+  EXPECT_LT(worst, 0.25 * 0.5);
+}
+
 // What lies in the box and has the label has not been cut: beyond a blade's reach.
 TEST(FragmentImage, BoneOfTheLabelInABoxIsWhole)
 {

@@ -6,7 +6,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <optional>
 #include <string>
 
 namespace hasp
@@ -14,7 +13,7 @@ namespace hasp
 
 /// A part as it is planned, and the bone that it is put on: what a test fit needs. Immutable once
 /// made.
-struct FitBody
+struct PartOnBone
 {
   PlanId object = 0;
   std::string called;                     ///< "guide 8"
@@ -22,7 +21,6 @@ struct FitBody
   vtkSmartPointer<vtkImageData> bone;     ///< around the part and its way, world; bone is:
   double isovalue = 226.0;                ///< value >= isovalue
   glm::dvec3 withdrawal{ 0.0, 0.0, 1.0 }; ///< unit, world: the part lifts off along it
-  std::optional<double> leastGapMm;       ///< of its certificate: of all walls that face bone
   glm::dvec3 Middle() const               ///< of the part's box
   {
     const double* box = this->part->GetBounds();
