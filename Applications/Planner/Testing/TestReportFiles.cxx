@@ -12,6 +12,8 @@
 namespace
 {
 
+using ReportFiles = CaseReport;
+
 void ExpectWellFormed(const QByteArray& page)
 {
   QXmlStreamReader reader(page);
@@ -21,7 +23,7 @@ void ExpectWellFormed(const QByteArray& page)
                                   << reader.lineNumber();
 }
 
-TEST_F(CaseReport, WhereItCannotBeWrittenNothingIsAndNoPathIsSaid)
+TEST_F(ReportFiles, WhereItCannotBeWrittenNothingIsAndNoPathIsSaid)
 {
   const fs::path html = this->folder / "none" / "report.html";
   try
@@ -36,7 +38,7 @@ TEST_F(CaseReport, WhereItCannotBeWrittenNothingIsAndNoPathIsSaid)
   EXPECT_FALSE(fs::exists(html.parent_path()));
 }
 
-TEST_F(CaseReport, EqualPlansHaveEqualReports)
+TEST_F(ReportFiles, EqualPlansHaveEqualReports)
 {
   this->KeepGuide();
   SaveReport(this->ContentsWithPictures(), this->folder / "a.html");
@@ -58,7 +60,7 @@ TEST_F(CaseReport, EqualPlansHaveEqualReports)
       << ending;
 }
 
-TEST_F(CaseReport, IsWellFormedWhateverTheCaseIsCalled)
+TEST_F(ReportFiles, IsWellFormedWhateverTheCaseIsCalled)
 {
   const QString label = QString::fromUtf8("<b>&\"A'</b> Ähre");
   this->KeepGuide();
@@ -73,7 +75,7 @@ TEST_F(CaseReport, IsWellFormedWhateverTheCaseIsCalled)
     EXPECT_EQ(page.indexOf(forbidden), -1) << forbidden;
 }
 
-TEST_F(CaseReport, PicturesShowTheBoneFromFourSidesBeforeAndAfter)
+TEST_F(ReportFiles, PicturesShowTheBoneFromFourSidesBeforeAndAfter)
 {
   const ReportContents contents = this->ContentsWithPictures();
   ASSERT_EQ(contents.pictures.size(), 8U);
@@ -97,7 +99,7 @@ TEST_F(CaseReport, PicturesShowTheBoneFromFourSidesBeforeAndAfter)
   EXPECT_TRUE(this->ContentsWithPictures().pictures.empty()) << "of nothing";
 }
 
-TEST_F(CaseReport, ThePdfHasPagesAndNoDate)
+TEST_F(ReportFiles, ThePdfHasPagesAndNoDate)
 {
   this->KeepGuide();
   const QByteArray pdf = ReportPdf(this->ContentsWithPictures());
