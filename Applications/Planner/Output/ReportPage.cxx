@@ -9,7 +9,7 @@ namespace
 
 /// Of HTML 4 and CSS 2.1 what Qt's rich text has, too.
 constexpr const char* Style = R"(<style>
-body { font-family: sans-serif; color: #222222 }
+body { font-family: sans-serif; color: #222222; max-width: 900px }
 h1 { font-size: 22px } h2 { font-size: 16px; margin-top: 18px }
 td.use { background-color: #a40000; color: #ffffff; font-weight: bold; border: none }
 p.note { color: #555555 } p.fault { color: #a40000; font-weight: bold }
