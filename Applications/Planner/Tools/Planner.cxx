@@ -12,6 +12,7 @@ Planner::Planner(const PlannerFolders& folders, const std::filesystem::path& wor
 {
   connect(&this->plan, &PlanSession::Refused, this, &Planner::SayFault);
   connect(&this->plan, &PlanSession::Warned, this, &Planner::SayFault);
+  connect(&this->scene, &PlanScene::Refused, this, &Planner::SayFault);
   connect(&this->jobs, &JobQueue::Failed, this,
     [this](const QString& what, const QString& text)
     { this->SayFault(tr("%1 failed: %2").arg(what, text)); });
