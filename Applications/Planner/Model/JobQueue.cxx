@@ -1,5 +1,6 @@
 #include "Model/JobQueue.h"
 
+#include "Model/ErrorText.h"
 #include "Realtime/SignalsBlocked.h"
 
 #include <chrono>
@@ -10,7 +11,31 @@ namespace hasp
 namespace
 {
 constexpr std::chrono::milliseconds BetweenShares{ 100 };
+
+/// What it throws, in words; none: nothing.
+template <typename Act>
+std::optional<QString> FaultOf(const Act& act)
+{
+  try
+  {
+    act();
+    return std::nullopt;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return JobQueue::tr(
+      "there is not enough memory; close other programs or work on a smaller scan");
+  }
+  catch (const std::exception& error)
+  {
+    return ErrorText(error);
+  }
 }
+} // namespace
 
 JobQueue::JobQueue(QObject* parent) : QObject(parent) {}
 
@@ -112,22 +137,15 @@ JobQueue::Result JobQueue::DoJob(const Job& job)
     }
     return !this->GiveUp;
   };
+  Result result;
   try
   {
-    return { job.work(progress), std::nullopt };
+    result.error = FaultOf([&] { result.finish = job.work(progress); });
   }
-  catch (const Cancelled&)
+  catch (const Cancelled&) // neither
   {
-    return {};
   }
-  catch (const std::bad_alloc&)
-  {
-    return { {}, tr("there is not enough memory; close other programs or work on a smaller scan") };
-  }
-  catch (const std::exception& error)
-  {
-    return { {}, QString::fromUtf8(error.what()) };
-  }
+  return result;
 }
 
 void JobQueue::Deliver(const QString& what, const Result& result, unsigned long long round)
@@ -136,8 +154,8 @@ void JobQueue::Deliver(const QString& what, const Result& result, unsigned long 
     Q_EMIT this->GaveUp(what);
   else if (result.error)
     Q_EMIT this->Failed(what, *result.error);
-  else
-    result.finish();
+  else if (const auto fault = FaultOf(result.finish)) // the queue goes on
+    Q_EMIT this->Failed(what, *fault);
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Busy = false;

@@ -1,30 +1,16 @@
 #include "Model/PlanSession.h"
 
+#include "Model/ErrorText.h"
 #include "Model/WorkFolder.h"
-#include "Planning/DurableFile.h"
 #include "Planning/PlanJournal.h"
 
 #include <exception>
-#include <stdexcept>
 
 namespace hasp
 {
 namespace
 {
 namespace fs = std::filesystem;
-
-QString Text(const std::exception& error)
-{
-  return QString::fromUtf8(error.what());
-}
-
-/// Bytes that the document names; those that are there already stay as they are.
-void CopyBlobs(const fs::path& from, const fs::path& to, const PlanDocument& document)
-{
-  for (const std::string& hash : BlobsOf(document))
-    if (!fs::exists(to / "blobs" / hash))
-      WriteBlob(to, ReadBlob(from, hash));
-}
 } // namespace
 
 PlanSession::PlanSession(const fs::path& work, QObject* parent)
@@ -33,6 +19,7 @@ PlanSession::PlanSession(const fs::path& work, QObject* parent)
     Kept(std::make_shared<PlanDocument>())
 {
   this->Write();
+  this->JournalFails = false; // nobody listens yet: the next action says it
 }
 
 PlanSession::~PlanSession() = default;
@@ -58,7 +45,7 @@ void PlanSession::Write(bool isSaved)
     if (!std::exchange(this->JournalFails, true))
       Q_EMIT this->Warned(tr("What you do is not kept against a crash: %1. Save the plan, and make "
                              "room on the disk.")
-                            .arg(Text(error)));
+                            .arg(ErrorText(error)));
   }
 }
 
@@ -70,7 +57,7 @@ bool PlanSession::Do(std::vector<PlanEdit> edits, const QString& label)
   }
   catch (const std::exception& error)
   {
-    Q_EMIT this->Refused(Text(error));
+    Q_EMIT this->Refused(ErrorText(error));
     return false;
   }
   this->Took();
@@ -121,7 +108,7 @@ std::string PlanSession::StoreBlob(std::string_view bytes)
   }
   catch (const std::exception& error)
   {
-    Q_EMIT this->Refused(Text(error));
+    Q_EMIT this->Refused(ErrorText(error));
     return {};
   }
 }
@@ -147,16 +134,19 @@ bool PlanSession::Open(const fs::path& folder)
 {
   try
   {
-    const PlanLock lock(folder);
-    PlanDocument document = LoadPlan(folder);
-    CopyBlobs(folder, this->Work, document);
+    PlanDocument document;
+    {
+      const PlanLock lock(folder); // no longer: what follows a new plan may take seconds
+      document = LoadPlan(folder);
+      this->CopyBlobs(folder, this->Work, document);
+    }
     PlanDocument saved = document;
     this->Put(std::move(document), folder, std::move(saved));
     return true;
   }
   catch (const std::exception& error)
   {
-    Q_EMIT this->Refused(tr("The plan cannot be opened: %1").arg(Text(error)));
+    Q_EMIT this->Refused(tr("The plan cannot be opened: %1").arg(ErrorText(error)));
     return false;
   }
 }
@@ -166,60 +156,17 @@ bool PlanSession::Recover(const fs::path& crashedWork, const fs::path& place)
   try
   {
     RecoveredPlan found = ReadJournal(JournalIn(crashedWork));
-    CopyBlobs(crashedWork, this->Work, found.document);
+    this->CopyBlobs(crashedWork, this->Work, found.document);
+    this->Put(std::move(found.document), place, place.empty() ? PlanDocument{} : LoadPlan(place));
     if (found.damaged)
       Q_EMIT this->Warned(tr("A part of the journal is damaged: what was done after it is lost."));
-    this->Put(std::move(found.document), place, place.empty() ? PlanDocument{} : LoadPlan(place));
     return true;
   }
   catch (const std::exception& error)
   {
-    Q_EMIT this->Refused(tr("The work cannot be brought back: %1").arg(Text(error)));
+    Q_EMIT this->Refused(tr("The work cannot be brought back: %1").arg(ErrorText(error)));
     return false;
   }
-}
-
-void PlanSession::SaveIn(const fs::path& folder)
-{
-  MakeFolderDurably(folder, "the plan's folder");
-  const PlanLock lock(folder);
-  const bool isThere = fs::exists(folder / "plan.json");
-  if (isThere && folder != this->Place)
-    throw std::runtime_error("there is a plan already in that folder; choose another name");
-  if (isThere && !(LoadPlan(folder) == this->Saved))
-    throw std::runtime_error("somebody else has changed this plan since it was opened; save it "
-                             "under another name, and compare them");
-  CopyBlobs(this->Work, folder, *this->Kept);
-  SavePlan(folder, *this->Kept);
-  this->Saved = *this->Kept;
-  this->Place = folder;
-  RemoveUnusedBlobs(folder, this->Saved); // and what an interrupted save left
-}
-
-bool PlanSession::SaveAs(const fs::path& folder)
-{
-  std::error_code ignored;
-  const bool isNew = !fs::exists(folder, ignored);
-  try
-  {
-    this->SaveIn(folder);
-    this->Write(true);
-  }
-  catch (const std::exception& error)
-  {
-    if (isNew && !fs::exists(folder / "plan.json", ignored))
-      fs::remove_all(folder, ignored); // nothing half-written stays
-    Q_EMIT this->Refused(tr("The plan is not saved: %1").arg(Text(error)));
-    return false;
-  }
-  Q_EMIT this->SavedChanged();
-  return true;
-}
-
-bool PlanSession::Save()
-{
-  const std::filesystem::path place = this->Place; // SaveAs sets it
-  return this->HasPlace() && this->SaveAs(place);
 }
 
 bool PlanSession::IsModified() const

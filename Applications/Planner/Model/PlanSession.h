@@ -70,6 +70,8 @@ public:
   bool HasPlace() const { return !this->Place.empty(); }
   const std::filesystem::path& SavedIn() const { return this->Place; } ///< never shown
   bool IsModified() const; ///< since it was opened or saved
+  /// All of it is in the journal. False after Warned: a crash would take it.
+  bool IsJournalled() const { return this->Journal && !this->JournalFails; }
 
   /// "guide 8 is out of date: cut 6 has changed", "guide 8 has not been made"; empty: it is in
   /// date.
@@ -86,11 +88,17 @@ Q_SIGNALS:
 private:
   void Write(bool isSaved = false); ///< into the journal; isSaved: it begins with Saved
   void Put(PlanDocument document, std::filesystem::path place, PlanDocument saved);
+  /// Bytes that the document names; those that are there already stay as they are.
+  static void CopyBlobs(const std::filesystem::path& from, const std::filesystem::path& to,
+    const PlanDocument& document);
   void SaveIn(const std::filesystem::path& folder);
+  void CheckPlace(const std::filesystem::path& folder) const; ///< throws if it is another's
+  void RemoveUnused();
 
-  std::filesystem::path Work, Place;
+  std::filesystem::path Work, Place, TriedIn;
   std::shared_ptr<PlanDocument> Kept;
   PlanDocument Saved; ///< as on disk; of a plan without a place: as it began
+  PlanDocument Tried; ///< to save in TriedIn, whether that went well or not
   std::unique_ptr<PlanJournal> Journal;
   bool JournalFails = false; ///< it has been said
 };

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <new>
 
 namespace hasp
 {
@@ -114,7 +115,8 @@ void ScanShelf::KeepOnly(const Plan& plan)
 
 bool ScanShelf::IsKept(const std::string& hash) const
 {
-  return !this->Kept.empty() && fs::exists(FileOf(this->Kept, hash));
+  std::error_code error; // then it is not
+  return !this->Kept.empty() && fs::exists(FileOf(this->Kept, hash), error);
 }
 
 ShelfScan ScanShelf::Read(
@@ -144,6 +146,10 @@ std::optional<ShelfScan> ScanShelf::ReadKept(
     }
   }
   catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&) // no fault of the file's: it stays
   {
     throw;
   }

@@ -1,7 +1,7 @@
 hasp_add_planner_part(Model
   SOURCES
-    Model/JobQueue.cxx Model/JobQueue.h
-    Model/PlanSession.cxx Model/PlanSession.h
+    Model/ErrorText.h Model/JobQueue.cxx Model/JobQueue.h
+    Model/PlanSession.cxx Model/PlanSession.h Model/PlanSessionSaving.cxx
     Model/ScanShelf.cxx Model/ScanShelf.h
     Model/WorkFolder.cxx Model/WorkFolder.h
     Model/RecentPlans.cxx Model/RecentPlans.h

@@ -31,6 +31,15 @@ int TakeLock(const fs::path& folder, int more = 0)
   return lock;
 }
 
+/// The hash that plan.json ends with (PlanFile.h): another one is of another plan.
+std::string SealOf(const fs::path& place)
+{
+  constexpr std::size_t MostPlan = std::size_t{ 64 } << 20, Digits = 64;
+  const std::string text = ReadWhole(place / "plan.json", MostPlan, "plan.json");
+  const std::size_t end = text.find_last_of("0123456789abcdef") + 1;
+  return end < Digits ? std::string(Digits, '-') : text.substr(end - Digits, Digits);
+}
+
 [[noreturn]] void Refuse()
 {
   throw std::runtime_error(std::string("the planner's own folder cannot be written: ") +
@@ -67,10 +76,12 @@ WorkFolder::~WorkFolder()
 
 void WorkFolder::SetPlace(const fs::path& plans, const fs::path& place)
 {
+  std::error_code ignored; // first: another plan's place is worse than none
+  fs::remove(this->Folder / "place", ignored);
   try
   {
-    WriteDurably(
-      this->Folder / "place", BelowPlans(plans, place).string(), "the planner's own folder");
+    if (const std::string below = BelowPlans(plans, place).string(); !below.empty())
+      WriteDurably(this->Folder / "place", SealOf(place) + below, "the planner's own folder");
   }
   catch (const std::runtime_error&) // after a crash the user says it again
   {
@@ -81,11 +92,12 @@ fs::path WorkFolder::PlaceOf(const fs::path& folder, const fs::path& plans)
 {
   try
   {
-    const std::string below = ReadWhole(folder / "place", 4096, "the planner's own folder");
-    if (!BelowPlans(plans, plans / below).empty() && fs::exists(plans / below / "plan.json"))
+    const std::string text = ReadWhole(folder / "place", 4096, "the planner's own folder");
+    const std::string seal = text.substr(0, 64), below = text.substr(seal.size());
+    if (!BelowPlans(plans, plans / below).empty() && SealOf(plans / below) == seal)
       return plans / below;
   }
-  catch (const std::runtime_error&) // it was never saved
+  catch (const std::runtime_error&) // it was never saved, or is gone
   {
   }
   return {};

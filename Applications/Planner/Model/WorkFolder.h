@@ -26,7 +26,8 @@ public:
   /// Remembers where the plan is saved, for a start after a crash; only if that lies below the
   /// folder of plans, since elsewhere a folder's name may be a patient's. Any other: forgets it.
   void SetPlace(const std::filesystem::path& plans, const std::filesystem::path& place);
-  /// Empty: none was remembered, or it is gone.
+  /// Empty: none was remembered, it is gone, or somebody has saved another plan there since, which
+  /// a save after the crash must not replace.
   static std::filesystem::path PlaceOf(
     const std::filesystem::path& folder, const std::filesystem::path& plans);
 

@@ -20,13 +20,11 @@ namespace hasp
 namespace
 {
 
-using Text = ReportText;
-
 QString Title(const Plan& plan)
 {
   return plan.caseLabel.empty()
-           ? Text::tr("Case report")
-           : Text::tr("Case report: %1").arg(QString::fromStdString(plan.caseLabel));
+           ? ReportText::tr("Case report")
+           : ReportText::tr("Case report: %1").arg(QString::fromStdString(plan.caseLabel));
 }
 
 QStringList Lead(const Plan& plan, const CaseReportOptions& options)
@@ -39,8 +37,9 @@ QStringList Lead(const Plan& plan, const CaseReportOptions& options)
       ++(isKept ? kept : resected);
       moved += isKept && !(fragment.scanToPlanned == PlanPose{}) ? 1 : 0;
     }
-  QStringList lead{ Text::tr("Planned: kept fragments: %1, of them moved: %2; resected: %3; cuts: "
-                             "%4; guides: %5; plates: %6; implants: %7; transplants: %8.")
+  QStringList lead{ ReportText::tr(
+                      "Planned: kept fragments: %1, of them moved: %2; resected: %3; cuts: "
+                      "%4; guides: %5; plates: %6; implants: %7; transplants: %8.")
                       .arg(kept)
                       .arg(moved)
                       .arg(resected)
@@ -49,18 +48,20 @@ QStringList Lead(const Plan& plan, const CaseReportOptions& options)
                       .arg(plan.plates.size())
                       .arg(plan.implants.size())
                       .arg(plan.transplants.size()),
-    Text::tr("Plan, SHA-256: %1").arg(QString::fromStdString(PlanHash(plan))) };
+    ReportText::tr("Plan, SHA-256: %1").arg(QString::fromStdString(PlanHash(plan))) };
   if (!options.date.isEmpty())
-    lead.append(Text::tr("Date: %1").arg(options.date));
+    lead.append(ReportText::tr("Date: %1").arg(options.date));
   return lead;
 }
 
 ReportTable ProgramTable(const QString& renderer)
 {
-  return { Text::tr("Program"), {}, { Text::tr("what"), Text::tr("version") },
-    { { "hasp-planner", Text::tr("%1, commit %2").arg(Version(), Commit()) },
+  return {
+    ReportText::tr("Program"), {}, { ReportText::tr("what"), ReportText::tr("version") },
+    { { "hasp-planner", ReportText::tr("%1, commit %2").arg(Version(), Commit()) },
       { "VTK", vtkVersion::GetVTKVersion() }, { "Qt", qVersion() },
-      { "OpenGL", renderer.isEmpty() ? Text::tr("none: no pictures are drawn") : renderer } } };
+      { "OpenGL", renderer.isEmpty() ? ReportText::tr("none: no pictures are drawn") : renderer } }
+  };
 }
 
 /// The waiting pointer, while it lives.
@@ -85,7 +86,8 @@ ReportContents DescribeCase(const PlanDocument& document, const std::filesystem:
   ReportContents contents{ Title(plan), Lead(plan, options), {}, std::move(drawing.pictures),
     missing };
   if (drawing.renderer.isEmpty())
-    contents.missing.append(Text::tr("There are no pictures: OpenGL 3.2 or later is needed."));
+    contents.missing.append(
+      ReportText::tr("There are no pictures: OpenGL 3.2 or later is needed."));
   contents.tables = { FragmentTable(naming, middles), GroupTable(naming), CutTable(naming),
     MeasureTable(naming) };
   for (ReportTable& table : PartTables(document, blobs, naming))
@@ -98,10 +100,12 @@ ReportContents DescribeCase(const PlanDocument& document, const std::filesystem:
 void SaveReport(const ReportContents& contents, const std::filesystem::path& html)
 {
   const QByteArray page = ReportPage(contents), pdf = ReportPdf(contents);
-  std::filesystem::path beside = html;
+  std::filesystem::path beside = html, place = html;
   beside.replace_extension(".pdf");
+  if (beside == place) // it was named as the PDF is
+    place.replace_extension(".html");
   WriteDurably(beside, { pdf.constData(), std::size_t(pdf.size()) }, "the report's PDF");
-  WriteDurably(html, { page.constData(), std::size_t(page.size()) }, "the report's page");
+  WriteDurably(place, { page.constData(), std::size_t(page.size()) }, "the report's page");
 }
 
 bool WriteCaseReport(
@@ -118,12 +122,13 @@ bool WriteCaseReport(
   }
   catch (const std::exception& error)
   {
-    planner.SayFault(Text::tr("The report is not written: %1. Choose a folder that can be written, "
-                              "or make room on its disk.")
-                       .arg(QString::fromUtf8(error.what())));
+    planner.SayFault(
+      ReportText::tr("The report is not written: %1. Choose a folder that can be written, "
+                     "or make room on its disk.")
+        .arg(QString::fromUtf8(error.what())));
     return false;
   }
-  planner.Say(Text::tr("The report is written, as a page and as a PDF beside it."));
+  planner.Say(ReportText::tr("The report is written, as a page and as a PDF beside it."));
   return true;
 }
 

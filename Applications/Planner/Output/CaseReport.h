@@ -28,9 +28,9 @@ struct CaseReportOptions
 /// all, the page after the PDF. Equal plans with equal parts have equal reports, byte by byte, on
 /// one machine. False after SayFault, which says what to do; else Say.
 ///
-/// Fragments that the scene has not made yet are made now; without their scan the report says that
-/// pictures lack them. Threads: RENDER. Cost: a surface of each fragment and eight pictures:
-/// seconds.
+/// Fragments that are hidden are made for it; of those that cannot be shown, or not yet, the report
+/// says that pictures lack them. Threads: RENDER. Cost: a surface of each fragment and eight
+/// pictures: seconds.
 bool WriteCaseReport(
   Planner& planner, const std::filesystem::path& html, const CaseReportOptions& options = {});
 

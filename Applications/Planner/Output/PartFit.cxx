@@ -28,7 +28,7 @@ constexpr double AroundMm = 10.0; // of bone beside the part and its way: what a
 constexpr double PointMm = 0.5;   // between points: 0.006 mm too late on bone of 5 mm radius
 constexpr double MapMm = 0.5;
 constexpr double PressMm = 3.0; // as SeatSettings'
-constexpr int MostPoints = 262'144;
+constexpr int MostPoints = 1 << 18;
 
 /// Where the part lifts off: as it claims, or away from the bone that its inner wall faces.
 glm::dvec3 WayOff(const RebuiltPart& part, const std::string& called)

@@ -13,8 +13,6 @@ namespace hasp
 namespace
 {
 
-using Text = ReportText;
-
 QString NameOf(PartFormat format)
 {
   switch (format)
@@ -43,7 +41,7 @@ Measured ReadMeasured(
   const DerivedPart& part, const std::filesystem::path& blobs, const ReportNaming& of)
 {
   if (part.report.empty())
-    return { Text::tr("not certified"), "–", {}, {} };
+    return { ReportText::tr("not certified"), "–", {}, {} };
   try
   {
     const std::string text = ReadBlob(blobs, part.report);
@@ -58,22 +56,24 @@ Measured ReadMeasured(
   }
   catch (const std::exception&) // what is damaged is no part's certificate
   {
-    return { Text::tr("what was measured on it cannot be read: make it again"), "–", {}, {} };
+    return { ReportText::tr("what was measured on it cannot be read: make it again"), "–", {}, {} };
   }
 }
 
 ReportTable CertificateRows(
   const FitCertificate& certificate, const QString& part, const QStringList& faults)
 {
-  ReportTable table{ Text::tr("Certificate of %1").arg(part), faults.join("; "),
-    { Text::tr("measure"), Text::tr("measured"), Text::tr("must be"), Text::tr("verdict") }, {} };
+  ReportTable table{ ReportText::tr("Certificate of %1").arg(part), faults.join("; "),
+    { ReportText::tr("measure"), ReportText::tr("measured"), ReportText::tr("must be"),
+      ReportText::tr("verdict") },
+    {} };
   for (const CertificateRow& row : CertificateTable(certificate))
     table.rows.push_back({ QString::fromStdString(row.measure),
       QString::fromStdString(row.measured), QString::fromStdString(row.limit),
-      row.fault           ? Text::tr("DOES NOT HOLD")
+      row.fault           ? ReportText::tr("DOES NOT HOLD")
       : row.limit.empty() ? QString()
-      : row.missing       ? Text::tr("not measured")
-                          : Text::tr("holds") });
+      : row.missing       ? ReportText::tr("not measured")
+                          : ReportText::tr("holds") });
   return table;
 }
 
@@ -82,10 +82,10 @@ ReportTable CertificateRows(
 std::vector<ReportTable> PartTables(
   const PlanDocument& document, const std::filesystem::path& blobs, const ReportNaming& of)
 {
-  std::vector<ReportTable> tables{ { Text::tr("Parts"),
-    Text::tr("A part is its file: by the SHA-256 of that it is known again."),
-    { Text::tr("part"), Text::tr("file"), Text::tr("verdict"), Text::tr("volume, mm³"),
-      Text::tr("SHA-256") },
+  std::vector<ReportTable> tables{ { ReportText::tr("Parts"),
+    ReportText::tr("A part is its file: by the SHA-256 of that it is known again."),
+    { ReportText::tr("part"), ReportText::tr("file"), ReportText::tr("verdict"),
+      ReportText::tr("volume, mm³"), ReportText::tr("SHA-256") },
     {} } };
   for (const PlanId object : PartObjects(of.plan))
   {

@@ -14,8 +14,6 @@ namespace hasp
 namespace
 {
 
-using Text = ReportText;
-
 const glm::dvec3 GuideColour{ 0.10, 0.45, 0.75 }, PlateColour{ 0.45, 0.48, 0.52 },
   ImplantColour{ 0.90, 0.62, 0.00 }, TransplantColour{ 0.00, 0.62, 0.45 },
   BladeColour{ 0.95, 0.45, 0.05 }, ResectedColour{ 0.85, 0.15, 0.15 },
@@ -68,9 +66,10 @@ void AddAfter(ReportScene& scene, const Plan& plan, const ReportBodies& bodies)
 
 void Draw(ReportScene& scene, const QString& caption, std::vector<ReportPicture>& pictures)
 {
-  const std::array sides{ std::pair('A', Text::tr("from the front")),
-    std::pair('L', Text::tr("from the patient's left")),
-    std::pair('R', Text::tr("from the patient's right")), std::pair('S', Text::tr("from above")) };
+  const std::array sides{ std::pair('A', ReportText::tr("from the front")),
+    std::pair('L', ReportText::tr("from the patient's left")),
+    std::pair('R', ReportText::tr("from the patient's right")),
+    std::pair('S', ReportText::tr("from above")) };
   if (!scene.IsEmpty())
     for (const auto& [side, from] : sides)
       pictures.push_back({ caption.arg(from), scene.Draw(side) });
@@ -109,11 +108,12 @@ ReportDrawing DrawReport(const Plan& plan, const ReportBodies& bodies)
   if (!plan.cuts.empty() || !plan.guides.empty() || !plan.mitreGuides.empty())
   {
     AddBefore(scene, plan, bodies);
-    Draw(scene, Text::tr("Cuts and guides on the bone as it was scanned, %1."), drawing.pictures);
+    Draw(scene, ReportText::tr("Cuts and guides on the bone as it was scanned, %1."),
+      drawing.pictures);
     scene.Clear();
   }
   AddAfter(scene, plan, bodies);
-  Draw(scene, Text::tr("As planned, %1."), drawing.pictures);
+  Draw(scene, ReportText::tr("As planned, %1."), drawing.pictures);
   return drawing;
 }
 

@@ -14,7 +14,6 @@ namespace hasp
 namespace
 {
 
-using Text = ReportText;
 constexpr double Degrees = 180.0 / std::numbers::pi;
 constexpr double LeastMm = 0.005, LeastDegrees = 0.005; // what is no motion at two digits
 
@@ -42,7 +41,7 @@ QString Motion(const PlanPose& pose, const glm::dvec3& point)
 {
   const glm::dvec3 by = pose.Place(point) - point;
   const double mm = glm::length(by);
-  return mm < LeastMm ? Text::tr("not moved") : Decimal(mm, 2) + " mm: " + Directions(by);
+  return mm < LeastMm ? ReportText::tr("not moved") : Decimal(mm, 2) + " mm: " + Directions(by);
 }
 
 /// The shorter way round, about the axis that it is positive around.
@@ -54,31 +53,31 @@ QString Turn(const PlanPose& pose)
   const glm::dvec3 axis(q.x, q.y, q.z);
   const double length = glm::length(axis), degrees = 2.0 * std::atan2(length, q.w) * Degrees;
   if (degrees < LeastDegrees)
-    return Text::tr("not turned");
-  return Text::tr("%1° about %2").arg(Decimal(degrees, 2), Place(axis / length, 3));
+    return ReportText::tr("not turned");
+  return ReportText::tr("%1° about %2").arg(Decimal(degrees, 2), Place(axis / length, 3));
 }
 
 QString SourceOf(const ReportNaming& of, const PlanFragment& fragment)
 {
   if (const auto* label = std::get_if<LabelSource>(&fragment.source))
-    return Text::tr("label %1 of %2")
+    return ReportText::tr("label %1 of %2")
       .arg(label->label)
       .arg(CalledInReport(of, label->segmentation));
   if (const auto* piece = std::get_if<PieceSource>(&fragment.source))
-    return Text::tr("a piece of %1").arg(CalledInReport(of, piece->fragment));
+    return ReportText::tr("a piece of %1").arg(CalledInReport(of, piece->fragment));
   if (const auto* surface = std::get_if<SurfaceSource>(&fragment.source))
     return CalledInReport({ of.plan, false }, surface->surface);
-  return Text::tr("bone of %1")
+  return ReportText::tr("bone of %1")
     .arg(CalledInReport({ of.plan, false }, std::get<ComponentSource>(fragment.source).volume));
 }
 
 QString StateOf(const Plan& plan, const PlanFragment& fragment)
 {
   if (fragment.state == FragmentState::Resected)
-    return Text::tr("resected");
+    return ReportText::tr("resected");
   if (IsDivided(plan, fragment.id))
-    return Text::tr("cut into pieces");
-  return fragment.locked ? Text::tr("kept, locked: the reference") : Text::tr("kept");
+    return ReportText::tr("cut into pieces");
+  return fragment.locked ? ReportText::tr("kept, locked: the reference") : ReportText::tr("kept");
 }
 
 /// Where it is, for its motion; none: only its pose is known.
@@ -130,13 +129,14 @@ QString CalledInReport(const ReportNaming& of, PlanId object)
 
 ReportTable FragmentTable(const ReportNaming& of, const std::map<PlanId, glm::dvec3>& middles)
 {
-  ReportTable table{ Text::tr("Fragments"),
-    Text::tr("Motion from the scan to the plan. A fragment is moved as the middle of its box is, "
-             "or the place that it was picked at; L, R, A, P, S and I are the patient's left, "
-             "right, front, back, top and bottom. It is turned about that place, by the right-hand "
-             "rule; axes are patient LPS."),
-    { Text::tr("fragment"), Text::tr("of"), Text::tr("state"), Text::tr("moved"),
-      Text::tr("turned") },
+  ReportTable table{ ReportText::tr("Fragments"),
+    ReportText::tr(
+      "Motion from the scan to the plan. A fragment is moved as the middle of its box is, "
+      "or the place that it was picked at; L, R, A, P, S and I are the patient's left, "
+      "right, front, back, top and bottom. It is turned about that place, by the right-hand "
+      "rule; axes are patient LPS."),
+    { ReportText::tr("fragment"), ReportText::tr("of"), ReportText::tr("state"),
+      ReportText::tr("moved"), ReportText::tr("turned") },
     {} };
   for (const PlanFragment& fragment : of.plan.fragments)
   {
@@ -147,8 +147,8 @@ ReportTable FragmentTable(const ReportNaming& of, const std::map<PlanId, glm::dv
       { CalledInReport(of, fragment.id), SourceOf(of, fragment), StateOf(of.plan, fragment),
         !stands              ? QString("–")
         : point              ? Motion(pose, *point)
-        : pose == PlanPose{} ? Text::tr("not moved")
-                             : Text::tr("moved; its scan is not there to tell by how much"),
+        : pose == PlanPose{} ? ReportText::tr("not moved")
+                             : ReportText::tr("moved; its scan is not there to tell by how much"),
         stands ? Turn(pose) : QString("–") });
   }
   return table;
@@ -156,8 +156,8 @@ ReportTable FragmentTable(const ReportNaming& of, const std::map<PlanId, glm::dv
 
 ReportTable GroupTable(const ReportNaming& of)
 {
-  ReportTable table{ Text::tr("Groups"), Text::tr("Fragments that are moved as one."),
-    { Text::tr("group"), Text::tr("fragments") }, {} };
+  ReportTable table{ ReportText::tr("Groups"), ReportText::tr("Fragments that are moved as one."),
+    { ReportText::tr("group"), ReportText::tr("fragments") }, {} };
   for (const PlanGroup& group : of.plan.groups)
     table.rows.push_back({ CalledInReport(of, group.id), List(of, group.fragments) });
   return table;
@@ -165,12 +165,13 @@ ReportTable GroupTable(const ReportNaming& of)
 
 ReportTable CutTable(const ReportNaming& of)
 {
-  ReportTable table{ Text::tr("Cuts"),
-    Text::tr(
+  ReportTable table{ ReportText::tr("Cuts"),
+    ReportText::tr(
       "Where the bone lies in the scan; places are patient LPS, mm. Angles are those between "
       "the blade's plane and the axial, coronal and sagittal planes."),
-    { Text::tr("cut"), Text::tr("through"), Text::tr("middle of the blade"), Text::tr("axial"),
-      Text::tr("coronal"), Text::tr("sagittal"), Text::tr("blade, mm"), Text::tr("kerf, mm") },
+    { ReportText::tr("cut"), ReportText::tr("through"), ReportText::tr("middle of the blade"),
+      ReportText::tr("axial"), ReportText::tr("coronal"), ReportText::tr("sagittal"),
+      ReportText::tr("blade, mm"), ReportText::tr("kerf, mm") },
     {} };
   for (const PlanCut& cut : of.plan.cuts)
     table.rows.push_back(
@@ -183,8 +184,10 @@ ReportTable CutTable(const ReportNaming& of)
 
 ReportTable MeasureTable(const ReportNaming& of)
 {
-  ReportTable table{ Text::tr("Measures"), {},
-    { Text::tr("measure"), Text::tr("planned"), Text::tr("in the scan"), Text::tr("change") }, {} };
+  ReportTable table{ ReportText::tr("Measures"), {},
+    { ReportText::tr("measure"), ReportText::tr("planned"), ReportText::tr("in the scan"),
+      ReportText::tr("change") },
+    {} };
   Plan scanned = of.plan;
   for (PlanFragment& fragment : scanned.fragments)
     fragment.scanToPlanned = {};
@@ -201,10 +204,11 @@ ReportTable MeasureTable(const ReportNaming& of)
 
 ReportTable SourceTable(const Plan& plan)
 {
-  ReportTable table{ Text::tr("Scans and surfaces"),
-    Text::tr("By the SHA-256 of what they hold: it is the same wherever a file lies and whatever "
-             "it is called."),
-    { Text::tr("object"), Text::tr("SHA-256") }, {} };
+  ReportTable table{ ReportText::tr("Scans and surfaces"),
+    ReportText::tr(
+      "By the SHA-256 of what they hold: it is the same wherever a file lies and whatever "
+      "it is called."),
+    { ReportText::tr("object"), ReportText::tr("SHA-256") }, {} };
   for (const PlanVolume& volume : plan.volumes)
     table.rows.push_back(
       { CalledInReport({ plan, false }, volume.id), QString::fromStdString(volume.hash) });

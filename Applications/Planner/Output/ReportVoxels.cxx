@@ -19,8 +19,6 @@ namespace hasp
 namespace
 {
 
-using Text = ReportText;
-
 /// The triangles of a fragment of a surface, as the scene has them; nullptr: it has not.
 vtkPolyData* TrianglesOf(const Planner& planner, PlanId fragment)
 {
@@ -35,7 +33,7 @@ void AddFragment(const Plan& plan, PlanId fragment, vtkImageData* voxels, Report
   bodies.fragments[fragment] = BoneSurface(voxels, IsovalueOfFragment(plan, fragment));
 }
 
-/// Those that the scene has not shown yet.
+/// Those that are hidden, for the scene makes nothing of what is not shown.
 void MakeFragmentsNow(Planner& planner, const std::vector<PlanId>& fragments, ReportBodies& bodies,
   QStringList& missing)
 {
@@ -47,29 +45,46 @@ void MakeFragmentsNow(Planner& planner, const std::vector<PlanId>& fragments, Re
   for (const auto& [id, image] : made.images)
     AddFragment(planner.plan.Now(), id, image, bodies);
   for (const auto& [id, fault] : made.faults)
-    missing.append(Text::tr("Pictures lack a fragment: %1.").arg(QString::fromStdString(fault)));
+    missing.append(
+      ReportText::tr("Pictures lack a fragment: %1.").arg(QString::fromStdString(fault)));
+}
+
+/// Why a fragment that is to be seen is not there: the scene has tried, or is at it.
+QString WhyNotSeen(const Planner& planner, PlanId fragment)
+{
+  const QString called = QString::fromStdString(CalledObject(planner.plan.Now(), fragment));
+  return planner.jobs.IsIdle()
+           ? ReportText::tr(
+               "Pictures lack %1: it cannot be shown. Open its scan if that is missing; else "
+               "it is no piece of its own: move its cuts. Then write the report again.")
+               .arg(called)
+           : ReportText::tr(
+               "Pictures lack %1: it is being made. Write the report again when it is shown.")
+               .arg(called);
 }
 
 void AddFragments(Planner& planner, ReportBodies& bodies, QStringList& missing)
 {
   const Plan& plan = planner.plan.Now();
-  std::vector<PlanId> unseen;
+  std::vector<PlanId> hidden;
   for (const PlanFragment& fragment : plan.fragments)
   {
     if (IsDivided(plan, fragment.id))
       continue;
     if (vtkImageData* voxels = planner.scene.ImageOfFragment(fragment.id))
       AddFragment(plan, fragment.id, voxels, bodies);
-    else if (IsOfScan(plan, fragment.id))
-      unseen.push_back(fragment.id);
     else if (vtkPolyData* triangles = TrianglesOf(planner, fragment.id))
       bodies.fragments[fragment.id] = triangles;
+    else if (planner.scene.IsVisible(fragment.id))
+      missing.append(WhyNotSeen(planner, fragment.id));
+    else if (IsOfScan(plan, fragment.id))
+      hidden.push_back(fragment.id);
     else
-      missing.append(Text::tr("Pictures lack %1: its surface is not shown; open its file, show it, "
-                              "and write the report again.")
-                       .arg(QString::fromStdString(CalledObject(plan, fragment.id))));
+      missing.append(
+        ReportText::tr("Pictures lack %1: it is hidden. Show it, and write the report again.")
+          .arg(QString::fromStdString(CalledObject(plan, fragment.id))));
   }
-  MakeFragmentsNow(planner, unseen, bodies, missing);
+  MakeFragmentsNow(planner, hidden, bodies, missing);
 }
 
 /// Those in date: what is out of date is no part of the plan.
@@ -91,7 +106,7 @@ void AddParts(Planner& planner, ReportBodies& bodies, QStringList& missing)
       }
       catch (const std::runtime_error& error)
       {
-        missing.append(Text::tr("Pictures lack %1: %2; make it again.")
+        missing.append(ReportText::tr("Pictures lack %1: %2; make it again.")
                          .arg(QString::fromStdString(CalledObject(plan, object)),
                            QString::fromStdString(error.what())));
       }

@@ -52,6 +52,7 @@ StudyFiles::StudyFiles(const StudySettings& of)
   const fs::path log = this->Named(".jsonl");
   if (fs::exists(log, error))
     this->Earlier = ReadWhole(log, MostLog, "the trial's log");
+  this->IsCut = !this->Earlier.empty() && this->Earlier.back() != '\n';
   this->Log = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (this->Log < 0)
     throw std::runtime_error(
@@ -86,9 +87,10 @@ std::vector<StepTime> StudyFiles::TimesInLog() const
 void StudyFiles::Append(const nlohmann::ordered_json& line)
 {
   // A line that was cut off is no part of this one.
-  const bool isCut = !this->Earlier.empty() && this->Earlier.back() != '\n';
-  const std::string text = (isCut ? "\n" : "") + line.dump() + "\n";
-  if (write(this->Log, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+  const std::string text = (this->IsCut ? "\n" : "") + line.dump() + "\n";
+  const ssize_t written = write(this->Log, text.data(), text.size());
+  this->IsCut = written > 0 ? text[std::size_t(written) - 1] != '\n' : this->IsCut;
+  if (written != static_cast<ssize_t>(text.size()))
     throw std::runtime_error("the trial's log cannot be written");
   this->Earlier.clear();
 }

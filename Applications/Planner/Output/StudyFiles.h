@@ -51,6 +51,7 @@ private:
   std::filesystem::path Folder;
   std::string Stem;    ///< "A-3"
   std::string Earlier; ///< the log as it was found
+  bool IsCut = false;  ///< the log's last line has no end: a crash, or a full disk
   int Log = -1;        ///< descriptor
 };
 

@@ -25,10 +25,11 @@ BonesBox::BonesBox(Planner& planner, QWidget* parent)
   this->AtCrosshair = AddButton(layout, "split.bone.crosshair", tr("&Whole bone at the crosshair"));
   auto* row = new QHBoxLayout;
   this->Pieces = AddButton(row, "split.pieces", tr("All pieces of at leas&t"));
-  this->Least = AddSpinBox(row, "split.pieces.least", {}, { 0.0, 1e6, 500.0, tr(" mm³") });
+  this->Least = AddSpinBox(row, "split.pieces.least", {}, { 0.0, 99999.0, 500.0, tr(" mm³"), 0 });
   this->Least->setAccessibleName(tr("Least volume of a piece"));
   layout->addLayout(row);
-  connect(this->Picking, &QPushButton::clicked, this, &BonesBox::BeginPick);
+  connect(this->Picking, &QPushButton::clicked, this,
+    [this](bool on) { this->Of.tools.Take(on ? &this->Pick : nullptr); });
   connect(&this->Pick, &PickTool::Picked, this,
     [this](const PlanScene::Place& place) { AddBoneAt(this->Of, place.inScan); });
   connect(this->AtCrosshair, &QPushButton::clicked, this,
@@ -47,39 +48,35 @@ void BonesBox::PutAway()
     this->Of.tools.Take(nullptr);
 }
 
-void BonesBox::BeginPick(bool on)
-{
-  const PlanId volume = this->Of.scene.ShownVolume();
-  const bool hidden = on && !this->Of.scene.IsVisible(volume); // its fragments are there
-  if (hidden)
-    this->Of.scene.SetVisible(volume, true);
-  this->Of.tools.Take(on ? &this->Pick : nullptr);
-  this->ShownToPick = hidden ? volume : 0;
-}
-
 void BonesBox::Refresh()
 {
   const bool has = this->Of.scene.ShownImage() != nullptr;
   this->Picking->setChecked(this->Of.tools.InHand() == &this->Pick);
   for (QPushButton* button : { this->Picking, this->AtCrosshair, this->Pieces })
     button->setEnabled(has);
-  this->HideAfterPick();
+  this->ShowToPick();
 }
 
-/// A scan that was only shown to be picked from; and once it has no fragments any more it is seen.
-void BonesBox::HideAfterPick()
+/// A scan whose fragments are there is hidden by the scene: it is shown to be picked from. Hidden
+/// again after that, it is seen once it has no fragments any more.
+void BonesBox::ShowToPick()
 {
   const Plan& plan = this->Of.plan.Now();
   const PlanId volume = this->Of.scene.ShownVolume();
-  if (this->Of.tools.InHand() != &this->Pick)
-    if (const PlanId shown = std::exchange(this->ShownToPick, 0); shown == volume && shown != 0)
-    {
-      this->HiddenAfterPick = shown;
-      this->Of.scene.SetVisible(shown, false);
-    }
-  const bool hasFragments = std::any_of(plan.fragments.begin(), plan.fragments.end(),
-    [&](const PlanFragment& one) { return VolumeOfFragment(plan, one.id) == volume; });
-  if (!hasFragments && volume != 0 && this->HiddenAfterPick == volume)
+  const bool picks = this->Of.tools.InHand() == &this->Pick,
+             hasFragments = std::any_of(plan.fragments.begin(), plan.fragments.end(),
+               [&](const PlanFragment& one) { return VolumeOfFragment(plan, one.id) == volume; });
+  if (picks && volume != 0 && !this->Of.scene.IsVisible(volume))
+  {
+    this->ShownToPick = volume;
+    this->Of.scene.SetVisible(volume, true);
+  }
+  else if (!picks && volume != 0 && std::exchange(this->ShownToPick, 0) == volume)
+  {
+    this->HiddenAfterPick = volume;
+    this->Of.scene.SetVisible(volume, false);
+  }
+  else if (!hasFragments && volume != 0 && this->HiddenAfterPick == volume)
   {
     this->HiddenAfterPick = 0;
     this->Of.scene.SetVisible(volume, true);

@@ -22,8 +22,7 @@ public:
 
 private:
   void Refresh();
-  void BeginPick(bool on);
-  void HideAfterPick();
+  void ShowToPick();
 
   Planner& Of;
   PickTool Pick;

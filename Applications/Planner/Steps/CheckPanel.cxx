@@ -56,7 +56,11 @@ CheckPanel::CheckPanel(Planner& planner, QWidget* parent)
   this->Refresh();
 }
 
-CheckPanel::~CheckPanel() = default;
+/// The tool is put away while all that follows it is there.
+CheckPanel::~CheckPanel()
+{
+  CheckPanel::Leave();
+}
 
 QString CheckPanel::StillNeeds() const
 {

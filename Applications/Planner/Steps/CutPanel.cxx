@@ -1,3 +1,4 @@
+// What the panel of cuts does; its pages are in CutRows.cxx.
 #include "Steps/CutPanel.h"
 
 #include "Planning/BladePlacing.h"
@@ -5,15 +6,14 @@
 #include "Steps/FaultLine.h"
 #include "Steps/ObjectChecks.h"
 #include "Steps/ObjectChooser.h"
-#include "Steps/PanelGroup.h"
 #include "Steps/PiecesBox.h"
 #include "Steps/PointsEdit.h"
 #include "Steps/RecipeForm.h"
-#include "Steps/TouchButton.h"
 #include "Steps/TouchedFragment.h"
 
-#include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QTabWidget>
+#include <QVBoxLayout>
 
 namespace hasp
 {
@@ -29,16 +29,12 @@ CutPanel::CutPanel(Planner& planner, QWidget* parent)
   column->addWidget(this->List);
   this->Fault = new FaultLine("cut");
   column->addWidget(this->Fault);
-  this->AddPlacing(column);
-  this->AddNumbers(column);
-  this->Nudge = new BladeNudge;
-  this->Nudge->blade = [this] { return this->Draft.Typed().blade; };
-  AddGroup(column, tr("Move the blade by numbers"), this->Nudge);
-  this->Fragments =
-    new ObjectChecks("cut.fragment", tr("No fragment yet: touch bone, and it becomes one."));
-  AddGroup(column, tr("It cuts"), this->Fragments);
-  this->Pieces = new PiecesBox(planner);
-  AddGroup(column, tr("Pieces"), this->Pieces);
+  auto* pages = new QTabWidget;
+  pages->setObjectName("cut.pages");
+  pages->addTab(this->PlacePage(), tr("Place"));
+  pages->addTab(this->BladePage(), tr("Blade"));
+  pages->addTab(this->Pieces = new PiecesBox(planner), tr("Pieces"));
+  column->addWidget(pages);
   column->addStretch(1);
 
   connect(this->List, &ObjectChooser::ChosenChanged, this, &CutPanel::ChooseCut);
@@ -61,6 +57,12 @@ CutPanel::CutPanel(Planner& planner, QWidget* parent)
       this->Draft.Typed().fragments = this->Fragments->Ticked();
       this->Put();
     });
+  connect(&planner.plan, &PlanSession::Replaced, this,
+    [this]
+    {
+      this->List->Choose(0);
+      this->ChooseCut(0);
+    });
   connect(&planner.plan, &PlanSession::Changed, this, &CutPanel::Follow);
   connect(&planner.tools, &ToolBox::Changed, this,
     [this] { this->Drag->setChecked(this->Of.tools.InHand() == &this->Blade); });
@@ -70,48 +72,6 @@ CutPanel::CutPanel(Planner& planner, QWidget* parent)
 CutPanel::~CutPanel()
 {
   this->Of.tools.Take(nullptr); // while all that follows it is there
-}
-
-void CutPanel::AddPlacing(QBoxLayout* column)
-{
-  auto* bone = new TouchButton(this->Of, "cut.bone", tr("&Bone from here"),
-    tr("Touch bone: all that is connected with it becomes a fragment, which can be cut."));
-  connect(bone, &TouchButton::Touched, this, &CutPanel::AddBone);
-  this->Places = new PointsEdit(this->Of, "cut.place", tr("&Touch the cut"),
-    { tr("Touch two places: the blade goes through them as you look. A third one turns it into the "
-         "plane through all three."),
-      3, true, LandmarkPurpose::Line::Open });
-  this->Drag = new QPushButton(tr("&Drag its handles"));
-  this->Drag->setObjectName("cut.drag");
-  this->Drag->setCheckable(true);
-  AddGroup(column, tr("Place it"), bone, this->Places, this->Drag);
-  connect(this->Places, &PointsEdit::Edited, this, &CutPanel::Touched);
-  connect(this->Drag, &QPushButton::clicked, this,
-    [this](bool on) { this->Of.tools.Take(on ? &this->Blade : nullptr); });
-}
-
-void CutPanel::AddNumbers(QBoxLayout* column)
-{
-  this->Form = new RecipeForm("cut");
-  this->Form->Text(
-    "name", tr("Name"), [this]() -> std::string& { return this->Draft.Typed().name; });
-  const auto blade = [this](double Osteotomy::*member)
-  {
-    return [this, member]() -> double& { return this->Draft.Typed().blade.*member; };
-  };
-  this->Form->Number(
-    "kerf", "kerfMm", tr("Kerf"), Millimetres(0.2, 5.0, 0.05), blade(&Osteotomy::kerfMm));
-  this->Form->Number(
-    "width", "widthMm", tr("Width"), Millimetres(0.1, 500.0, 1.0), blade(&Osteotomy::widthMm));
-  this->Form->Number(
-    "depth", "depthMm", tr("Depth"), Millimetres(0.1, 500.0, 1.0), blade(&Osteotomy::depthMm));
-  this->Form
-    ->Number("reach", "reachMm", tr("Reach"), Millimetres(0.0, 500.0, 1.0),
-      [this]() -> double& { return this->Draft.Typed().reachMm; })
-    ->setToolTip(tr("Bone of the fragment that is farther from what it cuts stays whole"));
-  AddGroup(column, tr("Blade"), this->Form);
-  this->Fault->Know(this->Form);
-  connect(this->Form, &RecipeForm::Edited, this, &CutPanel::Put);
 }
 
 QString CutPanel::StillNeeds() const
@@ -145,17 +105,22 @@ void CutPanel::AddBone(const TouchedPlace& place)
 
 void CutPanel::ChooseCut(PlanId cut)
 {
-  if (cut != this->Draft.Id())
+  if (cut == 0 || cut != this->Draft.Id()) // 0: also one that was begun and is not in the plan
   {
     this->Draft.Show(cut);
-    this->Places->SetPlaces({});
-    this->Counted = 0;
+    this->ForgetPlaces();
   }
   this->Fault->Say({});
   this->Fill();
   const bool placing = this->Of.tools.InHand() == &this->Places->Tool();
   if (cut != 0 && !placing && this->isVisible())
     this->Of.tools.Take(&this->Blade);
+}
+
+void CutPanel::ForgetPlaces()
+{
+  this->Places->SetPlaces({});
+  this->Counted = 0;
 }
 
 void CutPanel::Touched()
@@ -226,7 +191,10 @@ void CutPanel::Put()
 void CutPanel::Follow()
 {
   if (this->Draft.Follow())
+  {
     this->Fault->Say({});
+    this->ForgetPlaces(); // the blade is no longer the one through them
+  }
   this->Fill();
 }
 

@@ -5,7 +5,6 @@
 
 #include <glm/vec3.hpp>
 
-class QBoxLayout;
 class QPushButton;
 
 namespace hasp
@@ -24,9 +23,9 @@ struct TouchedPlace;
 /// through all three; its handles and numbers put it right. What it cuts, and the pieces that it
 /// leaves (PiecesBox). Bone that is no fragment yet becomes one by the touch.
 ///
-/// Widgets: cut.choose, cut.new, cut.remove, cut.bone, cut.place (PointsEdit's), cut.drag,
-/// cut.name, cut.kerf, cut.width, cut.depth, cut.reach, cut.fault, cut.fragment.ID; BladeNudge's,
-/// PiecesBox's.
+/// Widgets: cut.pages, cut.choose, cut.new, cut.remove, cut.bone, cut.place (PointsEdit's),
+/// cut.drag, cut.name, cut.kerf, cut.width, cut.depth, cut.reach, cut.fault, cut.fragment.ID;
+/// BladeNudge's, PiecesBox's.
 class CutPanel : public StepPanel
 {
   Q_OBJECT
@@ -41,10 +40,11 @@ public:
   void Leave() override;
 
 private:
-  void AddPlacing(QBoxLayout* column);
-  void AddNumbers(QBoxLayout* column);
+  QWidget* PlacePage();
+  QWidget* BladePage();
   void AddBone(const TouchedPlace& place);
   void ChooseCut(PlanId cut);
+  void ForgetPlaces();
   void Touched();
   void PlaceBlade();
   void Put();

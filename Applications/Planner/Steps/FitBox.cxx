@@ -141,6 +141,8 @@ void FitBox::TakeInHand(bool on)
   this->WithBody(
     [this](const std::shared_ptr<const PartOnBone>& body)
     {
+      if (!this->isVisible())
+        return; // another step was chosen while the bone was prepared
       this->Hand.SetBody(body);
       this->Of.tools.Take(&this->Hand);
     });

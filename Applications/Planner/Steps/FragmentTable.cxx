@@ -62,6 +62,12 @@ FragmentTable::FragmentTable(Planner& planner, QWidget* parent) : QTreeWidget(pa
       Q_EMIT this->SelectionChanged();
     });
   connect(&planner.scene, &PlanScene::SelectedChanged, this, &FragmentTable::FollowScene);
+  connect(&planner.plan, &PlanSession::Replaced, this,
+    [this]
+    {
+      this->LeftOut.clear(); // of fragments of the old plan
+      this->OtherBone.clear();
+    });
   connect(&planner.plan, &PlanSession::Changed, this, &FragmentTable::Refresh);
   this->Refresh();
 }

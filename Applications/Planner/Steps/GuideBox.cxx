@@ -1,10 +1,11 @@
-// What a guide's form does; its rows are in GuideRows.cxx.
+// What a guide's form does; its rows are in GuideRows.cxx, pins and the label in GuidePins.cxx.
 #include "Steps/GuideBox.h"
 
 #include "PlanFragmentLabels.h"
 #include "Planning/BladePlacing.h"
 #include "Steps/MatchPoints.h"
 #include "Steps/ObjectChecks.h"
+#include "Steps/PaintedArea.h"
 #include "Steps/PointsEdit.h"
 #include "Steps/TouchedFragment.h"
 
@@ -38,7 +39,8 @@ GuideBox::GuideBox(Planner& planner, QWidget* parent)
     LabelPlace(new PointsEdit(planner, "guide.label", tr("Touch the &label's place"),
       { tr("Touch bone below the middle of the label."), 1, true, LandmarkPurpose::Line::None,
         QColor(255, 140, 255) })),
-    Cuts(new ObjectChecks("guide.cut", tr("The plan has no cuts: make them in the step Cut.")))
+    Cuts(new ObjectChecks("guide.cut", tr("The plan has no cuts: make them in the step Cut."))),
+    Paint(new PaintedArea(planner))
 {
   this->NextLabel.kind = GuideLabelKind::Case;
   auto* pages = new QTabWidget;
@@ -53,6 +55,8 @@ GuideBox::GuideBox(Planner& planner, QWidget* parent)
     connect(form, &RecipeForm::Edited, this, put);
   connect(this->PinForm, &RecipeForm::Edited, this, &GuideBox::TakePinNumbers);
   connect(this->Landmarks, &PointsEdit::Edited, this, &GuideBox::TakeLandmarks);
+  connect(this->Paint, &PaintedArea::Painted, this, &GuideBox::TakePaint);
+  connect(this->Paint, &PaintedArea::Cleared, this, [this] { this->TakePaint({}); });
   connect(this->Pins, &PointsEdit::Edited, this, &GuideBox::TakePins);
   connect(&this->Pins->Tool(), &LandmarkTool::SelectedChanged, this->PinForm, &RecipeForm::Refresh);
   connect(this->LabelPlace, &PointsEdit::Edited, this, &GuideBox::TakeLabel);
@@ -64,12 +68,6 @@ GuideBox::GuideBox(Planner& planner, QWidget* parent)
       this->Put();
     });
   this->Fill();
-}
-
-void GuideBox::PutAway()
-{
-  for (PointsEdit* points : { this->Landmarks, this->Pins, this->LabelPlace })
-    points->PutAway();
 }
 
 PlanGuide GuideBox::Fresh()
@@ -102,8 +100,15 @@ glm::dvec3 GuideBox::MeanNormal()
   const PlanId bone = this->Draft.Typed().bone;
   const PlanId scan = VolumeOfFragment(planner.plan.Now(), bone);
   std::vector<glm::dvec3> normals;
+  const auto add = [&](const TouchedPlace& place)
+  { normals.push_back(ScanNormal(planner, scan != 0 ? scan : bone, place)); };
   for (const TouchedPlace& place : this->Landmarks->Places())
-    normals.push_back(ScanNormal(planner, scan != 0 ? scan : bone, place));
+    add(place);
+  if (normals.empty()) // a painted one
+    for (const GuideStroke& stroke : this->Recipe().strokes)
+      for (const glm::dvec3& point : stroke.points)
+        if (!stroke.erased)
+          add(PlaceOfScan(planner.plan.Now(), bone, point));
   return MeanDirection(normals).value_or(glm::dvec3(0.0));
 }
 
@@ -117,24 +122,45 @@ void GuideBox::SetWithdrawal(const glm::dvec3& direction)
   this->FollowsNormals = glm::distance(this->MeanNormal(), direction) < SameDirection;
 }
 
-void GuideBox::TakeLandmarks()
+/// A new one sits on what was touched first. Guides are worn before the saw: on the whole bone,
+/// where a piece of it was touched.
+void GuideBox::BeginOn(const TouchedPlace& place)
 {
   if (!this->Draft.IsShown())
-    this->Draft.Begin(this->Fresh());
-  Planner& planner = this->Of;
-  const Plan& plan = planner.plan.Now();
-  PlanGuide& guide = this->Draft.Typed();
-  const std::vector<TouchedPlace>& places = this->Landmarks->Places();
-  if (guide.bone == 0 && !places.empty())
   {
-    // Guides are worn before the saw: the whole bone, where a piece of it was touched.
-    const PlanFragment* whole = WholeOf(plan, places[0].object);
-    guide.bone = whole ? whole->id : planner.scene.ShownVolume();
-    guide.recipe.isovalue = whole ? IsovalueOfFragment(plan, whole->id) : planner.scene.Isovalue();
+    this->Draft.Begin(this->Fresh());
+    this->FollowsNormals = true;
   }
-  guide.recipe.landmarks = this->Landmarks->Points();
+  const Plan& plan = this->Of.plan.Now();
+  PlanGuide& guide = this->Draft.Typed();
+  if (guide.bone != 0)
+    return;
+  const PlanFragment* whole = WholeOf(plan, place.object);
+  guide.bone = whole ? whole->id : this->Of.scene.ShownVolume();
+  guide.recipe.isovalue = whole ? IsovalueOfFragment(plan, whole->id) : this->Of.scene.Isovalue();
+}
+
+void GuideBox::LiftAlongNormals()
+{
   if (const glm::dvec3 mean = this->MeanNormal(); this->FollowsNormals && mean != glm::dvec3(0.0))
     this->SetWithdrawal(mean);
+}
+
+void GuideBox::TakeLandmarks()
+{
+  if (!this->Landmarks->Places().empty())
+    this->BeginOn(this->Landmarks->Places()[0]);
+  this->Recipe().landmarks = this->Landmarks->Points();
+  this->LiftAlongNormals();
+  this->Put();
+}
+
+void GuideBox::TakePaint(const TouchedPlace& first)
+{
+  if (!this->Paint->Strokes().empty())
+    this->BeginOn(first);
+  this->Recipe().strokes = this->Paint->Strokes();
+  this->LiftAlongNormals();
   this->Put();
 }
 
@@ -146,67 +172,6 @@ void GuideBox::TakeBone()
   this->Put();
 }
 
-void GuideBox::TakePins()
-{
-  GuideHole fresh = this->NextPin;
-  fresh.axis = this->Recipe().withdrawal;
-  this->Recipe().holes = MatchPoints(this->Recipe().holes, this->Pins->Points(), fresh);
-  this->Put();
-}
-
-GuideHole& GuideBox::Pin()
-{
-  std::vector<GuideHole>& holes = this->Recipe().holes;
-  const int chosen = this->Pins->Tool().Selected();
-  return chosen >= 0 && chosen < int(holes.size()) ? holes[std::size_t(chosen)] : this->NextPin;
-}
-
-/// Of the chosen pin, or of all, and of those to come.
-void GuideBox::TakePinNumbers()
-{
-  if (&this->Pin() == &this->NextPin)
-    for (GuideHole& hole : this->Recipe().holes)
-    {
-      hole.diameterMm = this->NextPin.diameterMm;
-      hole.depthMm = this->NextPin.depthMm;
-      hole.sleeveHeightMm = this->NextPin.sleeveHeightMm;
-    }
-  this->Put();
-}
-
-GuideLabel* GuideBox::CaseLabel()
-{
-  std::vector<GuideLabel>& labels = this->Recipe().labels;
-  const auto found = std::find_if(labels.begin(), labels.end(),
-    [](const GuideLabel& label) { return label.kind == GuideLabelKind::Case; });
-  return found == labels.end() ? nullptr : &*found;
-}
-
-GuideLabel& GuideBox::Label()
-{
-  GuideLabel* label = this->CaseLabel();
-  return label ? *label : this->NextLabel;
-}
-
-void GuideBox::TakeLabel()
-{
-  GuideLabel* label = this->CaseLabel();
-  const std::vector<glm::dvec3> points = this->LabelPlace->Points();
-  if (points.empty())
-    std::erase_if(this->Recipe().labels,
-      [](const GuideLabel& each) { return each.kind == GuideLabelKind::Case; });
-  else if (label)
-    label->point = points[0];
-  else
-  {
-    GuideLabel fresh = this->NextLabel;
-    fresh.point = points[0];
-    fresh.right = this->InScan(ViewRight(this->Of));
-    this->Recipe().labels.push_back(fresh);
-  }
-  this->Put();
-}
-
 void GuideBox::Fill()
 {
   const Plan& plan = this->Of.plan.Now();
@@ -214,6 +179,7 @@ void GuideBox::Fill()
   const bool shown = this->Draft.IsShown();
   this->Landmarks->Tool().SetPurpose(LandmarksOf(guide.recipe));
   this->Landmarks->SetPoints(guide.recipe.landmarks, guide.bone);
+  this->Paint->SetStrokes(guide.recipe.strokes, guide.bone);
   this->Pins->SetPoints(PointsOf(guide.recipe.holes), guide.bone);
   const GuideLabel* label = this->CaseLabel();
   this->LabelPlace->SetPoints(

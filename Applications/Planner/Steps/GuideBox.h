@@ -8,10 +8,13 @@ namespace hasp
 {
 
 class ObjectChecks;
+class PaintedArea;
 class PointsEdit;
+struct TouchedPlace;
 
-/// Guides. Landmarks are touched along the bone; the direction that the guide lifts off along is
-/// their mean normal, until it is said otherwise. Everything lies where the bone was scanned.
+/// Guides. Landmarks are touched along the bone, or an area is painted; the direction that the
+/// guide lifts off along is their mean normal, until it is said otherwise. Everything lies where
+/// the bone was scanned.
 ///
 /// Widgets: guide.choose, guide.new, guide.remove, guide.status, guide.make, guide.name,
 /// guide.bone, guide.landmarks (PointsEdit's), guide.outline, guide.width, guide.withdrawal,
@@ -26,8 +29,6 @@ class GuideBox : public ObjectBox<PlanGuide>
   Q_OBJECT
 public:
   explicit GuideBox(Planner& planner, QWidget* parent = nullptr);
-
-  void PutAway(); ///< its tools
 
 protected:
   PlanGuide Fresh() override;
@@ -47,6 +48,9 @@ private:
   void FillBones();
 
   void TakeLandmarks();
+  void TakePaint(const TouchedPlace& first);
+  void BeginOn(const TouchedPlace& place);
+  void LiftAlongNormals();
   void TakeBone();
   void TakePins();
   void TakePinNumbers();
@@ -62,6 +66,7 @@ private:
   QComboBox* Bone;
   PointsEdit *Landmarks, *Pins, *LabelPlace;
   ObjectChecks* Cuts;
+  PaintedArea* Paint;
   bool FollowsNormals = true; ///< the withdrawal direction is the landmarks' mean normal
   GuideHole NextPin;
   GuideLabel NextLabel;

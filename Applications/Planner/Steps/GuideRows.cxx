@@ -3,6 +3,8 @@
 #include "Planning/PlanLists.h"
 #include "Steps/GuideBox.h"
 #include "Steps/ObjectChecks.h"
+#include "Steps/PaintedArea.h"
+#include "Steps/PanelGroup.h"
 #include "Steps/PointsEdit.h"
 
 #include <QComboBox>
@@ -45,6 +47,7 @@ QWidget* GuideBox::AreaPage()
   this->Area->Number("search", "axisSearchDeg", tr("Search near it"), Degrees(0.0, 60.0),
     this->Member(&GuideRecipe::axisSearchDeg));
   column->addWidget(this->Area);
+  AddGroup(column, tr("And what is painted"), this->Paint);
   column->addStretch(1);
   return page;
 }
@@ -106,59 +109,6 @@ QWidget* GuideBox::CutsPage()
   column->addWidget(this->Cuts);
   column->addStretch(1);
   return page;
-}
-
-QWidget* GuideBox::PinsPage()
-{
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->addWidget(this->Pins);
-  this->AddPinRows();
-  column->addWidget(this->PinForm);
-  column->addWidget(this->LabelPlace);
-  this->AddLabelRows();
-  column->addWidget(this->LabelForm);
-  column->addStretch(1);
-  return page;
-}
-
-void GuideBox::AddPinRows()
-{
-  this->PinForm = this->Add(new RecipeForm("guide.pin"));
-  this->PinForm->setToolTip(tr("Of the chosen pin; of all of them where none is chosen"));
-  const auto number = [this](const char* name, const char* key, const QString& label,
-                        const FormNumber& range, double GuideHole::*member)
-  {
-    this->PinForm->Number(
-      name, key, label, range, [this, member]() -> double& { return this->Pin().*member; });
-  };
-  number("diameter", "diameterMm", tr("Pin, as printed"), Millimetres(0.1, 20.0),
-    &GuideHole::diameterMm);
-  number(
-    "depth", "depthMm", tr("Drilled into bone"), Millimetres(0.1, 500.0, 1.0), &GuideHole::depthMm);
-  number("height", "sleeveHeightMm", tr("Sleeve above bone"), Millimetres(0.0, 100.0, 0.5),
-    &GuideHole::sleeveHeightMm);
-}
-
-void GuideBox::AddLabelRows()
-{
-  this->LabelForm = this->Add(new RecipeForm("guide"));
-  this->LabelForm->Choice(
-    "side", tr("Side"), { tr("none"), tr("left"), tr("right") },
-    [this] { return int(this->Draft.Typed().side); },
-    [this](int row) { this->Draft.Typed().side = BodySide(row); });
-  this->LabelForm->Number("label.height", "heightMm", tr("Letters"), Millimetres(3.6, 50.0, 0.5),
-    [this]() -> double& { return this->Label().heightMm; });
-  this->LabelForm->Number("label.depth", "depthMm", tr("Letters' depth"), Millimetres(0.1, 5.0),
-    [this]() -> double& { return this->Label().depthMm; });
-  this->LabelForm->Check(
-    "label.engraved", tr("Cut in"), [this] { return this->Label().engraved; },
-    [this](bool on) { this->Label().engraved = on; });
-  this->LabelForm->Direction(
-    "label.right", "right", tr("Written towards"),
-    { { "view", tr("My right"), [this] { return this->InScan(ViewRight(this->Of)); } } },
-    [this] { return this->Label().right; },
-    [this](const glm::dvec3& direction) { this->Label().right = direction; });
 }
 
 /// Its cuts' slots must be ones that its recipe can show.

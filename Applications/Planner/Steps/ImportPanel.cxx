@@ -87,10 +87,11 @@ void ImportPanel::Refresh()
 
 void ImportPanel::SetCase()
 {
-  const std::string label = this->Case->text().trimmed().toStdString();
+  const QString label = this->Case->text().trimmed(),
+                before = QString::fromStdString(this->Of.plan.Now().caseLabel);
   this->Case->setModified(false);
-  if (label != this->Of.plan.Now().caseLabel)
-    this->Of.plan.Do(SetCaseLabel{ label }, tr("Set the case label"));
+  if (label != before.left(this->Case->maxLength())) // a longer one is cut off in the line
+    this->Of.plan.Do(SetCaseLabel{ label.toStdString() }, tr("Set the case label"));
   this->Refresh(); // as the plan has it, also where it was refused
 }
 

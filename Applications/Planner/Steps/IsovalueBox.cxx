@@ -11,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -53,6 +54,8 @@ IsovalueBox::IsovalueBox(Planner& planner, QWidget* parent)
   this->Slider->setAccessibleName(tr("Isovalue"));
   this->Slider->setRange(0, SliderSteps);
   this->Preset->setObjectName("split.preset");
+  this->Preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->Preset->setMinimumContentsLength(12);
   this->Preset->addItem(tr("choose a range…"));
   for (const ThresholdPreset& preset : ThresholdPresets())
     this->Preset->addItem(
@@ -104,11 +107,15 @@ void IsovalueBox::Refresh()
   const ShelfScan* scan = this->Scan();
   this->setEnabled(scan != nullptr);
   const double value = this->Of.scene.Isovalue();
-  this->Value->setValue(value);
+  const bool typing = this->Value->hasFocus() && this->Value->findChild<QLineEdit*>()->isModified();
+  if (!typing) // else both would write over it
+  {
+    this->Value->setValue(value);
+    this->Value->setSuffix(scan && scan->passport.hounsfield ? tr(" HU") : QString());
+  }
   if (!scan)
     return;
   const Passport& passport = scan->passport;
-  this->Value->setSuffix(passport.hounsfield ? tr(" HU") : QString());
   this->Preset->setEnabled(passport.hounsfield);
   const double range = passport.maximum - passport.minimum;
   if (range > 0.0 && !this->Slider->isSliderDown())

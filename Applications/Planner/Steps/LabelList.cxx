@@ -41,6 +41,14 @@ LabelName NewName(int label)
     UnnamedLabel(number).colour };
 }
 
+std::vector<LabelName> NewNames()
+{
+  std::vector<LabelName> names;
+  for (int label = FirstLabel; label < FirstLabel + Offered; ++label)
+    names.push_back(NewName(label));
+  return names;
+}
+
 /// With those that strokes have and nobody has named.
 std::vector<LabelName> NamesOf(const PlanSegmentation& painted)
 {
@@ -60,10 +68,9 @@ LabelList::LabelList(Planner& planner, QWidget* parent)
   : QWidget(parent),
     Of(planner),
     List(new QListWidget),
-    Colour(new QPushButton(tr("Colo&ur…")))
+    Colour(new QPushButton(tr("Colo&ur…"))),
+    Coming(NewNames())
 {
-  for (int label = FirstLabel; label < FirstLabel + Offered; ++label)
-    this->Coming.push_back(NewName(label));
   this->List->setObjectName("split.label");
   this->List->setAccessibleName(tr("Labels that are painted"));
   this->List->setMaximumHeight(120);
@@ -84,6 +91,7 @@ LabelList::LabelList(Planner& planner, QWidget* parent)
   connect(this->List, &QListWidget::itemChanged, this, &LabelList::Rename);
   connect(this->List, &QListWidget::currentRowChanged, this,
     [this] { Q_EMIT this->LabelChosen(this->Label()); });
+  connect(&planner.plan, &PlanSession::Replaced, this, [this] { this->Coming = NewNames(); });
   connect(&planner.plan, &PlanSession::Changed, this, &LabelList::Refresh);
   connect(&planner.scene, &PlanScene::PropsChanged, this, &LabelList::Refresh);
   this->Refresh();
@@ -158,7 +166,7 @@ void LabelList::Recolour()
     return;
   const QColor chosen = QColorDialog::getColor(
     ColourOf(this->Shown[std::size_t(row)]), this, tr("Colour of the label"));
-  if (!chosen.isValid())
+  if (!chosen.isValid() || row >= int(this->Shown.size())) // another scan is shown by now
     return;
   std::vector<LabelName> names = this->Shown;
   names[std::size_t(row)].colour = { std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),

@@ -18,27 +18,38 @@ namespace hasp
 namespace
 {
 
+constexpr int LeastPixels = 56; ///< four of them fit into the panel
+
 struct Nudge
 {
-  const char *name, *text;
+  const char *name, *letters, *text;
   glm::dvec3 axis;
 };
 
 constexpr Nudge Moves[] = {
-  { "reduce.move.left", QT_TRANSLATE_NOOP("hasp::NudgePad", "Left"), { 1, 0, 0 } },
-  { "reduce.move.right", QT_TRANSLATE_NOOP("hasp::NudgePad", "Right"), { -1, 0, 0 } },
-  { "reduce.move.posterior", QT_TRANSLATE_NOOP("hasp::NudgePad", "Posterior"), { 0, 1, 0 } },
-  { "reduce.move.anterior", QT_TRANSLATE_NOOP("hasp::NudgePad", "Anterior"), { 0, -1, 0 } },
-  { "reduce.move.superior", QT_TRANSLATE_NOOP("hasp::NudgePad", "Superior"), { 0, 0, 1 } },
-  { "reduce.move.inferior", QT_TRANSLATE_NOOP("hasp::NudgePad", "Inferior"), { 0, 0, -1 } },
+  { "reduce.move.left", "L", QT_TRANSLATE_NOOP("hasp::NudgePad", "Move to the left"), { 1, 0, 0 } },
+  { "reduce.move.right", "R", QT_TRANSLATE_NOOP("hasp::NudgePad", "Move to the right"),
+    { -1, 0, 0 } },
+  { "reduce.move.posterior", "P", QT_TRANSLATE_NOOP("hasp::NudgePad", "Move backwards"),
+    { 0, 1, 0 } },
+  { "reduce.move.anterior", "A", QT_TRANSLATE_NOOP("hasp::NudgePad", "Move forwards"),
+    { 0, -1, 0 } },
+  { "reduce.move.superior", "S", QT_TRANSLATE_NOOP("hasp::NudgePad", "Move up"), { 0, 0, 1 } },
+  { "reduce.move.inferior", "I", QT_TRANSLATE_NOOP("hasp::NudgePad", "Move down"), { 0, 0, -1 } },
 };
 constexpr Nudge Turns[] = {
-  { "reduce.turn.xplus", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn x +"), { 1, 0, 0 } },
-  { "reduce.turn.xminus", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn x −"), { -1, 0, 0 } },
-  { "reduce.turn.yplus", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn y +"), { 0, 1, 0 } },
-  { "reduce.turn.yminus", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn y −"), { 0, -1, 0 } },
-  { "reduce.turn.zplus", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn z +"), { 0, 0, 1 } },
-  { "reduce.turn.zminus", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn z −"), { 0, 0, -1 } },
+  { "reduce.turn.xplus", "↻ LR", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn about left and right"),
+    { 1, 0, 0 } },
+  { "reduce.turn.xminus", "↺ LR",
+    QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn back about left and right"), { -1, 0, 0 } },
+  { "reduce.turn.yplus", "↻ PA", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn about front and back"),
+    { 0, 1, 0 } },
+  { "reduce.turn.yminus", "↺ PA",
+    QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn back about front and back"), { 0, -1, 0 } },
+  { "reduce.turn.zplus", "↻ SI", QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn about up and down"),
+    { 0, 0, 1 } },
+  { "reduce.turn.zminus", "↺ SI",
+    QT_TRANSLATE_NOOP("hasp::NudgePad", "Turn back about up and down"), { 0, 0, -1 } },
 };
 
 } // namespace
@@ -47,17 +58,18 @@ NudgePad::NudgePad(Planner& planner, QWidget* parent) : QWidget(parent), Of(plan
 {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* steps = new QHBoxLayout;
-  this->MoveStep =
-    AddSpinBox(steps, "reduce.move.step", tr("Move b&y"), { 0.01, 50.0, 0.5, tr(" mm"), 2 });
+  this->MoveStep = AddSpinBox(
+    AddRow(layout), "reduce.move.step", tr("Move b&y"), { 0.01, 50.0, 0.5, tr(" mm"), 2 });
   this->TurnStep =
-    AddSpinBox(steps, "reduce.turn.step", tr("t&urn by"), { 0.1, 90.0, 1.0, tr("°") });
-  layout->addLayout(steps);
+    AddSpinBox(AddRow(layout), "reduce.turn.step", tr("t&urn by"), { 0.1, 90.0, 1.0, tr("°") });
   auto* grid = new QGridLayout;
   const auto add = [&](const Nudge& nudge, int row, int column, auto method)
   {
-    auto* button = new QPushButton(tr(nudge.text));
+    auto* button = new QPushButton(QString::fromUtf8(nudge.letters));
     button->setObjectName(QLatin1String(nudge.name));
+    button->setAccessibleName(tr(nudge.text));
+    button->setToolTip(tr(nudge.text));
+    button->setMinimumWidth(LeastPixels);
     button->setAutoRepeat(true);
     grid->addWidget(button, row, column);
     connect(button, &QPushButton::clicked, this, [=, this] { (this->*method)(nudge.axis); });

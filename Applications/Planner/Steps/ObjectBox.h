@@ -39,6 +39,12 @@ public:
     this->Column->addWidget(this->Fault);
     connect(this->List, &ObjectChooser::ChosenChanged, this, [this](PlanId id) { this->Show(id); });
     connect(this->List, &ObjectChooser::NewAsked, this, [this] { this->BeginNew(); });
+    connect(&planner.plan, &PlanSession::Replaced, this,
+      [this]
+      {
+        this->Draft.Show(0); // one that is new, too: it is made of objects of the old plan
+        this->List->Choose(0);
+      });
     connect(&planner.plan, &PlanSession::Changed, this, [this] { this->Follow(); });
   }
 

@@ -9,6 +9,13 @@
 namespace hasp
 {
 
+QBoxLayout* AddRow(QBoxLayout* layout)
+{
+  auto* row = new QHBoxLayout;
+  layout->addLayout(row);
+  return row;
+}
+
 QPushButton* AddButton(QBoxLayout* layout, const char* name, const QString& text)
 {
   auto* button = new QPushButton(text);

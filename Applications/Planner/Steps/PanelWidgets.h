@@ -11,6 +11,8 @@ namespace hasp
 
 /// What panels are made of, each behind what their layout has already. RENDER.
 
+/// For widgets side by side.
+QBoxLayout* AddRow(QBoxLayout* layout);
 QPushButton* AddButton(QBoxLayout* layout, const char* name, const QString& text);
 QCheckBox* AddCheckBox(QBoxLayout* layout, const char* name, const QString& text);
 

@@ -29,7 +29,17 @@ std::array<std::uint8_t, 3> ColourOf(std::size_t piece)
   return { std::uint8_t(colour.r), std::uint8_t(colour.g), std::uint8_t(colour.b) };
 }
 
-bool SameCuts(const Plan& a, const Plan& b, PlanId divided)
+std::vector<PieceSource> PiecesOf(const Plan& plan, PlanId divided)
+{
+  std::vector<PieceSource> all;
+  for (const PlanFragment& fragment : plan.fragments)
+    if (const auto* piece = std::get_if<PieceSource>(&fragment.source);
+        piece && piece->fragment == divided)
+      all.push_back(*piece);
+  return all;
+}
+
+bool SameDivision(const Plan& a, const Plan& b, PlanId divided)
 {
   const auto cuts = [&](const Plan& plan)
   {
@@ -38,7 +48,8 @@ bool SameCuts(const Plan& a, const Plan& b, PlanId divided)
       all.push_back(*FindPlanObject<PlanCut>(plan, id));
     return all;
   };
-  return FindPlanObject<PlanFragment>(b, divided) && cuts(a) == cuts(b);
+  return FindPlanObject<PlanFragment>(b, divided) && cuts(a) == cuts(b) &&
+         PiecesOf(a, divided) == PiecesOf(b, divided);
 }
 } // namespace
 
@@ -48,7 +59,6 @@ PiecesBox::PiecesBox(Planner& planner, QWidget* parent)
     List(new QListWidget)
 {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
   this->FindThem = AddButton(column, "cut.pieces", tr("&Find the pieces"));
   this->FindThem->setToolTip(tr("All that the cuts leave of the bone become fragments"));
   this->Seeds = new PointsEdit(
@@ -58,7 +68,6 @@ PiecesBox::PiecesBox(Planner& planner, QWidget* parent)
   this->List->setObjectName("cut.piece.list");
   this->List->setAccessibleName(tr("Pieces"));
   this->List->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  this->List->setMaximumHeight(110);
   column->addWidget(this->List);
   this->ResectThem = AddButton(column, "cut.resect", tr("&Resect"));
   connect(this->FindThem, &QPushButton::clicked, this, &PiecesBox::Find);
@@ -71,6 +80,7 @@ PiecesBox::PiecesBox(Planner& planner, QWidget* parent)
       if (const std::vector<PlanId> chosen = this->Chosen(); chosen.size() == 1)
         this->Of.scene.Select(chosen[0]);
     });
+  connect(&planner.plan, &PlanSession::Replaced, this, [this] { this->Seeds->SetPlaces({}); });
   connect(&planner.plan, &PlanSession::Changed, this, &PiecesBox::Fill);
   connect(&planner.scene, &PlanScene::SelectedChanged, this,
     [this](PlanId object)
@@ -126,10 +136,9 @@ void PiecesBox::Find()
 
 void PiecesBox::Take(PlanId divided, const Plan& before, const ProposedPieces& found)
 {
-  if (!SameCuts(before, this->Of.plan.Now(), divided))
+  if (!SameDivision(before, this->Of.plan.Now(), divided))
     return this->Of.SayFault(
-      tr("The cuts through fragment %1 have changed meanwhile: find its pieces again.")
-        .arg(divided));
+      tr("Fragment %1 has changed meanwhile: find its pieces again.").arg(divided));
   std::vector<glm::dvec3> seeds;
   for (const ProposedPiece& piece : found.pieces)
     if (!piece.crumb && piece.fragment == 0)
@@ -164,10 +173,7 @@ void PiecesBox::Keep(PlanId divided, const std::vector<glm::dvec3>& seeds)
 {
   const Plan& plan = this->Of.plan.Now();
   const PlanFragment& whole = *FindPlanObject<PlanFragment>(plan, divided);
-  std::size_t number = 0; // of its pieces
-  for (const PlanFragment& fragment : plan.fragments)
-    if (const auto* piece = std::get_if<PieceSource>(&fragment.source))
-      number += piece->fragment == divided;
+  std::size_t number = PiecesOf(plan, divided).size();
   std::vector<PlanEdit> edits;
   for (const glm::dvec3& seed : seeds)
   {
@@ -216,7 +222,7 @@ void PiecesBox::ShowChosen()
                                           return piece && piece->state == FragmentState::Resected;
                                         });
   this->ResectThem->setEnabled(!chosen.empty());
-  this->ResectThem->setText(all ? tr("&Keep it after all") : tr("&Resect"));
+  this->ResectThem->setText(all ? tr("Keep it &after all") : tr("&Resect"));
 }
 
 void PiecesBox::Fill()

@@ -1,7 +1,8 @@
 #pragma once
 #include "Steps/StepPanel.h"
 
-class QTabWidget;
+class QComboBox;
+class QStackedWidget;
 
 namespace hasp
 {
@@ -21,7 +22,10 @@ public:
   void Leave() override;
 
 private:
-  QTabWidget* Pages;
+  void Turn(int page);
+
+  QComboBox* Kind;
+  QStackedWidget* Pages;
 };
 
 } // namespace hasp

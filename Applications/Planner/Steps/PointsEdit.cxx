@@ -20,7 +20,7 @@ namespace hasp
 
 namespace
 {
-constexpr int ShownRows = 4;
+constexpr int ShownRows = 4, RowPixels = 24;
 constexpr double SameMm = 1e-9;
 } // namespace
 
@@ -32,37 +32,7 @@ PointsEdit::PointsEdit(Planner& planner, const QString& name, const QString& tex
     Hand(planner, std::move(purpose)),
     List(new QTableWidget(0, 3))
 {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* row = new QHBoxLayout;
-  const auto add = [&](const QString& called, const QString& shown, const QString& tip)
-  {
-    auto* button = new QPushButton(shown);
-    button->setObjectName(called);
-    button->setToolTip(tip);
-    button->setAccessibleName(tip);
-    row->addWidget(button);
-    return button;
-  };
-  this->Touch = add(name, text, tr("Touch places in the views"));
-  this->Touch->setCheckable(true);
-  this->Crosshair = add(name + ".crosshair", tr("At the +"), tr("A place at the crosshair"));
-  this->Remove = add(name + ".remove", QStringLiteral("−"), tr("Remove the chosen place"));
-  this->Up = add(name + ".up", QStringLiteral("↑"), tr("The chosen place sooner"));
-  this->Down = add(name + ".down", QStringLiteral("↓"), tr("The chosen place later"));
-  for (QPushButton* button : { this->Remove, this->Up, this->Down })
-    button->setMaximumWidth(28);
-  column->addLayout(row);
-  this->List->setObjectName(name + ".list");
-  this->List->setAccessibleName(text);
-  this->List->setHorizontalHeaderLabels({ tr("x"), tr("y"), tr("z, mm") });
-  this->List->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  this->List->setSelectionMode(QAbstractItemView::SingleSelection);
-  this->List->setTabKeyNavigation(false); // Tab goes on
-  const int rows = std::min<int>(ShownRows, int(this->Hand.Purpose().most));
-  this->List->setFixedHeight((rows + 1) * this->List->verticalHeader()->defaultSectionSize() + 4);
-  column->addWidget(this->List);
-
+  this->Build(name, text);
   auto* remove =
     new QShortcut(QKeySequence::Delete, this->List, nullptr, nullptr, Qt::WidgetShortcut);
   connect(remove, &QShortcut::activated, this, [this] { this->Hand.RemoveSelected(); });
@@ -88,6 +58,53 @@ PointsEdit::PointsEdit(Planner& planner, const QString& name, const QString& tex
         this->Hand.Select(place);
     });
   connect(this->List, &QTableWidget::itemChanged, this, &PointsEdit::Type);
+}
+
+void PointsEdit::Build(const QString& name, const QString& text)
+{
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  auto* below = new QHBoxLayout;
+  auto* side = new QVBoxLayout;
+  const auto add =
+    [&](QBoxLayout* into, const QString& called, const QString& shown, const QString& tip)
+  {
+    auto* button = new QPushButton(shown);
+    button->setObjectName(called);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    into->addWidget(button);
+    return button;
+  };
+  this->Touch = add(row, name, text, tr("Touch places in the views"));
+  this->Touch->setCheckable(true);
+  const QString plain = QString(text).remove('&');
+  this->Touch->setAccessibleName(plain);
+  row->setStretch(0, 1);
+  this->Crosshair = add(row, name + ".crosshair", tr("At the +"), tr("A place at the crosshair"));
+  this->Remove = add(side, name + ".remove", QStringLiteral("−"), tr("Remove the chosen place"));
+  this->Up = add(side, name + ".up", QStringLiteral("↑"), tr("The chosen place sooner"));
+  this->Down = add(side, name + ".down", QStringLiteral("↓"), tr("The chosen place later"));
+  for (QPushButton* button : { this->Remove, this->Up, this->Down })
+    button->setMaximumWidth(28);
+  side->addStretch(1);
+  const bool single = this->Hand.Purpose().most == 1;
+  this->Up->setHidden(single);
+  this->Down->setHidden(single);
+  this->List->setObjectName(name + ".list");
+  this->List->setAccessibleName(plain);
+  this->List->setHorizontalHeaderLabels({ tr("x"), tr("y"), tr("z, mm") });
+  this->List->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  this->List->horizontalHeader()->setMinimumSectionSize(30);
+  this->List->verticalHeader()->setDefaultSectionSize(RowPixels);
+  this->List->setSelectionMode(QAbstractItemView::SingleSelection);
+  this->List->setTabKeyNavigation(false); // Tab goes on
+  this->List->setFixedHeight((single ? 2 : ShownRows + 1) * RowPixels + 8);
+  below->addWidget(this->List, 1);
+  below->addLayout(side);
+  column->addLayout(row);
+  column->addLayout(below);
 }
 
 glm::dvec3 PointsEdit::PointOf(const TouchedPlace& place) const

@@ -44,6 +44,7 @@ Q_SIGNALS:
   void Edited(); ///< by hand or by typing
 
 private:
+  void Build(const QString& name, const QString& text);
   glm::dvec3 PointOf(const TouchedPlace& place) const;
   void Fill();
   void ShowSelected(int place);

@@ -14,7 +14,8 @@ namespace hasp
 
 namespace
 {
-constexpr int RestMs = 500; // after the last step of an arrow
+constexpr int RestMs = 500;    // after the last step of an arrow
+constexpr int LeastWidth = 90; // whatever its range: panels are narrow
 
 QLineEdit* LineOf(QDoubleSpinBox* box)
 {
@@ -58,6 +59,7 @@ QDoubleSpinBox* RecipeForm::Number(const QString& name, const char* key, const Q
   box->setSingleStep(number.step);
   box->setSuffix(number.unit);
   box->setKeyboardTracking(false);
+  box->setMinimumWidth(LeastWidth);
   box->setToolTip(tr("%1 to %2%3").arg(number.low).arg(number.high).arg(number.unit));
   this->Know(key, label);
   this->Row(label, box);

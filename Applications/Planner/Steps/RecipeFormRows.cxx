@@ -11,6 +11,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <memory>
+
 namespace hasp
 {
 
@@ -60,20 +62,24 @@ QLineEdit* RecipeForm::Text(const QString& name, const QString& label, Value<std
   line->setObjectName(this->NameOf(name));
   line->setMaxLength(50); // of 4 bytes each: what a plan takes
   this->Row(label, line);
+  const auto shown = std::make_shared<QString>(); // as it was read: a longer one is cut off
   connect(line, &QLineEdit::editingFinished, this,
-    [this, line, value]
+    [this, line, value, shown]
     {
       line->setModified(false);
-      if (line->text().trimmed().toStdString() == value())
+      if (line->text() == *shown)
         return;
+      *shown = line->text();
       value() = line->text().trimmed().toStdString();
       Q_EMIT this->Edited();
     });
   this->Readers.push_back(
-    [line, value]
+    [line, value, shown]
     {
-      if (!line->isModified())
-        line->setText(QString::fromStdString(value()));
+      if (line->isModified())
+        return;
+      line->setText(QString::fromStdString(value()));
+      *shown = line->text();
     });
   return line;
 }
@@ -87,6 +93,8 @@ QLineEdit* RecipeForm::Direction(const QString& name, const char* key, const QSt
   column->setContentsMargins(0, 0, 0, 0);
   auto* line = new QLineEdit;
   line->setObjectName(this->NameOf(name));
+  line->setAccessibleName(label);
+  box->setFocusProxy(line); // the label's buddy is the box
   line->setToolTip(tr("Towards the patient's left, back and head: three numbers"));
   column->addWidget(line);
   auto* row = new QHBoxLayout;

@@ -41,6 +41,12 @@ ReducePanel::ReducePanel(Planner& planner, QWidget* parent)
   this->ShowState();
 }
 
+/// Tools are put away while all that follows them is there.
+ReducePanel::~ReducePanel()
+{
+  ReducePanel::Leave();
+}
+
 QGroupBox* ReducePanel::MakeByHand()
 {
   auto* group = new QGroupBox(tr("By hand"));
@@ -74,7 +80,7 @@ QGroupBox* ReducePanel::MakeFragments()
   this->Table->setMaximumHeight(180);
   layout->addWidget(this->Table);
   connect(this->Table, &FragmentTable::SelectionChanged, this, &ReducePanel::Refresh);
-  auto* row = new QHBoxLayout;
+  QBoxLayout* row = AddRow(layout);
   this->Grouping = AddButton(row, "reduce.group", tr("Grou&p"));
   connect(this->Grouping, &QPushButton::clicked, this, &ReducePanel::Group);
   this->Ungrouping = AddButton(row, "reduce.ungroup", tr("U&ngroup"));
@@ -92,8 +98,7 @@ QGroupBox* ReducePanel::MakeFragments()
       this->Of.plan.Do(
         LockEdits(this->Of.plan.Now(), this->Table->Selected()), tr("Lock or free fragments"));
     });
-  layout->addLayout(row);
-  this->Mirror = AddButton(layout, "reduce.mirror", tr("Add the mirror &image of the other side"));
+  this->Mirror = AddButton(layout, "reduce.mirror", tr("Add the mirror &image"));
   connect(this->Mirror, &QPushButton::clicked, this, &ReducePanel::AddMirror);
   return group;
 }
@@ -102,12 +107,10 @@ QGroupBox* ReducePanel::MakeAutomatic()
 {
   auto* group = new QGroupBox(tr("By themselves"));
   auto* layout = new QVBoxLayout(group);
-  auto* row = new QHBoxLayout;
-  this->StartMm =
-    AddSpinBox(row, "reduce.startmm", tr("They are &off by up to"), { 0.0, 100.0, 3.0, tr(" mm") });
-  this->StartDegrees =
-    AddSpinBox(row, "reduce.startdegrees", tr("and tu&rned by"), { 0.0, 180.0, 5.0, tr("°") });
-  layout->addLayout(row);
+  this->StartMm = AddSpinBox(
+    AddRow(layout), "reduce.startmm", tr("They are &off by up to"), { 0.0, 100.0, 3.0, tr(" mm") });
+  this->StartDegrees = AddSpinBox(AddRow(layout), "reduce.startdegrees", tr("and tu&rned by up to"),
+    { 0.0, 180.0, 5.0, tr("°") });
   this->Automatic = AddButton(layout, "reduce.auto", tr("Find ho&w they fit"));
   connect(this->Automatic, &QPushButton::clicked, this, &ReducePanel::Reduce);
   this->Proposals = new ReductionProposals(this->Of);

@@ -25,6 +25,7 @@ class ReducePanel : public StepPanel
   Q_OBJECT
 public:
   explicit ReducePanel(Planner& planner, QWidget* parent = nullptr);
+  ~ReducePanel() override;
 
   QString Title() const override { return tr("Reduce"); }
   QString StillNeeds() const override;

@@ -21,7 +21,13 @@ namespace hasp
 {
 namespace
 {
-constexpr double WideMm = 2.0; ///< faces are planned to that
+
+/// Little holds it: faces are planned to 2 mm.
+bool IsWide(const ReducedUnit& unit)
+{
+  return !(unit.assembled.within95Mm <= 2.0);
+}
+
 }
 
 QString UnitText(const ReducedUnit& unit)
@@ -44,7 +50,7 @@ QString UnitText(const ReducedUnit& unit)
       .arg(made.fit.spread.within95Degrees, 0, 'f', 1);
   if (made.proposals.undecided)
     text += ReductionProposals::tr("; undecided: look at the next one, too");
-  if (!(made.within95Mm <= WideMm))
+  if (IsWide(unit))
     text += ReductionProposals::tr("; wide: little holds it, look before you use it");
   return text;
 }
@@ -103,7 +109,9 @@ void ReductionProposals::Show(std::shared_ptr<const ReductionResult> result)
   }
   this->Result = std::move(result);
   this->Fill();
-  if (this->Edit().poses.empty())
+  const std::vector<ReducedUnit>& units = this->Result->reduction.units;
+  if (std::none_of(units.begin(), units.end(),
+        [](const ReducedUnit& unit) { return unit.assembled.turn > 0; }))
     this->Of.SayFault(tr("No fragment has a face within reach of another's: move them nearer by "
                          "hand first, or say how far they may be off."));
   this->show();
@@ -118,7 +126,7 @@ void ReductionProposals::Fill()
     item->setToolTip(0, item->text(0));
     if (unit.assembled.turn == 0)
       continue;
-    item->setCheckState(0, Qt::Checked);
+    item->setCheckState(0, IsWide(unit) ? Qt::Unchecked : Qt::Checked); // then it is looked at
     for (std::size_t n = 0; n < unit.assembled.proposals.proposals.size(); ++n)
     {
       auto* proposal = new QTreeWidgetItem(item, { ProposalText(unit, n) });

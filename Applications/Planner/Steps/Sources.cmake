@@ -31,9 +31,9 @@ hasp_add_planner_part(Steps
     Steps/SplitPanel.cxx Steps/SplitPanel.h
     Steps/SurfaceShelf.cxx Steps/SurfaceShelf.h
     Steps/BladeNudge.cxx Steps/BladeNudge.h
-    Steps/CutPanel.cxx Steps/CutPanel.h
+    Steps/CutPanel.cxx Steps/CutPanel.h Steps/CutRows.cxx
     Steps/FaultLine.cxx Steps/FaultLine.h
-    Steps/GuideBox.cxx Steps/GuideBox.h Steps/GuideRows.cxx
+    Steps/GuideBox.cxx Steps/GuideBox.h Steps/GuidePins.cxx Steps/GuideRows.cxx
     Steps/GuidePanel.cxx Steps/GuidePanel.h
     Steps/ImplantBox.cxx Steps/ImplantBox.h
     Steps/MatchPoints.h
@@ -43,6 +43,7 @@ hasp_add_planner_part(Steps
     Steps/ObjectChecks.cxx Steps/ObjectChecks.h
     Steps/ObjectChooser.cxx Steps/ObjectChooser.h
     Steps/ObjectDraft.h
+    Steps/PaintedArea.cxx Steps/PaintedArea.h
     Steps/PanelGroup.h
     Steps/PartStatus.cxx Steps/PartStatus.h
     Steps/PiecesBox.cxx Steps/PiecesBox.h

@@ -46,6 +46,12 @@ SplitPanel::SplitPanel(Planner& planner, QWidget* parent)
   this->ShowWork();
 }
 
+/// Tools are put away while all that follows them is there.
+SplitPanel::~SplitPanel()
+{
+  SplitPanel::Leave();
+}
+
 QGroupBox* SplitPanel::MakePainting()
 {
   auto* group = new QGroupBox(tr("Fragments by painting"));
@@ -61,7 +67,7 @@ QGroupBox* SplitPanel::MakePainting()
   connect(this->Labels, &LabelList::NamesChanged, this,
     [this] { this->Brush.SetNames(this->Labels->Names()); });
 
-  auto* row = new QHBoxLayout;
+  QBoxLayout* row = AddRow(layout);
   this->Radius = AddSpinBox(row, "split.radius", tr("&Brush"), { 0.1, 50.0, 2.0, tr(" mm") });
   connect(this->Radius, QOverload<double>::of(&QDoubleSpinBox::valueChanged), &this->Brush,
     &PaintTool::SetRadius);
@@ -75,7 +81,6 @@ QGroupBox* SplitPanel::MakePainting()
   this->Eraser->setObjectName("split.eraser");
   connect(this->Eraser, &QCheckBox::toggled, &this->Brush, &PaintTool::SetEraser);
   row->addWidget(this->Eraser);
-  layout->addLayout(row);
 
   this->AtCrosshair = AddButton(layout, "split.paint.crosshair", tr("Paint at the cros&shair"));
   connect(this->AtCrosshair, &QPushButton::clicked, this,
@@ -101,8 +106,7 @@ void SplitPanel::AddCleaning(QBoxLayout* layout)
   this->Rethreshold =
     AddButton(layout, "split.rethreshold", tr("Split by the isovalue that is set &now"));
   connect(this->Rethreshold, &QPushButton::clicked, this, &SplitPanel::UseIsovalue);
-  auto* row = new QHBoxLayout;
-  this->Fill = AddButton(row, "split.fill", tr("Fill its cav&ities"));
+  this->Fill = AddButton(layout, "split.fill", tr("Fill its cav&ities"));
   this->Fill->setToolTip(
     tr("Of the label that is chosen; shows when the fragments have been made."));
   connect(this->Fill, &QPushButton::clicked, this,
@@ -111,7 +115,8 @@ void SplitPanel::AddCleaning(QBoxLayout* layout)
       const int label = this->Labels->Label();
       this->AddStep(FillStep{ std::uint16_t(label) }, tr("Fill cavities of label %1").arg(label));
     });
-  this->Close = AddButton(row, "split.close", tr("Close its &gaps"));
+  QBoxLayout* row = AddRow(layout);
+  this->Close = AddButton(row, "split.close", tr("Close its &gaps of"));
   this->Close->setToolTip(
     tr("Of the label that is chosen: gaps that a ball of this radius does not "
        "go through; shows when the fragments have been made."));
@@ -125,7 +130,6 @@ void SplitPanel::AddCleaning(QBoxLayout* layout)
         MorphologyStep{ std::uint16_t(label), Morphology::Close, this->CloseRadius->value() },
         tr("Close gaps of label %1").arg(label));
     });
-  layout->addLayout(row);
 }
 
 QString SplitPanel::StillNeeds() const

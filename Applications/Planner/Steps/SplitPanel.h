@@ -27,6 +27,7 @@ class SplitPanel : public StepPanel
   Q_OBJECT
 public:
   explicit SplitPanel(Planner& planner, QWidget* parent = nullptr);
+  ~SplitPanel() override;
 
   QString Title() const override { return tr("Split"); }
   QString StillNeeds() const override;

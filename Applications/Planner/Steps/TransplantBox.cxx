@@ -100,6 +100,7 @@ PlanTransplant TransplantBox::Fresh()
 
 void TransplantBox::Begun()
 {
+  this->Laid.clear();
   this->Path->SetPlaces({});
   this->Tips->SetPlaces({});
   this->Path->Take();
@@ -123,7 +124,15 @@ void TransplantBox::LayPath(const std::vector<glm::dvec3>& path)
   {
     return this->ShowFault(QString::fromStdString(error.what()));
   }
+  this->Laid = path == this->Path->Points() ? this->Bone().joints : std::vector<TransplantJoint>{};
   this->Put();
+}
+
+std::vector<glm::dvec3> TransplantBox::PathNow() const
+{
+  const PlanTransplant& transplant = this->Draft.Typed();
+  return transplant.transplant.joints == this->Laid ? this->Path->Points()
+                                                    : PathOf(this->Of.plan.Now(), transplant);
 }
 
 /// Places that were touched on the bone's outside go into its middle.
@@ -156,8 +165,7 @@ void TransplantBox::TakeFaces()
   const auto chosen = [](const QComboBox* box) { return PlanId(box->currentData().toUInt()); };
   PlanTransplant& transplant = this->Draft.Typed();
   // The path is where it is planned, whatever its ends lie in.
-  const std::vector<glm::dvec3> path =
-    this->Bone().joints.empty() ? this->Path->Points() : PathOf(this->Of.plan.Now(), transplant);
+  const std::vector<glm::dvec3> path = this->PathNow();
   transplant.first = { chosen(this->FirstCut), chosen(this->FirstFragment) };
   transplant.last = { chosen(this->LastCut), chosen(this->LastFragment) };
   if (path.size() >= 2)
@@ -211,12 +219,11 @@ void TransplantBox::Fill()
   const PlanTransplant& transplant = this->Draft.Typed();
   const Transplant& bone = transplant.transplant;
   const bool shown = this->Draft.IsShown();
-  // While it is touched the path stays as it is touched: its last place may be a corner next.
-  const bool touching = this->Of.tools.InHand() == &this->Path->Tool() &&
-                        this->Path->Places().size() == bone.joints.size();
-  if (shown && !bone.joints.empty() && !touching)
+  // The path stays as it was touched or typed, though its ends go into the cuts' faces: the last
+  // place may be a corner next.
+  if (shown && !bone.joints.empty() && bone.joints != this->Laid)
     this->Path->SetPoints(PathOf(this->Of.plan.Now(), transplant), 0);
-  else if (!shown && !touching)
+  else if (!shown && this->Of.tools.InHand() != &this->Path->Tool())
     this->Path->SetPlaces({});
   if (bone.donor.axis.size() >= 2)
     this->Tips->SetPoints({ bone.donor.axis.front(), bone.donor.axis.back() }, transplant.donor);

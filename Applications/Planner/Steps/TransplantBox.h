@@ -50,6 +50,7 @@ private:
   /// The jaw's side.
   void TakePath();
   void LayPath(const std::vector<glm::dvec3>& path);
+  std::vector<glm::dvec3> PathNow() const; ///< as it is planned; before that, as touched so far
   void ToTheMiddle();
   void TakeFaces();
   glm::dvec3 Outward() const; ///< of the chosen segment
@@ -73,7 +74,8 @@ private:
   PointsEdit *Path, *Tips, *Vessel, *Paddle, *Perforator;
   QComboBox *FirstCut, *FirstFragment, *LastCut, *LastFragment, *Segment, *Donor;
   QLabel *Layout, *Axis;
-  double RollDeg = 0.0; ///< typed and not done yet
+  double RollDeg = 0.0;              ///< typed and not done yet
+  std::vector<TransplantJoint> Laid; ///< what came of the path as it stands in the list
   double LeastMm = 20.0;
   QTimer Resting; ///< after tips have changed: then their middle line is found
 };

@@ -74,13 +74,14 @@ void TransplantBox::FindAxis()
         ImagesOfFragments(*snapshot, { donor }, PartOf(progress, 0.0, 0.2));
       const auto found = ProposeDonorAxis(
         snapshot->plan, images.images, donor, tips, radiusMm, PartOf(progress, 0.2, 1.0));
-      return [me, made = images.made, tips, found]
+      return [me, made = images.made, donor, tips, found]
       {
         if (!me)
           return;
         for (const DerivedPart& part : made)
           me->Of.plan.KeepMade(part);
-        if (SameTips(me->Bone().donor.axis, tips)) // else it is another donor's by now
+        // Else it is of another bone, or between other tips, by now.
+        if (me->Draft.Typed().donor == donor && SameTips(me->Bone().donor.axis, tips))
           me->TakeAxis(found);
       };
     });

@@ -50,9 +50,9 @@ QWidget* TransplantBox::JawPage()
   NamedButton(row, "transplant.middle", tr("To its middle"), [this] { this->ToTheMiddle(); })
     ->setToolTip(tr("Places that were touched on the bone's outside go into its middle"));
   NamedButton(row, "transplant.more", tr("Segment +"),
-    [this] { this->LayPath(PathWithOneMore(PathOf(this->Of.plan.Now(), this->Draft.Typed()))); });
+    [this] { this->LayPath(PathWithOneMore(this->PathNow())); });
   NamedButton(row, "transplant.less", tr("Segment −"),
-    [this] { this->LayPath(PathWithOneLess(PathOf(this->Of.plan.Now(), this->Draft.Typed()))); });
+    [this] { this->LayPath(PathWithOneLess(this->PathNow())); });
   RecipeForm* form = this->Add(new RecipeForm("transplant"));
   form->Text("name", tr("Name"), [this]() -> std::string& { return this->Draft.Typed().name; });
   this->AddFaces(form);

@@ -85,12 +85,14 @@ private:
     connect(open, &QPushButton::clicked,
       [this, file]
       { file->setText(QFileInfo(QFileDialog::getOpenFileName(this, "Open")).fileName()); });
+    auto* quit = Named<QPushButton>("quit", "Quit");
+    connect(quit, &QPushButton::clicked, qApp, &QApplication::quit);
     auto* off = Named<QPushButton>("off", "Off");
     off->setEnabled(false);
     auto* group = Named<QGroupBox>("group", "Group");
     group->setCheckable(true);
-    return { this->Counted, open, file, off, group, once, slow, ask, number, combo, list, secret,
-      key, line, Named<QCheckBox>("check", "Chec&k"), this->Tabs(), this->Below() };
+    return { this->Counted, quit, open, file, off, group, once, slow, ask, number, combo, list,
+      secret, key, line, Named<QCheckBox>("check", "Chec&k"), this->Tabs(), this->Below() };
   }
 
   static QWidget* Tabs()

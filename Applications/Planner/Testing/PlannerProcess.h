@@ -48,6 +48,7 @@ public:
 
   ///@{
   void Click(const std::string& name, int button = 1);
+  int ClickToEnd(const std::string& name); ///< what ends the program; its exit code
   void DoubleClick(const std::string& name);
   /// Of a list, a tree, or tabs: the row with that id; in the order of rows (from 0).
   void ClickId(const std::string& name, long long id, int column = 0, int button = 1);

@@ -45,7 +45,7 @@ std::filesystem::path CanaryFolder::Folder(const std::string& name) const
   return this->Place / name;
 }
 
-StepsDesk::StepsDesk(const CanaryFolder& folder, const std::string& state)
+StepsOneDesk::StepsOneDesk(const CanaryFolder& folder, const std::string& state)
   : planner({ folder.Folder(state), folder.Folder("plans") },
       folder.Folder("work-" + std::to_string(++Desks)), this->desk.grid)
 {
@@ -62,14 +62,14 @@ StepsDesk::StepsDesk(const CanaryFolder& folder, const std::string& state)
   QObject::connect(&this->planner.scene, &PlanScene::PropsChanged, &this->planner, follow);
 }
 
-bool StepsDesk::Settle()
+bool StepsOneDesk::Settle()
 {
   const bool idle = QTest::qWaitFor([this] { return this->planner.jobs.IsIdle(); }, MostMs);
   this->desk.Settle();
   return idle && this->planner.jobs.IsIdle();
 }
 
-QPoint StepsDesk::PixelOf(const glm::dvec3& world) const
+QPoint StepsOneDesk::PixelOf(const glm::dvec3& world) const
 {
   const auto pixel = this->desk.scene.PixelOf(world);
   if (!pixel)

@@ -34,11 +34,11 @@ private:
 
 /// What the planner's window holds, without the window: views on the screen, and a hand with a
 /// mouse.
-class StepsDesk
+class StepsOneDesk
 {
 public:
   /// `state`: as another planner left it, if there was one.
-  StepsDesk(const CanaryFolder& folder, const std::string& state = "state");
+  StepsOneDesk(const CanaryFolder& folder, const std::string& state = "state");
 
   ViewsDesk desk;
   Planner planner;

@@ -205,6 +205,11 @@ TEST_F(LayoutFile, GoesWithItsProgram)
   EXPECT_FALSE(fs::exists(this->folder / "home/layout.json"));
 }
 
+TEST_F(LayoutFile, TheLastClickEndsItsProgram)
+{
+  EXPECT_EQ(this->Open()->ClickToEnd("quit"), 0);
+}
+
 TEST_F(LayoutFile, APictureShowsTheWindow)
 {
   const auto subject = this->Open();

@@ -126,6 +126,33 @@ TEST_F(GuideSteps, PinsAndTheLabelAreTouched)
   EXPECT_TRUE(this->Guide().recipe.labels.empty());
 }
 
+TEST_F(GuideSteps, AnAreaIsPaintedByDragsOnBone)
+{
+  this->desk.Press("guide.new");
+  this->desk.Type("guide.brush", "4");
+  this->desk.Press("guide.paint");
+  const std::size_t steps = this->desk.Steps();
+  const glm::dvec3 eye = EyeOf(this->desk.views.scene);
+  this->desk.Drag(Front(-10.0), this->desk.PixelOf(Front(10.0)) - this->desk.PixelOf(Front(-10.0)));
+  EXPECT_EQ(EyeOf(this->desk.views.scene), eye);
+  ASSERT_EQ(this->desk.Now().guides.size(), 1U) << this->desk.TextOf("guide.fault").toStdString();
+  EXPECT_EQ(this->desk.Steps(), steps + 1);
+  ASSERT_EQ(this->Guide().recipe.strokes.size(), 1U);
+  const GuideStroke& stroke = this->Guide().recipe.strokes[0];
+  EXPECT_EQ(stroke.radiusMm, 4.0);
+  EXPECT_GE(stroke.points.size(), 8U); // 20 mm, of ten moves
+  for (const glm::dvec3& point : stroke.points)
+    EXPECT_LT(OffBar(point), SurfaceMm);
+  EXPECT_LT(glm::distance(this->Guide().recipe.withdrawal, glm::dvec3(0, -1, 0)), 0.15);
+  this->desk.Press("guide.wipe");
+  this->desk.Drag(Front(0.0), { 6, 0 });
+  ASSERT_EQ(this->Guide().recipe.strokes.size(), 2U);
+  EXPECT_TRUE(this->Guide().recipe.strokes[1].erased);
+  this->desk.Drag(glm::dvec3(0, 0, 25.0), { 30, 20 }); // beside bone
+  EXPECT_NE(EyeOf(this->desk.views.scene), eye);
+  EXPECT_EQ(this->Guide().recipe.strokes.size(), 2U);
+}
+
 TEST_F(GuideSteps, ItIsMadeAndSaysWhenItIsOutOfDate)
 {
   this->TouchGuide();

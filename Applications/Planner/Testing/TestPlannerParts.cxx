@@ -8,10 +8,16 @@
 #include "Output/RedParts.h"
 
 #include "Planning/PlanLists.h"
+#include "vtkHaspPrintableText.h"
 
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <utility>
 
 using namespace hasp;
 namespace fs = std::filesystem;
@@ -78,7 +84,11 @@ TEST_F(PlannerParts, HaveTheBytesThatHaspRunWrites)
   for (const auto& [name, bytes] : theirs)
   {
     ASSERT_TRUE(ours.contains(name)) << name;
-    EXPECT_TRUE(ours.at(name) == bytes) << name;
+    const auto at =
+      std::mismatch(bytes.begin(), bytes.end(), ours.at(name).begin(), ours.at(name).end()).first -
+      bytes.begin();
+    EXPECT_TRUE(ours.at(name) == bytes)
+      << name << " from byte " << at << " on: " << PrintableText(bytes.substr(std::size_t(at), 60));
   }
   EXPECT_TRUE(ours.contains("guide-8.json"));
   EXPECT_TRUE(ours.contains("run.json"));

@@ -28,10 +28,10 @@ namespace
 using namespace hasp;
 using namespace hasp::testing;
 
-struct ImportDesk : StepsDesk
+struct ImportDesk : StepsOneDesk
 {
   explicit ImportDesk(const CanaryFolder& folder, const std::string& state = "state")
-    : StepsDesk(folder, state),
+    : StepsOneDesk(folder, state),
       panel(this->planner)
   {
   }
@@ -148,7 +148,7 @@ TEST(PlannerImport, ThePseudonymIsAStep)
 {
   const CanaryFolder folder;
   ImportDesk desk(folder);
-  auto& line = StepsDesk::Find<QLineEdit>(desk.panel, "import.case");
+  auto& line = StepsOneDesk::Find<QLineEdit>(desk.panel, "import.case");
   line.setText("K-17");
   Q_EMIT line.editingFinished();
   Q_EMIT line.editingFinished(); // as Qt does when the window goes
@@ -171,7 +171,7 @@ TEST(PlannerImport, AMissingScanIsFoundByWhatItHolds)
   }
   ImportDesk desk(folder, "elsewhere");
   ASSERT_TRUE(desk.Import(plan));
-  auto& list = StepsDesk::Find<QListWidget>(desk.panel, "import.missing");
+  auto& list = StepsOneDesk::Find<QListWidget>(desk.panel, "import.missing");
   ASSERT_EQ(list.count(), 1);
   EXPECT_EQ(list.item(0)->text(), "scan 1 is not here");
   auto& missing = *desk.panel.findChild<MissingInputs*>();
@@ -194,7 +194,7 @@ TEST(PlannerImport, RemediesAreWhatFaultsAskFor)
   several.faults = { { FaultKind::MixedSeries, "the folder holds 3 series" } };
   remedies.Offer(several);
   EXPECT_FALSE(remedies.isHidden());
-  StepsDesk::Find<QComboBox>(remedies, "import.series").setCurrentIndex(1);
+  StepsOneDesk::Find<QComboBox>(remedies, "import.series").setCurrentIndex(1);
   EXPECT_EQ(remedies.Settings().series, 2);
   EXPECT_FALSE(remedies.Settings().resample);
   Passport tilted;

@@ -29,10 +29,10 @@ using namespace hasp::testing;
 
 constexpr double JoinedMm = -4.0; ///< the balls are one bone
 
-struct SplitDesk : StepsDesk
+struct SplitDesk : StepsOneDesk
 {
   explicit SplitDesk(const CanaryFolder& folder, double gapMm = JoinedMm)
-    : StepsDesk(folder),
+    : StepsOneDesk(folder),
       gapMm(gapMm),
       import(this->planner),
       panel(this->planner)
@@ -85,10 +85,10 @@ std::set<std::uint16_t> LabelsIn(const std::vector<std::uint16_t>& samples)
 TEST(PlannerSplit, SaysWhatItNeeds)
 {
   const CanaryFolder folder;
-  StepsDesk desk(folder);
+  StepsOneDesk desk(folder);
   SplitPanel panel(desk.planner);
   EXPECT_EQ(panel.StillNeeds(), "Import a scan first.");
-  EXPECT_FALSE(StepsDesk::Find<QAbstractButton>(panel, "split.paint").isEnabled());
+  EXPECT_FALSE(StepsOneDesk::Find<QAbstractButton>(panel, "split.paint").isEnabled());
   EXPECT_FALSE(panel.Paint().PaintAt({ 0, 0, 0 })); // said, no crash and no step
   EXPECT_EQ(desk.faults.size(), 1);
   EXPECT_EQ(desk.Steps(), 0U);
@@ -100,7 +100,7 @@ TEST(PlannerSplit, AStrokeIsOneStepAndLabelsAreTheRecipes)
   SplitDesk desk(folder);
   EXPECT_EQ(desk.panel.StillNeeds(), "");
   const std::size_t before = desk.Steps();
-  StepsDesk::Click(desk.panel, "split.paint");
+  StepsOneDesk::Click(desk.panel, "split.paint");
   desk.Paint(2, 1);
   ASSERT_EQ(desk.Steps(), before + 1) << desk.faults.join(' ').toStdString();
   ASSERT_EQ(desk.Now().segmentations.size(), 1U);
@@ -129,7 +129,7 @@ TEST(PlannerSplit, ADragInASliceIsAStrokeToo)
   const CanaryFolder folder;
   SplitDesk desk(folder);
   const std::size_t before = desk.Steps();
-  StepsDesk::Click(desk.panel, "split.paint");
+  StepsOneDesk::Click(desk.panel, "split.paint");
   desk.Settle();
   const QPoint at = desk.desk.axial.PixelOf(BallMiddle(JoinedMm, 1)).value().toPoint();
   desk.desk.Drag(desk.desk.axial, at, at + QPoint(4, 0));
@@ -143,12 +143,12 @@ TEST(PlannerSplit, TheEraserTakesStrokesAwayInOneStep)
 {
   const CanaryFolder folder;
   SplitDesk desk(folder);
-  StepsDesk::Click(desk.panel, "split.paint");
+  StepsOneDesk::Click(desk.panel, "split.paint");
   desk.Paint(2, 1);
   desk.Paint(3, -1);
   const std::size_t before = desk.Steps();
-  StepsDesk::Find<QCheckBox>(desk.panel, "split.eraser").setChecked(true);
-  StepsDesk::Find<QDoubleSpinBox>(desk.panel, "split.radius").setValue(5.0);
+  StepsOneDesk::Find<QCheckBox>(desk.panel, "split.eraser").setChecked(true);
+  StepsOneDesk::Find<QDoubleSpinBox>(desk.panel, "split.radius").setValue(5.0);
   desk.Paint(3, -1);
   EXPECT_EQ(desk.Steps(), before + 1);
   EXPECT_EQ(LabelsIn(desk.Shown()), (std::set<std::uint16_t>{ 0, 2 }));
@@ -179,7 +179,7 @@ TEST(PlannerSplit, FragmentsAreOneStepAndTheirMapIsKept)
   desk.panel.Paint().SetLabel(3);
   ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, -1)));
   const std::size_t before = desk.Steps();
-  StepsDesk::Click(desk.panel, "split.make");
+  StepsOneDesk::Click(desk.panel, "split.make");
   ASSERT_TRUE(desk.Settle());
   ASSERT_EQ(desk.Now().fragments.size(), 2U) << desk.faults.join(' ').toStdString();
   EXPECT_EQ(desk.Steps(), before + 1);
@@ -190,7 +190,7 @@ TEST(PlannerSplit, FragmentsAreOneStepAndTheirMapIsKept)
   EXPECT_EQ(std::memcmp(map->GetScalarPointer(), made.data(), 2 * made.size()), 0);
   for (const PlanFragment& fragment : desk.Now().fragments)
     EXPECT_TRUE(desk.planner.scene.PropOf(fragment.id)) << fragment.id;
-  StepsDesk::Click(desk.panel, "split.make"); // again: they are there
+  StepsOneDesk::Click(desk.panel, "split.make"); // again: they are there
   ASSERT_TRUE(desk.Settle());
   EXPECT_EQ(desk.Steps(), before + 1);
 
@@ -198,7 +198,7 @@ TEST(PlannerSplit, FragmentsAreOneStepAndTheirMapIsKept)
   ASSERT_TRUE(desk.panel.Paint().PaintAt({ 0, 6, 0 }));
   EXPECT_THROW(
     LabelMapOf(desk.Now(), document.parts, desk.Now().segmentations[0].id), std::invalid_argument);
-  StepsDesk::Click(desk.panel, "split.make");
+  StepsOneDesk::Click(desk.panel, "split.make");
   desk.planner.jobs.CancelAll();
   ASSERT_TRUE(desk.Settle());
   EXPECT_EQ(desk.Steps(), before + 2); // the stroke
@@ -209,15 +209,15 @@ TEST(PlannerSplit, PiecesAndBonesNeedNoPainting)
 {
   const CanaryFolder folder;
   SplitDesk desk(folder, 3.0);
-  StepsDesk::Click(desk.panel, "split.pieces");
+  StepsOneDesk::Click(desk.panel, "split.pieces");
   ASSERT_TRUE(desk.Settle());
   ASSERT_EQ(desk.Now().fragments.size(), 2U) << desk.faults.join(' ').toStdString();
   desk.planner.plan.Undo();
   desk.planner.plan.Undo();
   EXPECT_TRUE(desk.Now().segmentations.empty());
   desk.planner.views.SetCrosshair(BallMiddle(3.0, 1));
-  StepsDesk::Click(desk.panel, "split.bone.crosshair");
-  StepsDesk::Click(desk.panel, "split.bone.pick");
+  StepsOneDesk::Click(desk.panel, "split.bone.crosshair");
+  StepsOneDesk::Click(desk.panel, "split.bone.pick");
   ASSERT_TRUE(desk.Settle());
   desk.desk.Click(desk.desk.scene, desk.Front(-1));
   ASSERT_TRUE(desk.Settle());
@@ -232,15 +232,15 @@ TEST(PlannerSplit, LabelsThatAreAddedAreThePlansOnceThereIsAStroke)
 {
   const CanaryFolder folder;
   SplitDesk desk(folder);
-  auto& list = StepsDesk::Find<QListWidget>(desk.panel, "split.label");
+  auto& list = StepsOneDesk::Find<QListWidget>(desk.panel, "split.label");
   EXPECT_EQ(list.count(), 2);
-  StepsDesk::Click(desk.panel, "split.label.add");
+  StepsOneDesk::Click(desk.panel, "split.label.add");
   EXPECT_EQ(list.count(), 3);
   EXPECT_EQ(desk.panel.Paint().Label(), 4); // it is chosen
   ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, 1)));
   EXPECT_EQ(desk.Recipe().names.size(), 3U);
   const std::size_t before = desk.Steps();
-  StepsDesk::Click(desk.panel, "split.label.add");
+  StepsOneDesk::Click(desk.panel, "split.label.add");
   EXPECT_EQ(desk.Steps(), before + 1);
   EXPECT_EQ(desk.Recipe().names.size(), 4U);
   desk.planner.plan.Undo();

@@ -87,9 +87,9 @@ void GrabTool::Begin()
   this->Session->AddObserver(vtkHaspReductionSession::PlanChangedEvent, this->Command);
   this->Of.views.Scene().interactor()->AddObserver(
     vtkCommand::LeftButtonPressEvent, this->BeforePress, 2.0F); // before the hand
-  // Right before a frame: its pose is the newest.
+  // Right before a frame: its pose is the newest. And before DistanceColours asks for it.
   this->FrameTag =
-    this->Of.views.Scene().renderWindow()->AddObserver(vtkCommand::StartEvent, this->Command);
+    this->Of.views.Scene().renderWindow()->AddObserver(vtkCommand::StartEvent, this->Command, 1.0F);
   connect(&this->Of.plan, &PlanSession::Changed, this, &GrabTool::FollowSoon);
   connect(&this->Of.scene, &PlanScene::PropsChanged, this, &GrabTool::FollowSoon);
   this->Follow();

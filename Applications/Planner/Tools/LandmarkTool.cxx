@@ -149,7 +149,7 @@ int LandmarkTool::At(FrameView& view, const QPointF& pixel) const
   for (std::size_t n = 0; n < this->All.size(); ++n)
   {
     const TouchedPlace& place = this->All[n];
-    const auto at = marked.PixelOf(place.world);
+    const auto at = marked.PixelOf(marked.slice ? place.inScan : place.world); // as Paint
     if (!at || marked.Off(place.inScan) > SliceMm || !marked.Faces(place.world, place.normal))
       continue;
     if (const double away = QLineF(*at, pixel).length(); away <= nearest)

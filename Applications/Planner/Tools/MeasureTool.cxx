@@ -36,6 +36,12 @@ MeasureTool::MeasureTool(Planner& planner, QObject* parent) : Tool(parent), Of(p
     }
     return back || key.key() == Qt::Key_Insert;
   };
+  connect(&planner.plan, &PlanSession::Replaced, this,
+    [this]
+    {
+      this->All.clear(); // they were touched in the old one
+      this->Update();
+    });
 }
 
 MeasureTool::~MeasureTool()

@@ -195,9 +195,18 @@ void PaintPreview::Cover()
 
 void PaintPreview::Poll()
 {
-  if (!this->Session)
-    return;
-  const bool changed = this->Session->Update();
+  if (this->Session)
+    this->Tell(this->Session->Update());
+}
+
+void PaintPreview::Finish()
+{
+  if (this->Session)
+    this->Tell(this->Session->Finish());
+}
+
+void PaintPreview::Tell(bool changed)
+{
   if (!this->Session->IsWorking())
     this->Polling.stop();
   if (changed)
@@ -226,13 +235,6 @@ int PaintPreview::Strokes() const
 vtkImageData* PaintPreview::Labels() const
 {
   return this->LabelMap;
-}
-
-void PaintPreview::Finish()
-{
-  if (this->Session)
-    this->Session->Finish();
-  this->Poll();
 }
 
 } // namespace hasp

@@ -70,6 +70,7 @@ private:
   void Cover();
   void ShowStrokes();
   void Poll();
+  void Tell(bool changed);
 
   Planner& Of;
   VtkFaults Faults;

@@ -2,6 +2,7 @@ hasp_add_planner_part(Tools
   SOURCES
     Tools/Tool.cxx Tools/Tool.h
     Tools/Planner.cxx Tools/Planner.h
+    Tools/AreaTool.cxx Tools/AreaTool.h
     Tools/BladeTool.cxx Tools/BladeTool.h
     Tools/DistanceBody.cxx Tools/DistanceBody.h
     Tools/DistanceColours.cxx Tools/DistanceColours.h

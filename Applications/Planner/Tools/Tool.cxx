@@ -7,7 +7,7 @@ void ToolBox::Take(Tool* tool)
 {
   if (tool == this->Now)
     return;
-  if (Tool* before = this->Now)
+  while (Tool* before = this->Now) // what one tells at its end may have another one taken
   {
     this->Now = nullptr;
     disconnect(before, nullptr, this, nullptr);

@@ -2,11 +2,14 @@
 
 #include "Model/PlanSession.h"
 #include "Planning/PlanLists.h"
+#include "View/SceneView.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 
 #include <glm/geometric.hpp>
 
@@ -96,6 +99,18 @@ bool BladeProps::Sync()
     entry.shown->SetVisible(visible);
   }
   return changed;
+}
+
+void BladeProps::Prepare()
+{
+  for (const auto& [id, entry] : this->Entries)
+    if (entry.shown)
+    {
+      vtkActor* box = entry.shown->Actor();
+      entry.edges->Actor()->SetUserMatrix(box->GetUserMatrix());
+      entry.edges->SetVisible(
+        entry.shown->IsVisible() && this->Of.view.Renderer()->HasViewProp(box));
+    }
 }
 
 void BladeProps::ListResources(ResourceList& list) const

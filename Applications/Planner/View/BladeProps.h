@@ -23,6 +23,7 @@ public:
 
   bool Sync() override;
   void Pick(const SceneRay&, std::optional<SceneHit>&) const override {}
+  void Prepare() override; ///< edges go with their box: a hand moves it, and tools cover it
   void ListResources(ResourceList& list) const override;
 };
 

@@ -129,6 +129,11 @@ void MeasureActor::SetTextLook(const glm::dvec3& colour, bool visible)
   this->Text->SetVisibility(visible);
 }
 
+void MeasureActor::FollowCover()
+{
+  this->Text->SetVisibility(this->IsVisible() && this->In.Renderer()->HasViewProp(this->Actor()));
+}
+
 bool MeasureActor::DataBounds(double bounds[6]) const
 {
   if (this->Places.empty())

@@ -22,6 +22,7 @@ public:
   void SetPlaces(const std::vector<glm::dvec3>& places);
   void SetText(const std::string& text);
   void SetTextLook(const glm::dvec3& colour, bool visible);
+  void FollowCover(); ///< the text is seen while the lines are among the view's props
   void ListResources(ResourceList& list) const override;
 
 protected:

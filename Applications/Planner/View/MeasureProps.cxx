@@ -85,7 +85,10 @@ void MeasureProps::Prepare()
   for (const PlanMeasure& measure : this->Of.plan.Now().measures)
     if (const auto entry = this->Entries.find(measure.id);
         entry != this->Entries.end() && entry->second.shown && entry->second.shown->IsVisible())
+    {
       this->Follow(measure, *entry->second.shown);
+      entry->second.shown->FollowCover();
+    }
 }
 
 void MeasureProps::ListResources(ResourceList& list) const

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double BoneWindow = 1000.0, BoneLevel = 400.0; // HU
-constexpr int Half = 10'000; // of a splitter: more than any screen, so that halves are equal
+constexpr int Half = 10000; // of a splitter: more than any screen, so that halves are equal
 
 const char* NameOf(SliceAxis axis)
 {

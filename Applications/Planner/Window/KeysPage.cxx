@@ -43,34 +43,41 @@ void AddRows(const QMenu& menu, std::vector<Row>& rows)
   }
 }
 
-QString MouseTables(const PlannerWindow& window)
+QString MouseTables()
 {
-  return Table(window.tr("3D view"),
-           { { window.tr("left drag"), window.tr("turns") },
-             { window.tr("middle drag, Shift+left drag"), window.tr("moves") },
-             { window.tr("right drag, wheel"), window.tr("zooms") },
-             { window.tr("Ctrl+left drag"), window.tr("rolls") },
-             { "r, f", window.tr("all in sight; turn about what is under the pointer") },
-             { "5, w, s", window.tr("parallel projection; wireframe, surface of meshes") },
-             { "3", window.tr("stereo on and off") },
-             { window.tr("double click"), window.tr("one view or four") } }) +
-         Table(window.tr("Slices"),
-           { { window.tr("wheel, arrow keys, b, f"), window.tr("next slice") },
-             { window.tr("left drag"), window.tr("window (sideways) and level (up, down)") },
-             { window.tr("left click, Shift+move"), window.tr("crosshair, in all views") },
-             { window.tr("right drag"), window.tr("zooms") },
-             { window.tr("middle drag, Shift+left drag"), window.tr("moves") },
-             { "r, v", window.tr("all in sight; show the slice in the 3D view") } }) +
-         Table(window.tr("Tools"),
-           { { "Esc", window.tr("puts the tool away") },
-             { window.tr("paint: left drag"),
-               window.tr("paints on bone; beside it turns the view") },
-             { window.tr("paint: Shift+wheel, +, -"), window.tr("brush larger, smaller") },
-             { window.tr("grab: left drag"), window.tr("takes a fragment along") },
-             { window.tr("grab: wheel, middle drag"), window.tr("nearer and farther; turns it") },
-             { window.tr("grab: Shift"), window.tr("the mouse moves and the fragment stays") },
-             { window.tr("landmarks: click, drag"), window.tr("touches bone; moves a landmark") },
-             { "Ins, Del", window.tr("landmark at the crosshair; removes the chosen one") } });
+  return Table(PlannerWindow::tr("3D view"),
+           { { PlannerWindow::tr("left drag"), PlannerWindow::tr("turns") },
+             { PlannerWindow::tr("middle drag, Shift+left drag"), PlannerWindow::tr("moves") },
+             { PlannerWindow::tr("right drag, wheel"), PlannerWindow::tr("zooms") },
+             { PlannerWindow::tr("Ctrl+left drag"), PlannerWindow::tr("rolls") },
+             { "r, f", PlannerWindow::tr("all in sight; turn about what is under the pointer") },
+             { "5, w, s", PlannerWindow::tr("parallel projection; wireframe, surface of meshes") },
+             { "3", PlannerWindow::tr("stereo on and off") },
+             { PlannerWindow::tr("double click"), PlannerWindow::tr("one view or four") } }) +
+         Table(PlannerWindow::tr("Slices"),
+           { { PlannerWindow::tr("wheel, arrow keys, b, f"), PlannerWindow::tr("next slice") },
+             { PlannerWindow::tr("left drag"),
+               PlannerWindow::tr("window (sideways) and level (up, down)") },
+             { PlannerWindow::tr("left click, Shift+move"),
+               PlannerWindow::tr("crosshair, in all views") },
+             { PlannerWindow::tr("right drag"), PlannerWindow::tr("zooms") },
+             { PlannerWindow::tr("middle drag, Shift+left drag"), PlannerWindow::tr("moves") },
+             { "r, v", PlannerWindow::tr("all in sight; show the slice in the 3D view") } }) +
+         Table(PlannerWindow::tr("Tools"),
+           { { "Esc", PlannerWindow::tr("puts the tool away") },
+             { PlannerWindow::tr("paint: left drag"),
+               PlannerWindow::tr("paints on bone; beside it turns the view") },
+             { PlannerWindow::tr("paint: Shift+wheel, +, -"),
+               PlannerWindow::tr("brush larger, smaller") },
+             { PlannerWindow::tr("grab: left drag"), PlannerWindow::tr("takes a fragment along") },
+             { PlannerWindow::tr("grab: wheel, middle drag"),
+               PlannerWindow::tr("nearer and farther; turns it") },
+             { PlannerWindow::tr("grab: Shift"),
+               PlannerWindow::tr("the mouse moves and the fragment stays") },
+             { PlannerWindow::tr("landmarks: click, drag"),
+               PlannerWindow::tr("touches bone; moves a landmark") },
+             { "Ins, Del",
+               PlannerWindow::tr("landmark at the crosshair; removes the chosen one") } });
 }
 
 void Show(PlannerWindow& window, const QString& name, const QString& title, const QString& html)
@@ -101,33 +108,33 @@ void ShowKeysPage(PlannerWindow& window)
   for (const QAction* action : window.menuBar()->actions())
     if (action->menu())
       AddRows(*action->menu(), rows);
-  rows.emplace_back("Ctrl+1 … Ctrl+8", window.tr("the steps, from Import to Export"));
-  rows.emplace_back("Ctrl+.", window.tr("gives up what is worked out"));
-  Show(window, "page.keys", window.tr("Keys and mouse"),
-    MouseTables(window) + Table(window.tr("Everywhere"), rows));
+  rows.emplace_back("Ctrl+1 … Ctrl+8", PlannerWindow::tr("the steps, from Import to Export"));
+  rows.emplace_back("Ctrl+.", PlannerWindow::tr("gives up what is worked out"));
+  Show(window, "page.keys", PlannerWindow::tr("Keys and mouse"),
+    MouseTables() + Table(PlannerWindow::tr("Everywhere"), rows));
 }
 
 void ShowAboutPage(PlannerWindow& window)
 {
   const QString html =
     "<h2>Hasp planner</h2><p><b>" +
-    window.tr("Research use only, not a medical device. Not for clinical use.").toHtmlEscaped() +
+    PlannerWindow::tr("Research use only, not a medical device. Not for clinical use.")
+      .toHtmlEscaped() +
     "</b></p><p>" +
-    window.tr("Version %1, commit %2; VTK %3, Qt %4.")
+    PlannerWindow::tr("Version %1, commit %2; VTK %3, Qt %4.")
       .arg(Version(), Commit(), vtkVersion::GetVTKVersion(), qVersion())
       .toHtmlEscaped() +
     "</p><p>" +
-    window
-      .tr("After F. Nysjö, Haptic Rendering and Interactive Surgery Planning, Uppsala University "
-          "2020. BSD 3-Clause; with CGAL's mesh check the program is under the GPL.")
+    PlannerWindow::tr(
+      "After F. Nysjö, Haptic Rendering and Interactive Surgery Planning, Uppsala University "
+      "2020. BSD 3-Clause; with CGAL's mesh check the program is under the GPL.")
       .toHtmlEscaped() +
     "</p><p>" +
-    window
-      .tr(
-        "Nothing leaves this machine: no network is used, and what is kept here names no patient.")
+    PlannerWindow::tr(
+      "Nothing leaves this machine: no network is used, and what is kept here names no patient.")
       .toHtmlEscaped() +
     "</p>";
-  Show(window, "page.about", window.tr("About"), html);
+  Show(window, "page.about", PlannerWindow::tr("About"), html);
 }
 
 } // namespace hasp

@@ -74,12 +74,16 @@ void ObjectList::ColourChosen()
   std::vector<PlanEdit> edits;
   for (const PlanId id : fragments)
   {
-    PlanFragment changed = *FindPlanObject<PlanFragment>(plan, id);
+    const auto* fragment = FindPlanObject<PlanFragment>(plan, id);
+    if (!fragment)
+      continue; // a job has ended while the colour was chosen
+    PlanFragment changed = *fragment;
     changed.colour = { std::uint8_t(colour.red()), std::uint8_t(colour.green()),
       std::uint8_t(colour.blue()) };
     edits.push_back(ChangeObject<PlanFragment>{ changed });
   }
-  this->Of.plan.Do(std::move(edits), tr("Change colour"));
+  if (!edits.empty())
+    this->Of.plan.Do(std::move(edits), tr("Change colour"));
 }
 
 } // namespace hasp

@@ -117,14 +117,32 @@ void ObjectList::AddActions()
 
 void ObjectList::Refresh()
 {
+  if (this->state() == EditingState) // a name that is being typed is not to be lost
+  {
+    this->Stale = true;
+    return;
+  }
+  this->Stale = false;
   const std::vector<PlanId> chosen = this->Chosen();
   const std::set<PlanId> again(chosen.begin(), chosen.end());
+  const PlanId current = this->currentItem() ? IdOf(this->currentItem()) : 0;
   this->Filling = true;
   this->clear();
   this->Fill();
   for (QTreeWidgetItemIterator at(this); *at; ++at)
+  {
+    if (current != 0 && IdOf(*at) == current) // where the keyboard is
+      this->setCurrentItem(*at, Name, QItemSelectionModel::NoUpdate);
     (*at)->setSelected(again.contains(IdOf(*at)));
+  }
   this->Filling = false;
+}
+
+void ObjectList::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint)
+{
+  QTreeWidget::closeEditor(editor, hint);
+  if (this->Stale) // once Qt is done with the item
+    QMetaObject::invokeMethod(this, &ObjectList::Refresh, Qt::QueuedConnection);
 }
 
 void ObjectList::Fill()
@@ -180,16 +198,17 @@ void ObjectList::TakeChange(QTreeWidgetItem* item, int column)
   {
     PlanFragment changed = *fragment;
     changed.locked = item->checkState(Lock) == Qt::Checked;
-    if (changed.locked != fragment->locked)
-      this->Of.plan.Do(ChangeObject<PlanFragment>{ changed });
+    if (changed.locked != fragment->locked &&
+        !this->Of.plan.Do(ChangeObject<PlanFragment>{ changed }))
+      this->Refresh();
   }
   if (column != Name)
     return;
   const bool shown = item->checkState(Name) == Qt::Checked;
   if (shown != this->Of.scene.IsVisible(id))
     this->Of.scene.SetVisible(id, shown);
-  else
-    this->Of.plan.Do(RenameObject{ id, item->text(Name).toStdString() });
+  else if (!this->Of.plan.Do(RenameObject{ id, item->text(Name).toStdString() }))
+    this->Refresh(); // it is called as before
 }
 
 void ObjectList::FollowSelection()

@@ -28,6 +28,9 @@ public:
   void ColourChosen();
   ///@}
 
+protected:
+  void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
+
 private:
   enum Column
   {
@@ -44,6 +47,7 @@ private:
 
   Planner& Of;
   bool Filling = false; ///< what changes is no user's change
+  bool Stale = false;   ///< the plan has changed while a name was typed
 };
 
 } // namespace hasp

@@ -7,6 +7,7 @@
 
 #include "Planning/DurableFile.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -15,6 +16,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace hasp
@@ -73,11 +75,17 @@ bool PlannerWindow::MayLeavePlan()
   }
 }
 
+void PlannerWindow::LeavePlan()
+{
+  this->Of->jobs.CancelAll();
+  this->Work.SetPlace(this->Of->folders.plans, {}); // after a crash the next would be saved there
+}
+
 void PlannerWindow::NewPlan()
 {
   if (!this->MayLeavePlan())
     return;
-  this->Of->jobs.CancelAll();
+  this->LeavePlan();
   this->Of->plan.BeginNew();
   this->Of->scans.KeepOnly(this->Of->plan.Now());
   this->ChooseStep("import");
@@ -93,12 +101,15 @@ void PlannerWindow::OpenPlan(const QString& folder)
       QString::fromStdString(this->Of->folders.plans.string()));
   if (path.isEmpty())
     return;
-  fs::path place = PathOf(path);
+  std::error_code ignored; // then it is not there, which Open says
+  fs::path place = fs::absolute(PathOf(path), ignored);
   if (place.filename() == "plan.json")
     place = place.parent_path();
-  this->Of->jobs.CancelAll();
-  if (this->Of->plan.Open(fs::absolute(place)))
+  this->LeavePlan();
+  if (this->Of->plan.Open(place))
     this->Remember();
+  else
+    this->Work.SetPlace(this->Of->folders.plans, this->Of->plan.SavedIn());
 }
 
 bool PlannerWindow::SavePlanHere()
@@ -145,6 +156,7 @@ void PlannerWindow::Remember()
 
 void PlannerWindow::LoadMissing()
 {
+  delete this->Guided; // a tour is of the plan that it began with
   this->Of->scans.KeepOnly(this->Of->plan.Now());
   for (const PlanVolume& volume : this->Of->scans.Missing(this->Of->plan.Now()))
   {
@@ -168,10 +180,8 @@ void PlannerWindow::TrySample(Sample sample)
 {
   if (!this->MayLeavePlan())
     return;
-  this->Of->jobs.CancelAll();
+  this->LeavePlan();
   this->Of->plan.BeginNew();
-  this->Of->scans.KeepOnly(this->Of->plan.Now());
-  delete this->Guided;
   const fs::path folder = this->Of->scans.Folder();
   this->Of->jobs.Add(tr("Making the sample"),
     [this, sample, folder](const ProgressFunction& progress) -> JobQueue::Finish
@@ -202,23 +212,28 @@ void PlannerWindow::BeginSample(Sample sample, const std::vector<ShelfScan>& sca
 
 void PlannerWindow::closeEvent(QCloseEvent* event)
 {
-  if (!this->MayLeavePlan())
+  if (!this->MayLeavePlan() || (this->mayClose && !this->mayClose()))
     return event->ignore();
-  Q_EMIT this->Closing();
   event->accept();
 }
 
 void PlannerWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-  if (event->mimeData()->hasUrls())
+  if (event->mimeData()->hasUrls() && !QApplication::activeModalWidget())
     event->acceptProposedAction();
 }
 
 void PlannerWindow::dropEvent(QDropEvent* event)
 {
   event->acceptProposedAction();
-  for (const QUrl& url : event->mimeData()->urls())
-    this->OpenPath(url.toLocalFile());
+  // Later: where it was dragged from all waits for the end of this, and a question may come first.
+  QTimer::singleShot(0, this,
+    [this, urls = event->mimeData()->urls()]
+    {
+      for (const QUrl& url : urls)
+        if (url.isLocalFile())
+          this->OpenPath(url.toLocalFile());
+    });
 }
 
 } // namespace hasp

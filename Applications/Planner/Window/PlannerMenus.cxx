@@ -50,32 +50,32 @@ void PlannerMenus::Add()
 void PlannerMenus::AddFile()
 {
   PlannerWindow* window = &this->Window;
-  QMenu* menu = window->menuBar()->addMenu(window->tr("&File"));
+  QMenu* menu = window->menuBar()->addMenu(PlannerWindow::tr("&File"));
   menu->setObjectName("menu.file");
-  this->AddAction(
-    menu, window->tr("&New plan"), "file.new", QKeySequence::New, [window] { window->NewPlan(); });
-  this->AddAction(menu, window->tr("&Open a plan …"), "file.open", QKeySequence::Open,
+  this->AddAction(menu, PlannerWindow::tr("&New plan"), "file.new", QKeySequence::New,
+    [window] { window->NewPlan(); });
+  this->AddAction(menu, PlannerWindow::tr("&Open a plan …"), "file.open", QKeySequence::Open,
     [window] { window->OpenPlan(); });
-  QMenu* recent = menu->addMenu(window->tr("Open &recent"));
+  QMenu* recent = menu->addMenu(PlannerWindow::tr("Open &recent"));
   recent->setObjectName("menu.recent");
   QObject::connect(recent, &QMenu::aboutToShow, window,
     [window, recent] { PlannerMenus(*window).FillRecent(recent); });
-  this->AddAction(menu, window->tr("&Save"), "file.save", QKeySequence::Save,
+  this->AddAction(menu, PlannerWindow::tr("&Save"), "file.save", QKeySequence::Save,
     [window] { window->SavePlanHere(); });
-  this->AddAction(menu, window->tr("Save &as …"), "file.saveas", QKeySequence("Ctrl+Shift+S"),
-    [window] { window->SavePlanAs(); });
+  this->AddAction(menu, PlannerWindow::tr("Save &as …"), "file.saveas",
+    QKeySequence("Ctrl+Shift+S"), [window] { window->SavePlanAs(); });
   menu->addSeparator();
-  QMenu* samples = menu->addMenu(window->tr("&Try it on a sample"));
+  QMenu* samples = menu->addMenu(PlannerWindow::tr("&Try it on a sample"));
   samples->setObjectName("menu.samples");
-  this->AddAction(samples, window->tr("A &skull with a defect: a guide"), "file.sample.skull", {},
-    [window] { window->TrySample(Sample::Skull); });
-  this->AddAction(samples, window->tr("A broken &mandible: fragments, reduction, plate"),
+  this->AddAction(samples, PlannerWindow::tr("A &skull with a defect: a guide"),
+    "file.sample.skull", {}, [window] { window->TrySample(Sample::Skull); });
+  this->AddAction(samples, PlannerWindow::tr("A broken &mandible: fragments, reduction, plate"),
     "file.sample.mandible", {}, [window] { window->TrySample(Sample::Mandible); });
-  this->AddAction(samples, window->tr("A jaw and a &fibula: cuts and a transplant"),
+  this->AddAction(samples, PlannerWindow::tr("A jaw and a &fibula: cuts and a transplant"),
     "file.sample.fibula", {}, [window] { window->TrySample(Sample::Fibula); });
   menu->addSeparator();
-  this->AddAction(
-    menu, window->tr("&Quit"), "file.quit", QKeySequence("Ctrl+Q"), [window] { window->close(); });
+  this->AddAction(menu, PlannerWindow::tr("&Quit"), "file.quit", QKeySequence("Ctrl+Q"),
+    [window] { window->close(); });
 }
 
 void PlannerMenus::FillRecent(QMenu* menu)
@@ -86,27 +86,29 @@ void PlannerMenus::FillRecent(QMenu* menu)
   int number = 0;
   for (const RecentPlans::Entry& entry : RecentPlans(folders.state, folders.plans).Entries())
   {
-    const QString label = entry.caseLabel.empty() ? window->tr("(no case label)")
-                                                  : QString::fromStdString(entry.caseLabel);
+    QString label = entry.caseLabel.empty() ? PlannerWindow::tr("(no case label)")
+                                            : QString::fromStdString(entry.caseLabel);
+    label.replace('&', "&&"); // it is no key
     const QString name = QString("file.recent.%1").arg(++number);
     this->AddAction(menu, QString("&%1 %2").arg(number).arg(label), name.toUtf8(), {},
       [window, place = QString::fromStdString(entry.place.string())] { window->OpenPlan(place); });
   }
   if (number == 0)
-    menu->addAction(window->tr("None yet"))->setEnabled(false);
+    menu->addAction(PlannerWindow::tr("None yet"))->setEnabled(false);
 }
 
 void PlannerMenus::AddEdit()
 {
   PlannerWindow* window = &this->Window;
   PlanSession* plan = &window->Parts().plan;
-  QMenu* menu = window->menuBar()->addMenu(window->tr("&Edit"));
+  QMenu* menu = window->menuBar()->addMenu(PlannerWindow::tr("&Edit"));
   menu->setObjectName("menu.edit");
   QAction* undo = this->AddAction(
-    menu, window->tr("&Undo"), "edit.undo", QKeySequence::Undo, [plan] { plan->Undo(); });
-  QAction* redo = this->AddAction(
-    menu, window->tr("&Redo"), "edit.redo", QKeySequence("Ctrl+Y"), [plan] { plan->Redo(); });
+    menu, PlannerWindow::tr("&Undo"), "edit.undo", QKeySequence::Undo, [plan] { plan->Undo(); });
+  QAction* redo = this->AddAction(menu, PlannerWindow::tr("&Redo"), "edit.redo",
+    QKeySequence("Ctrl+Y"), [plan] { plan->Redo(); });
   redo->setShortcuts({ QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z") });
+  this->AddPutAway(menu);
   const auto follow = [window, plan, undo, redo]
   {
     const PlanHistory& history = plan->Document().history;
@@ -116,29 +118,40 @@ void PlannerMenus::AddEdit()
       action->setText(
         step ? QString("%1: %2").arg(verb, QString::fromStdString(step->label)) : verb);
     };
-    show(undo, window->tr("&Undo"), history.ToUndo());
-    show(redo, window->tr("&Redo"), history.ToRedo());
+    show(undo, PlannerWindow::tr("&Undo"), history.ToUndo());
+    show(redo, PlannerWindow::tr("&Redo"), history.ToRedo());
   };
   QObject::connect(plan, &PlanSession::Changed, window, follow);
   follow();
+}
+
+void PlannerMenus::AddPutAway(QMenu* menu)
+{
+  ToolBox* tools = &this->Window.Parts().tools;
+  QAction* away = this->AddAction(menu, PlannerWindow::tr("Put the &tool away"), "edit.away",
+    QKeySequence("Esc"), [tools] { tools->Take(nullptr); });
+  away->setEnabled(false);
+  QObject::connect(tools, &ToolBox::Changed, away,
+    [away, tools] { away->setEnabled(tools->InHand() != nullptr); });
 }
 
 void PlannerMenus::AddView()
 {
   PlannerWindow* window = &this->Window;
   Planner* parts = &window->Parts();
-  QMenu* menu = window->menuBar()->addMenu(window->tr("&View"));
+  QMenu* menu = window->menuBar()->addMenu(PlannerWindow::tr("&View"));
   menu->setObjectName("menu.view");
   AddViewPresets(*menu, *parts);
   menu->addSeparator();
-  this->AddAction(menu, window->tr("One view or &four"), "view.maximise", QKeySequence("Ctrl+M"),
+  this->AddAction(menu, PlannerWindow::tr("One view or &four"), "view.maximise",
+    QKeySequence("Ctrl+M"),
     [parts]
     {
       ViewGrid& views = parts->views;
       views.Maximise(views.Maximised() ? nullptr : &views.Scene());
     });
-  this->AddChoice(menu, window->tr("&Crosshair"), "view.crosshair", QKeySequence("Ctrl+H"), true,
-    [parts](bool on) { parts->views.SetCrosshairVisible(on); });
+  this->AddChoice(menu, PlannerWindow::tr("&Crosshair"), "view.crosshair", QKeySequence("Ctrl+H"),
+    true, [parts](bool on) { parts->views.SetCrosshairVisible(on); });
   AddStereoActions(*menu, *window);
   for (const char* dock : { "dock.objects", "dock.use" })
   {
@@ -146,7 +159,7 @@ void PlannerMenus::AddView()
     action->setObjectName(QString("view.%1").arg(dock));
     menu->addAction(action);
   }
-  this->AddChoice(menu, window->tr("F&ull screen"), "view.full", QKeySequence("F11"), false,
+  this->AddChoice(menu, PlannerWindow::tr("F&ull screen"), "view.full", QKeySequence("F11"), false,
     [window](bool on) { on ? window->showFullScreen() : window->showNormal(); });
 }
 
@@ -154,25 +167,25 @@ void PlannerMenus::AddMeasure()
 {
   PlannerWindow* window = &this->Window;
   Planner* parts = &window->Parts();
-  QMenu* menu = window->menuBar()->addMenu(window->tr("&Measure"));
+  QMenu* menu = window->menuBar()->addMenu(PlannerWindow::tr("&Measure"));
   menu->setObjectName("menu.measure");
   auto* tool = new MeasureTool(*parts, window);
-  this->AddAction(menu, window->tr("&Distance: touch two places"), "measure.distance",
+  this->AddAction(menu, PlannerWindow::tr("&Distance: touch two places"), "measure.distance",
     QKeySequence("Ctrl+D"), [tool] { tool->Start(MeasureKind::Distance); });
-  this->AddAction(menu, window->tr("&Angle: touch three places"), "measure.angle",
+  this->AddAction(menu, PlannerWindow::tr("&Angle: touch three places"), "measure.angle",
     QKeySequence("Ctrl+Shift+D"), [tool] { tool->Start(MeasureKind::Angle); });
 }
 
 void PlannerMenus::AddHelp()
 {
   PlannerWindow* window = &this->Window;
-  QMenu* menu = window->menuBar()->addMenu(window->tr("&Help"));
+  QMenu* menu = window->menuBar()->addMenu(PlannerWindow::tr("&Help"));
   menu->setObjectName("menu.help");
-  QAction* keys = this->AddAction(
-    menu, window->tr("&Keys and mouse"), "help.keys", {}, [window] { ShowKeysPage(*window); });
+  QAction* keys = this->AddAction(menu, PlannerWindow::tr("&Keys and mouse"), "help.keys", {},
+    [window] { ShowKeysPage(*window); });
   keys->setShortcuts({ QKeySequence("?"), QKeySequence("F1") });
   this->AddAction(
-    menu, window->tr("&About"), "help.about", {}, [window] { ShowAboutPage(*window); });
+    menu, PlannerWindow::tr("&About"), "help.about", {}, [window] { ShowAboutPage(*window); });
 }
 
 } // namespace hasp

@@ -31,7 +31,7 @@ private:
   void AddChoice(QMenu* menu, const QString& text, const char* name, const QKeySequence& key,
     bool checked, std::function<void(bool)> act);
   void FillRecent(QMenu* menu);
-  void FollowUndo();
+  void AddPutAway(QMenu* menu);
 
   PlannerWindow& Window;
 };

@@ -3,6 +3,7 @@
 #include "Explain.h"
 #include "Output/PartExport.h"
 #include "Output/PartMaking.h"
+#include "Output/RedParts.h"
 #include "Planning/DurableFile.h"
 #include "View/SliceView.h"
 #include "Window/MeasureWindow.h"
@@ -67,13 +68,18 @@ void PlannerScript::AddInputs()
 void PlannerScript::AddOutputs()
 {
   if (this->Options.make)
+  {
     this->Waiting.push_back([this] { MakeAll(this->Window.Parts()); });
+    this->Waiting.push_back([this] { this->LookForRed(); });
+  }
   if (!this->Options.exportTo.empty())
     this->Waiting.push_back(
       [this]
       {
+        const bool mayLeave = WhyNotAll(this->Window.Parts()).isEmpty();
         if (!ExportAll(this->Window.Parts(), this->Options.exportTo,
-              QString::fromStdString(this->Options.format)))
+              QString::fromStdString(this->Options.format)) &&
+            !mayLeave) // else it is the folder
           this->Code = std::max(this->Code, 3);
       });
   if (!this->Options.screenshot.empty())
@@ -109,6 +115,15 @@ void PlannerScript::Next()
   const std::function<void()> act = std::move(this->Waiting.back());
   this->Waiting.pop_back();
   act();
+}
+
+/// A part that does not hold has been said, and is more than a fault.
+void PlannerScript::LookForRed()
+{
+  Planner& parts = this->Window.Parts();
+  for (const PlanId object : PartObjects(parts.plan.Now()))
+    if (RedParts::Of(parts).Find(object))
+      this->Code = std::max(this->Code, 3);
 }
 
 void PlannerScript::Shoot()

@@ -28,6 +28,7 @@ private:
   void Fail(int code, const QString& text);
   void AddInputs();
   void AddOutputs();
+  void LookForRed();
   void Shoot();
   void Explain();
   void Measure();

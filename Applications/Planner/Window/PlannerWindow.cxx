@@ -63,6 +63,7 @@ PlannerWindow::~PlannerWindow()
 {
   this->Of->tools.Take(nullptr); // while what it is used on is there
   this->Of->jobs.CancelAll();
+  delete this->findChild<QWidget*>("stereo.window"); // it draws the planner's scene
   for (StepPanel* panel : this->Panels)
     delete panel; // they know the planner, which goes before the widgets would
 }
@@ -81,17 +82,20 @@ void PlannerWindow::AddSteps()
     this->Stack->addWidget(scroll);
     this->Panels.push_back(panel);
   };
-  add(new ImportPanel(*this->Of, nullptr), "import");
-  add(new SplitPanel(*this->Of, nullptr), "split");
-  add(new ReducePanel(*this->Of, nullptr), "reduce");
-  add(new CutPanel(*this->Of, nullptr), "cut");
-  add(new GuidePanel(*this->Of, nullptr), "guide");
-  add(new PlatePanel(*this->Of, nullptr), "plate");
-  add(new CheckPanel(*this->Of, nullptr), "check");
-  add(new ExportPanel(*this->Of, nullptr), "export");
-  this->Steps = new WorkflowBar(this->Panels, this);
-  this->addToolBar(Qt::TopToolBarArea, this->Steps);
-  connect(this->Steps, &WorkflowBar::Chosen, this, &PlannerWindow::EnterStep);
+  auto* import = new ImportPanel(*this->Of, nullptr);
+  import->openPlan = [this](const QString& folder) { this->OpenPlan(folder);
+};
+add(import, "import");
+add(new SplitPanel(*this->Of, nullptr), "split");
+add(new ReducePanel(*this->Of, nullptr), "reduce");
+add(new CutPanel(*this->Of, nullptr), "cut");
+add(new GuidePanel(*this->Of, nullptr), "guide");
+add(new PlatePanel(*this->Of, nullptr), "plate");
+add(new CheckPanel(*this->Of, nullptr), "check");
+add(new ExportPanel(*this->Of, nullptr), "export");
+this->Steps = new WorkflowBar(this->Panels, this);
+this->addToolBar(Qt::TopToolBarArea, this->Steps);
+connect(this->Steps, &WorkflowBar::Chosen, this, &PlannerWindow::EnterStep);
 }
 
 void PlannerWindow::AddDocks()

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QPointer>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -47,9 +48,11 @@ public:
   bool IsSettled() const;
   const QString& LastMessage() const;
 
+  /// Asked when it is to be closed and the plan may go: false keeps it open. None: it closes.
+  std::function<bool()> mayClose;
+
 Q_SIGNALS:
   void StepChosen(const QString& name);
-  void Closing(); ///< it will close: nothing of it is gone yet
 
 protected:
   void closeEvent(QCloseEvent* event) override; ///< asks for what is not saved
@@ -70,6 +73,7 @@ private:
   ///@{
   /// What the menus do.
   bool MayLeavePlan(); ///< saved, or the user says that it may go
+  void LeavePlan();    ///< before another one: what is under way for it ends
   void NewPlan();
   void OpenPlan(const QString& folder = {});
   bool SavePlanHere();

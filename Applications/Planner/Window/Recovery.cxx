@@ -4,9 +4,10 @@
 #include "Planning/PlanJournal.h"
 #include "Window/PlannerWindow.h"
 
-#include <QDateTime>
 #include <QMessageBox>
 #include <QPushButton>
+
+#include <optional>
 
 namespace hasp
 {
@@ -14,19 +15,28 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Actions that were not saved; 0: none, or nothing that can be read.
-std::size_t UnsavedActions(const fs::path& work, QString& label)
+/// None: it cannot be read. A newer version may have written it, and the disk may give it later.
+std::optional<RecoveredPlan> Unsaved(const fs::path& work)
 {
   try
   {
-    const RecoveredPlan found = ReadJournal(JournalIn(work));
-    label = QString::fromStdString(found.document.history.Current().caseLabel);
-    return found.actions;
+    return ReadJournal(JournalIn(work));
   }
-  catch (const std::exception&) // not ours, or damaged in its start
+  catch (const std::exception&)
   {
-    return 0;
+    return std::nullopt;
   }
+}
+
+QString WordsOf(const std::optional<RecoveredPlan>& found)
+{
+  if (!found)
+    return PlannerWindow::tr("The planner ended without saving, and what it kept cannot be read: "
+                             "it is damaged, or of a newer version.");
+  const QString label = QString::fromStdString(found->document.history.Current().caseLabel);
+  return PlannerWindow::tr("The planner ended without saving. Case: %1. Not saved: %n action(s).",
+    nullptr, int(found->actions))
+    .arg(label.isEmpty() ? PlannerWindow::tr("(no case label)") : label);
 }
 
 enum class Answer
@@ -36,23 +46,22 @@ enum class Answer
   Discard
 };
 
-Answer Ask(PlannerWindow& window, const QString& label, std::size_t actions)
+Answer Ask(PlannerWindow& window, const std::optional<RecoveredPlan>& found)
 {
-  QMessageBox question(QMessageBox::Question, window.tr("Bring back what was not saved?"),
-    window
-      .tr("The planner ended without saving. Case: %1. Not saved: %n action(s).", nullptr,
-        int(actions))
-      .arg(label.isEmpty() ? window.tr("(no case label)") : label),
-    QMessageBox::NoButton, &window);
+  QMessageBox question(QMessageBox::Question, PlannerWindow::tr("Bring back what was not saved?"),
+    WordsOf(found), QMessageBox::NoButton, &window);
   question.setObjectName("question.recover");
   question.setTextFormat(Qt::PlainText);
-  QPushButton* bring = question.addButton(window.tr("&Bring back"), QMessageBox::AcceptRole);
+  QPushButton* bring =
+    question.addButton(PlannerWindow::tr("&Bring back"), QMessageBox::AcceptRole);
   bring->setObjectName("recover.bring");
-  QPushButton* later = question.addButton(window.tr("Ask &later"), QMessageBox::RejectRole);
+  QPushButton* later = question.addButton(PlannerWindow::tr("Ask &later"), QMessageBox::RejectRole);
   later->setObjectName("recover.later");
-  QPushButton* discard = question.addButton(window.tr("&Discard"), QMessageBox::DestructiveRole);
+  QPushButton* discard =
+    question.addButton(PlannerWindow::tr("&Discard"), QMessageBox::DestructiveRole);
   discard->setObjectName("recover.discard");
-  question.setDefaultButton(bring);
+  bring->setEnabled(found.has_value());
+  question.setDefaultButton(found ? bring : later);
   question.setEscapeButton(later);
   question.exec();
   return question.clickedButton() == bring     ? Answer::BringBack
@@ -66,9 +75,9 @@ void OfferRecovery(PlannerWindow& window)
   Planner& planner = window.Parts();
   for (const fs::path& work : WorkFolder::Crashed(planner.folders.state))
   {
-    QString label;
-    const std::size_t actions = UnsavedActions(work, label);
-    const Answer answer = actions == 0 ? Answer::Discard : Ask(window, label, actions);
+    const std::optional<RecoveredPlan> found = Unsaved(work);
+    const bool nothing = found && found->actions == 0;
+    const Answer answer = nothing ? Answer::Discard : Ask(window, found);
     if (answer == Answer::Later)
       continue;
     if (answer == Answer::Discard)
@@ -76,11 +85,10 @@ void OfferRecovery(PlannerWindow& window)
       WorkFolder::Remove(work);
       continue;
     }
-    if (planner.plan.Recover(work, WorkFolder::PlaceOf(work, planner.folders.plans)))
-    {
+    planner.Say(PlannerWindow::tr("Brought back. Save the plan to keep it.")); // faults follow
+    if (planner.plan.Recover(work, WorkFolder::PlaceOf(work, planner.folders.plans)) &&
+        planner.plan.IsJournalled()) // else it is all that there is against another crash
       WorkFolder::Remove(work);
-      planner.Say(window.tr("Brought back. Save the plan to keep it."));
-    }
     return; // one plan at a time: others are offered at the next start
   }
 }

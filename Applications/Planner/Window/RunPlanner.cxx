@@ -1,5 +1,6 @@
 #include "Window/RunPlanner.h"
 
+#include "Model/ErrorText.h"
 #include "Model/WorkFolder.h"
 #include "Output/StudyLog.h"
 #include "Window/LayoutFile.h"
@@ -13,6 +14,8 @@
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QPointer>
+#include <QSettings>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QTranslator>
@@ -20,6 +23,7 @@
 #include <X11/Xlib.h> // last: it defines words as macros
 
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -27,6 +31,39 @@ namespace hasp
 {
 namespace
 {
+
+/// What is thrown where an event is handled goes no further: in Qt it would end the program.
+class Application : public QApplication
+{
+public:
+  using QApplication::QApplication;
+  std::function<void(const QString&)> sayFault;
+
+  bool notify(QObject* receiver, QEvent* event) override
+  {
+    try
+    {
+      return QApplication::notify(receiver, event);
+    }
+    catch (const std::exception& error)
+    {
+      const QString text = PlannerWindow::tr("The last action was not finished: %1. Undo it if the "
+                                             "plan is not as it should be.")
+                             .arg(ErrorText(error));
+      if (this->sayFault)
+        this->sayFault(text);
+      else
+        std::cerr << "hasp-planner: " << text.toStdString() << "\n";
+      return false;
+    }
+  }
+};
+
+/// Qt's dialogues of files keep the folders that they have shown, whose names may be patients'.
+void ForgetFolders()
+{
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, "/dev/null");
+}
 
 /// Qt ends the process where there is no display: ask before.
 bool CanShow()
@@ -50,7 +87,9 @@ bool CanShow()
 void Translate(QApplication& application, const std::string& language)
 {
   const QLocale locale = language.empty() ? QLocale() : QLocale(QString::fromStdString(language));
+  // Qt has no Swedish of its own; where it has a language, its words come before ours.
   for (const auto& [file, folder] : { std::pair{ QString("hasp-planner"), QString(":/i18n") },
+         std::pair{ QString("qtbase"), QString(":/i18n") },
          std::pair{ QString("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath) } })
   {
     auto* translator = new QTranslator(&application);
@@ -59,17 +98,26 @@ void Translate(QApplication& application, const std::string& language)
   }
 }
 
-int Show(QApplication& application, const PlannerOptions& options)
+int Show(Application& application, const PlannerOptions& options)
 {
   WorkFolder work(options.state);
   PlannerWindow window({ options.state, options.plans }, work);
+  const QPointer<Planner> parts(&window.Parts());
+  application.sayFault = [parts](const QString& text)
+  {
+    if (parts)
+      parts->SayFault(text);
+  };
   const auto study = BeginStudy(window, options);
   window.resize(options.size);
   window.show();
   std::optional<LayoutFile> layout;
   if (!options.layout.empty())
+  {
     layout.emplace(
       options.layout, [&window] { return StateOf(window); }, [&window] { return WordsOf(window); });
+    QObject::connect(&*layout, &LayoutFile::Failed, parts, &Planner::SayFault);
+  }
   PlannerScript script(window, options);
   // Once the window is there: what is asked then stands before something.
   QTimer::singleShot(0, &window,
@@ -96,8 +144,10 @@ int RunPlanner(int argc, char* argv[])
   QSurfaceFormat::setDefaultFormat(FrameView::defaultFormat());
   QCoreApplication::setApplicationName("hasp-planner");
   QCoreApplication::setOrganizationName({}); // nothing is kept in settings of Qt's
-  int words = 1;                             // Qt has its own meaning for some of ours
-  QApplication application(words, argv);
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // they keep more than Qt's
+  int words = 1; // Qt has its own meaning for some of ours
+  Application application(words, argv);
+  ForgetFolders();
   Translate(application, options.language);
   try
   {
@@ -105,7 +155,7 @@ int RunPlanner(int argc, char* argv[])
   }
   catch (const std::exception& error)
   {
-    std::cerr << "hasp-planner: " << error.what() << "\n";
+    std::cerr << "hasp-planner: " << ErrorText(error).toStdString() << "\n";
     return 1;
   }
 }

@@ -29,3 +29,24 @@ hasp_add_planner_part(Window
     Window/WindowState.cxx Window/WindowState.h
     Window/WorkflowBar.cxx Window/WorkflowBar.h
   LIBRARIES HaspPlannerSteps HaspSceneParts HaspPlanParts Hasp::Studies CLI11::CLI11 X11::X11)
+
+# Its languages, compiled in. lupdate is not run here: Utilities/Docs/Planner.md says when it is.
+find_package(Qt5LinguistTools QUIET)
+if (NOT Qt5LinguistTools_FOUND)
+  message(STATUS "hasp-planner speaks English alone: other languages need lrelease (qttools5-dev)")
+else ()
+  qt5_add_translation(languages Languages/hasp-planner_sv.ts Languages/qtbase_sv.ts)
+  file(CONFIGURE OUTPUT languages.qrc CONTENT [[
+<RCC>
+  <qresource prefix="/i18n">
+    <file>hasp-planner_sv.qm</file>
+    <file>qtbase_sv.qm</file>
+  </qresource>
+</RCC>
+]])
+  qt5_add_resources(resources "${CMAKE_CURRENT_BINARY_DIR}/languages.qrc")
+  # Objects: of a library, the linker would leave out what nothing names.
+  add_library(HaspPlannerLanguages OBJECT ${resources})
+  target_link_libraries(HaspPlannerLanguages PRIVATE Qt5::Core)
+  target_sources(HaspPlannerWindow INTERFACE $<TARGET_OBJECTS:HaspPlannerLanguages>)
+endif ()

@@ -55,7 +55,12 @@ private:
       this->Shown = new StereoWindowWidget(
         parts.views.Scene(), this->Choices.stereo, this->Choices.head, &this->Window);
       connect(this->Shown, &StereoWindowWidget::Closed, this,
-        [this] { this->Toggle->setChecked(false); });
+        [this]
+        {
+          this->Shown = nullptr; // it goes later, and another may come before
+          this->Toggle->setChecked(false);
+        });
+      connect(this->Shown, &StereoWindowWidget::Warned, &parts, &Planner::SayFault);
       this->Shown->resize(960, 600);
       this->Choices.fullScreen ? this->Shown->showFullScreen() : this->Shown->show();
       parts.views.Scene().Draw();
@@ -63,7 +68,7 @@ private:
     catch (const std::exception& error)
     {
       delete this->Shown;
-      parts.SayFault(this->Window.tr("Stereo: %1").arg(QString::fromUtf8(error.what())));
+      parts.SayFault(PlannerWindow::tr("Stereo: %1").arg(QString::fromUtf8(error.what())));
       this->Toggle->setChecked(false);
     }
   }
@@ -78,12 +83,12 @@ private:
 
 void AddStereoActions(QMenu& menu, PlannerWindow& window)
 {
-  QAction* toggle = menu.addAction(window.tr("&Stereo"));
+  QAction* toggle = menu.addAction(PlannerWindow::tr("&Stereo"));
   toggle->setObjectName("view.stereo");
   toggle->setShortcut(QKeySequence("3"));
   toggle->setCheckable(true);
   auto* control = new StereoControl(window, toggle);
-  QAction* settings = menu.addAction(window.tr("Stereo se&ttings …"));
+  QAction* settings = menu.addAction(PlannerWindow::tr("Stereo se&ttings …"));
   settings->setObjectName("view.stereo.settings");
   QObject::connect(settings, &QAction::triggered, control, &StereoControl::Ask);
 }

@@ -3,7 +3,10 @@
 #include "StereoView.h"
 #include "Window/PlannerWindow.h"
 
+#include "vtkCamera.h"
 #include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -94,9 +97,9 @@ StereoSettings::StereoSettings(PlannerWindow& window, const PlannerStereo& befor
     LifeSize(new QCheckBox(tr("&Life size"))),
     FullScreen(new QCheckBox(tr("&Full screen"))),
     Known(new QCheckBox(tr("The &screen's size is known"))),
-    Width(Box("stereo.width", 10.0, 100'000.0, tr("mm"), 520.0)),
-    Height(Box("stereo.height", 10.0, 100'000.0, tr("mm"), 320.0)),
-    Distance(Box("stereo.distance", 100.0, 10'000.0, tr("mm"), 600.0)),
+    Width(Box("stereo.width", 10.0, 1e5, tr("mm"), 520.0)),
+    Height(Box("stereo.height", 10.0, 1e5, tr("mm"), 320.0)),
+    Distance(Box("stereo.distance", 100.0, 1e4, tr("mm"), 600.0)),
     Eyes(Box("stereo.eyes", 20.0, 100.0, tr("mm"), 63.0)),
     Angle(Box("stereo.angle", 0.0, 20.0, tr("°"), 2.0)),
     Drawing(new QLabel),
@@ -127,7 +130,7 @@ void StereoSettings::Build()
   for (QCheckBox* box : { this->Swap, this->FullScreen, this->Known })
     form->addRow(box);
   form->addRow(tr("Screen's &width"), this->Width);
-  form->addRow(tr("Screen's &height"), this->Height);
+  form->addRow(tr("Screen's heigh&t"), this->Height);
   form->addRow(tr("Head to screen, &distance"), this->Distance);
   form->addRow(tr("&Eyes apart"), this->Eyes);
   form->addRow(this->LifeSize);
@@ -171,7 +174,10 @@ void StereoSettings::Show(const PlannerStereo& before)
   this->Distance->setValue(stereo.headMm ? (*stereo.headMm)[2] : 600.0);
   this->Eyes->setValue(stereo.eyeSeparationMm.value_or(63.0));
   this->Angle->setValue(stereo.eyeAngle.value_or(2.0));
-  Select(this->Head, before.head.source);
+  const std::string& head = before.head.source;
+  const bool listed = this->Head->findData(QString::fromStdString(head)) >= 0;
+  Select(this->Head, listed ? head : "other");
+  this->HeadMore->setText(listed ? QString() : QString::fromStdString(head));
 }
 
 PlannerStereo StereoSettings::Choices() const
@@ -214,7 +220,9 @@ void StereoSettings::Sketch()
   try
   {
     SceneView& scene = this->Window.Parts().views.Scene();
-    const StereoView eyes(scene.Renderer(), scene.renderWindow(), this->Choices().stereo);
+    const vtkNew<vtkRenderer> stand; // for life size moves its camera
+    stand->GetActiveCamera()->DeepCopy(scene.Renderer()->GetActiveCamera());
+    const StereoView eyes(stand, scene.renderWindow(), this->Choices().stereo);
     const std::string png = eyes.SketchPng(std::nullopt);
     QPixmap picture;
     picture.loadFromData(reinterpret_cast<const uchar*>(png.data()), uint(png.size()), "PNG");

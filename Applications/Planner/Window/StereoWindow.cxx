@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <utility>
+
 namespace hasp
 {
 namespace
@@ -33,6 +35,7 @@ StereoWindowWidget::StereoWindowWidget(
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(this->Shown);
   this->Shown->setAttribute(Qt::WA_TransparentForMouseEvents); // its interactor moves nothing
+  this->Shown->setFocusPolicy(Qt::NoFocus);                    // nor has it VTK's keys
   this->setMouseTracking(true);
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   this->Shown->setRenderWindow(window.Get());
@@ -41,6 +44,8 @@ StereoWindowWidget::StereoWindowWidget(
   std::unique_ptr<HeadTracker> tracker = MakeHeadTracker(head, rest);
   this->View = std::make_unique<StereoView>(scene.Renderer(), window, choices, std::move(tracker));
   connect(&scene, &SceneView::Shown, this, &StereoWindowWidget::Draw);
+  connect(this->Shown, &QOpenGLWidget::resized, this, &StereoWindowWidget::Draw,
+    Qt::QueuedConnection); // VTK has drawn one eye alone
   if (this->View->IsTracked())
   {
     connect(&this->Head, &QTimer::timeout, this,
@@ -59,8 +64,13 @@ void StereoWindowWidget::Draw()
 {
   if (!this->isVisible() || !this->Shown->isValid())
     return;
-  this->View->Draw(SteadySeconds());
+  const bool drawn = this->View->Draw(SteadySeconds());
   this->Shown->update();
+  for (const std::string& warning : this->View->TakeWarnings())
+    Q_EMIT this->Warned(QString::fromStdString(warning));
+  if (!std::exchange(this->Stays, !drawn) && !drawn)
+    Q_EMIT this->Warned(tr("The stereo window keeps its last picture: two eyes need a perspective "
+                           "view (5 in the 3D view)."));
 }
 
 void StereoWindowWidget::keyPressEvent(QKeyEvent* event)

@@ -36,6 +36,7 @@ public:
 
 Q_SIGNALS:
   void Closed();
+  void Warned(const QString& text); ///< of the head's tracker; of a picture that stays
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -46,6 +47,7 @@ private:
   QVTKOpenGLNativeWidget* Shown;
   std::unique_ptr<StereoView> View;
   QTimer Head;
+  bool Stays = false; ///< the picture could not be drawn anew, and that has been said
 };
 
 } // namespace hasp

@@ -5,8 +5,29 @@
 #include "Window/PlannerOptions.h"
 #include "Window/PlannerWindow.h"
 
+#include <QMessageBox>
+
+#include <utility>
+
 namespace hasp
 {
+namespace
+{
+
+/// The trial's end. False: it could not be kept, and the operator stays, to make room for it.
+bool Finish(PlannerWindow& window, StudyLog& study, bool& asked)
+{
+  SusForm form(&window);
+  if (!std::exchange(asked, true) && form.exec() == QDialog::Accepted)
+    study.KeepSus(*form.Answers());
+  if (study.Finish())
+    return true;
+  return QMessageBox::question(&window, PlannerWindow::tr("Close all the same?"),
+           PlannerWindow::tr("The trial's plan is not saved."), QMessageBox::Yes | QMessageBox::No,
+           QMessageBox::No) == QMessageBox::Yes;
+}
+
+} // namespace
 
 std::unique_ptr<StudyLog> BeginStudy(PlannerWindow& window, const PlannerOptions& options)
 {
@@ -21,19 +42,14 @@ std::unique_ptr<StudyLog> BeginStudy(PlannerWindow& window, const PlannerOptions
   QObject::connect(log.get(), &StudyLog::Failed, &parts, &Planner::SayFault);
   QObject::connect(&window, &PlannerWindow::StepChosen, log.get(), &StudyLog::StepChanged);
   QObject::connect(&parts.tools, &ToolBox::Changed, log.get(),
-    [&parts, study = log.get()]
+    [&parts, study = log.get(), before = static_cast<const Tool*>(nullptr)]() mutable
     {
       const Tool* tool = parts.tools.InHand();
-      study->ToolTaken(tool ? QString(tool->metaObject()->className()).remove("hasp::") : "");
+      if (std::exchange(before, tool) != tool) // else it is its hint that has changed
+        study->ToolTaken(tool ? QString(tool->metaObject()->className()).remove("hasp::") : "");
     });
-  QObject::connect(&window, &PlannerWindow::Closing, log.get(),
-    [&window, study = log.get()]
-    {
-      SusForm form(&window);
-      if (form.exec() == QDialog::Accepted)
-        study->KeepSus(*form.Answers());
-      study->Finish();
-    });
+  window.mayClose = [&window, study = log.get(), asked = false]() mutable
+  { return Finish(window, *study, asked); };
   log->StepChanged(window.ChosenStep());
   return log;
 }

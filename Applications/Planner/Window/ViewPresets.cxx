@@ -10,10 +10,10 @@ namespace hasp
 {
 namespace
 {
-QString Tr(const char* text)
+struct Words
 {
-  return QCoreApplication::translate("ViewPresets", text);
-}
+  Q_DECLARE_TR_FUNCTIONS(ViewPresets)
+};
 
 struct Side
 {
@@ -51,24 +51,24 @@ void AddViewPresets(QMenu& menu, Planner& planner)
   PlanScene* scene = &planner.scene;
   for (const Side& one : Sides)
   {
-    QAction* action = menu.addAction(Tr(one.text));
+    QAction* action = menu.addAction(Words::tr(one.text));
     action->setObjectName(QString("view.from.%1").arg(QChar(one.side).toLower()));
     action->setShortcut(QKeySequence(one.key));
     QObject::connect(
       action, &QAction::triggered, scene, [scene, side = one.side] { scene->LookFrom(side); });
   }
-  QAction* all = menu.addAction(Tr("&All in sight"));
+  QAction* all = menu.addAction(Words::tr("&All in sight"));
   all->setObjectName("view.all");
   all->setShortcut(QKeySequence("Ctrl+R"));
   QObject::connect(all, &QAction::triggered, scene, [scene] { scene->ShowAll(); });
   menu.addSeparator();
-  QMenu* greys = menu.addMenu(Tr("&Window and level"));
+  QMenu* greys = menu.addMenu(Words::tr("&Window and level"));
   greys->setObjectName("menu.greys");
   ViewGrid* views = &planner.views;
   for (const Grey& one : Greys)
   {
-    QAction* action =
-      greys->addAction(Tr("%1: %2 / %3").arg(Tr(one.text)).arg(one.window).arg(one.level));
+    QAction* action = greys->addAction(
+      Words::tr("%1: %2 / %3").arg(Words::tr(one.text)).arg(one.window).arg(one.level));
     action->setObjectName(QString("view.grey.%1").arg(one.name));
     QObject::connect(action, &QAction::triggered, views,
       [views, one] { views->SetWindowLevel(one.window, one.level); });
