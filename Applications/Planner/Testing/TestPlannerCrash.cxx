@@ -1,6 +1,7 @@
 // The program is killed at any moment: at most the action that was under way is lost.
-#include "PlannerDesk.h"
 #include "Planning/DerivedPart.h"
+
+#include "PlannerDesk.h"
 
 #include <chrono>
 #include <cstdlib>
