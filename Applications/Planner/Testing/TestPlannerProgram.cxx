@@ -87,8 +87,7 @@ TEST_F(PlannerProgram, AsksBeforeWhatIsNotSavedGoes)
   planner->Click("question.save.cancel");
   EXPECT_TRUE(planner->IsRunning());
   planner->CloseWindow();
-  planner->Click("question.save.discard");
-  EXPECT_EQ(planner->ExitCode(), 0);
+  EXPECT_EQ(planner->ClickToEnd("question.save.discard"), 0);
 }
 
 } // namespace
