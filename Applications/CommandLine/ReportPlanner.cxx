@@ -4,10 +4,12 @@
 #include "Report/Pairing.h"
 #include "Report/Report.h"
 #include "Report/ReportRegistry.h"
+#include "Report/ReportText.h"
 #include "Report/ScratchFolder.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -22,7 +24,26 @@ using Json = nlohmann::json;
 
 constexpr double MostS = 900.0;
 
-/// Rows of what the planner has measured.
+double Fps(const Json& drag)
+{
+  return drag.at("frames").get<double>() / drag.at("seconds").get<double>();
+}
+
+double MsOfFrame(const Json& drag)
+{
+  return 1e3 / Fps(drag);
+}
+
+/// By how much a figure has grown from the first to the last of its samples: the medians of both
+/// halves are half of that apart, and no sample alone matters.
+double Growth(const std::vector<double>& samples)
+{
+  const auto middle = samples.begin() + std::ptrdiff_t(samples.size() / 2);
+  return 2.0 * (QuartilesOf({ middle, samples.end() }).median -
+                 QuartilesOf({ samples.begin(), middle }).median);
+}
+
+/// Rows and curves of what the planner has measured.
 class PlannerRows
 {
 public:
@@ -30,7 +51,7 @@ public:
 
   void Add(const Json& measured)
   {
-    this->AddFirst(measured.at("first_ms").get<double>());
+    this->AddFirst(measured.at("first"));
     for (const Json& one : measured.at("isovalue"))
       this->AddIsovalue(one);
     this->AddDrag(measured.at("drag"));
@@ -39,22 +60,32 @@ public:
   }
 
 private:
-  ReportRow& Row(const std::string& id, double value, const std::string& unit)
+  ReportRow& Row(const std::string& id, double value, const std::string& unit, Better better)
   {
     ReportRow row;
     row.id = id;
     row.method = "planner";
     row.value = value;
     row.unit = unit;
+    row.better = better;
     this->Of.rows.push_back(row);
     return this->Of.rows.back();
   }
-
-  void AddFirst(double ms)
+  void Point(const std::string& id, const std::string& method, double ms, double rms)
   {
-    ReportRow& row = this->Row("planner.first", 1e-3 * ms, "s");
-    row.better = Better::Lower;
-    row.data = "the sample, from the program's start to its first complete picture";
+    const auto found = std::find_if(this->Of.curves.begin(), this->Of.curves.end(),
+      [&](const ReportCurve& curve) { return curve.id == id && curve.method == method; });
+    if (found == this->Of.curves.end())
+      this->Of.curves.push_back({ id, method, "ms", "of 255, rms", { { ms, rms } } });
+    else
+      found->points.emplace_back(ms, rms);
+  }
+
+  void AddFirst(const Json& first)
+  {
+    ReportRow& row =
+      this->Row("planner.first", 1e-3 * first.at("ms").get<double>(), "s", Better::Lower);
+    row.data = "the sample, " + first.at("sample").get<std::string>();
   }
 
   /// Beside a mesh made anew: pairs of pictures.
@@ -67,67 +98,84 @@ private:
     for (std::size_t n = 0; n < ours.size(); ++n)
       ratios.push_back(ours[n] / rival[n]);
     const Quartiles ratio = QuartilesOf(ratios), time = QuartilesOf(ours);
-    ReportRow& row = this->Row("planner.isovalue@" + size, ratio.median, "ratio");
-    row.rival = "vtkFlyingEdges3D and its mesh, in the same view";
+    const double rivalMs = QuartilesOf(rival).median, rms = one.at("rms_255").get<double>();
+    const double rivalRms = one.at("rival_rms_255").get<double>();
+    ReportRow& row = this->Row("planner.isovalue@" + size, ratio.median, "ratio", Better::Lower);
+    row.rival = "vtkFlyingEdges3D and its mesh, in the same view: " + FigureText(rivalMs, "ms") +
+                ", " + FigureText(rivalRms, "of 255 off");
     row.q1 = ratio.q1;
     row.q3 = ratio.q3;
     row.n = int(ratios.size());
-    row.better = Better::Lower;
-    row.error = one.at("rms_255").get<double>();
-    row.errorUnit = "of 255, rms of the picture to the settled one";
+    row.error = rms;
+    row.errorUnit = "of 255, rms of the picture to the one at rest";
     row.timeS = 1e-3 * time.median;
-    row.data = "phantom " + size + "^3, 1280x800";
+    row.data = "phantom " + size +
+               "^3, 1280x800; from one isovalue to the next pictures differ by " +
+               FigureText(one.at("changed_255").get<double>(), "of 255");
+    ReportRow& ms = this->Row("planner.isovalue.ms@" + size, time.median, "ms", Better::Lower);
+    ms.q1 = time.q1;
+    ms.q3 = time.q3;
+    ms.n = int(ours.size());
     if (size == "256")
-    {
-      ReportRow& bar = this->Row("planner.isovalue.ms", time.median, "ms");
-      bar.better = Better::Lower;
-      bar.bars.push_back({ {}, 100.0 });
-      bar.data = "the same: from a new isovalue to its picture";
-    }
+      ms.bars.push_back({ {}, 100.0 });
+    this->Point("planner.isovalue", "the planner, while the isovalue moves", time.median, rms);
+    this->Point("planner.isovalue", "vtkFlyingEdges3D's mesh", rivalMs, rivalRms);
   }
 
   void AddDrag(const Json& drag)
   {
-    const auto fps = [](const Json& one)
-    { return one.at("frames").get<double>() / one.at("seconds").get<double>(); };
-    ReportRow& row = this->Row("planner.drag.fps", fps(drag), "frames a second");
-    row.better = Better::Higher;
+    const Json& full = drag.at("full");
+    ReportRow& row = this->Row("planner.drag.fps", Fps(drag), "frames a second", Better::Higher);
     row.bars.push_back({ 15.0, {} });
     row.n = drag.at("frames").get<int>();
     row.error = drag.at("rms_255").get<double>();
     row.errorUnit = "of 255, rms of a picture in motion to all pixels";
-    row.timeS = drag.at("seconds").get<double>() / std::max(1.0, drag.at("frames").get<double>());
-    row.data = "broken mandible, with contact, 1280x800";
-    ReportRow& full = this->Row("planner.drag.fps.full", fps(drag.at("full")), "frames a second");
-    full.better = Better::Higher;
-    full.data = "the same with all pixels: without dynamic resolution";
-    ReportRow& share = this->Row("planner.drag.share", drag.at("share").get<double>(), "share");
+    row.timeS = 1e-3 * MsOfFrame(drag);
+    row.data = "broken mandible, 1280x800; in contact at " +
+               FigureText(drag.at("touching").get<double>(), "of all looks");
+    this->Row("planner.drag.fps.full", Fps(full), "frames a second", Better::Higher).data =
+      "the same with all pixels, without dynamic resolution; the picture then differs by " +
+      FigureText(full.at("rms_255").get<double>(), "of 255 from the one at rest");
+    ReportRow& share =
+      this->Row("planner.drag.share", drag.at("share").get<double>(), "share", Better::Higher);
     share.bars.push_back({ 0.5, {} });
-    share.better = Better::Higher;
     share.data = "least pixels along an axis while it moved";
-    ReportRow& tick = this->Row("planner.drag.tick", drag.at("tick_us").get<double>(), "us");
-    tick.better = Better::Lower;
+    this->AddTicks(drag);
+    for (const Json& one : { drag, full })
+      this->Point("planner.drag", one == full ? "all pixels" : "dynamic resolution", MsOfFrame(one),
+        one.at("rms_255").get<double>());
+  }
+
+  void AddTicks(const Json& drag)
+  {
+    ReportRow& tick =
+      this->Row("planner.drag.tick", drag.at("tick_us").get<double>(), "us", Better::Lower);
     tick.n = drag.at("ticks").get<int>();
-    tick.data = "CPU time of a haptic tick beside the frames, median; skipped " +
+    tick.data = "CPU time of a haptic tick beside the frames, median; 99 of 100 within " +
+                FigureText(drag.at("tick_us_p99").get<double>(), "us") + "; skipped " +
                 std::to_string(drag.at("skipped").get<long long>());
   }
 
   void AddIdle(const Json& idle)
   {
-    ReportRow& row = this->Row("planner.idle.frames", idle.at("frames").get<double>(), "count");
-    row.better = Better::Lower;
+    ReportRow& row =
+      this->Row("planner.idle.frames", idle.at("frames").get<double>(), "count", Better::Lower);
     row.bars.push_back({ {}, 0.0 });
-    row.data = std::to_string(idle.at("seconds").get<double>()) + " s without an event";
+    row.data = "all views, " + FigureText(idle.at("seconds").get<double>(), "s without an event");
   }
 
   void AddMemory(const Json& reopened)
   {
-    const double grown =
-      reopened.at("bytes_after").get<double>() - reopened.at("bytes_before").get<double>();
-    ReportRow& row = this->Row("planner.reopened", grown / 1048576.0, "MiB");
-    row.better = Better::Lower;
-    row.n = reopened.at("times").get<int>();
-    row.data = "growth of resident memory over so many times new plan, open plan";
+    constexpr double MiB = 1024.0 * 1024.0, MostKiBATime = 16.0;
+    const auto bytes = reopened.at("bytes").get<std::vector<double>>();
+    const int times = reopened.at("times").get<int>();
+    const double grown = Growth(bytes);
+    ReportRow& row = this->Row("planner.reopened", grown / MiB, "MiB", Better::Lower);
+    row.n = times;
+    row.bars.push_back({ {}, MostKiBATime, "KiB each time", grown / 1024.0 / times });
+    const auto [least, most] = std::minmax_element(bytes.begin(), bytes.end());
+    row.data = "growth of resident memory, of " + FigureText(bytes.back() / MiB, "MiB") +
+               "; it was within " + FigureText((*most - *least) / MiB, "MiB");
   }
 
   Report& Of;

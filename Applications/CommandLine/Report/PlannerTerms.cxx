@@ -8,7 +8,8 @@ std::vector<ReportTerm> PlannerTerms()
   return {
     { "planner.first", "from the program's start to the sample's first complete picture" },
     { "planner.isovalue",
-      "from a new isovalue to its picture / the same by a mesh made anew; @: samples a side" },
+      "from a new isovalue to its picture / the same by a mesh made anew; ms: that time itself; @: "
+      "samples a side" },
     { "planner.drag", "a fragment in hand, in contact, in a window of 1280x800: fps: frames a "
                       "second; full: with all "
                       "pixels; share: least pixels along an axis; tick: of the haptic thread" },

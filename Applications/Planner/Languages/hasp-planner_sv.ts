@@ -387,12 +387,9 @@
         <source>Writing all parts</source>
         <translation>Skriver alla delar</translation>
     </message>
-    <message numerus="yes">
-        <source>%n part(s) are written.</source>
-        <translation>
-            <numerusform>%n del är skriven.</numerusform>
-            <numerusform>%n delar är skrivna.</numerusform>
-        </translation>
+    <message>
+        <source>Parts written: %1.</source>
+        <translation>Skrivna delar: %1.</translation>
     </message>
 </context>
 <context>
@@ -442,12 +439,9 @@
         <source>All parts are in date.</source>
         <translation>Alla delar är aktuella.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n part(s) do not hold: change what they are made of first.</source>
-        <translation>
-            <numerusform>%n del uppfyller inte kraven: ändra först det som den skapas av.</numerusform>
-            <numerusform>%n delar uppfyller inte kraven: ändra först det som de skapas av.</numerusform>
-        </translation>
+    <message>
+        <source>Parts that do not hold: %1. Change what they are made of first.</source>
+        <translation>Delar som inte uppfyller kraven: %1. Ändra först det som de skapas av.</translation>
     </message>
 </context>
 <context>
@@ -742,7 +736,7 @@
 <context>
     <name>hasp::CheckPanel</name>
     <message>
-        <source>&amp;Make</source>
+        <source>Ma&amp;ke</source>
         <translation>&amp;Skapa</translation>
     </message>
     <message>
@@ -879,8 +873,8 @@
 <context>
     <name>hasp::ExportPanel</name>
     <message>
-        <source>&amp;Format</source>
-        <translation>&amp;Format</translation>
+        <source>Forma&amp;t</source>
+        <translation>Forma&amp;t</translation>
     </message>
     <message>
         <source>One part</source>
@@ -899,7 +893,7 @@
         <translation>finns inte ännu, eller är tom</translation>
     </message>
     <message>
-        <source>C&amp;hoose…</source>
+        <source>&amp;Choose…</source>
         <translation>Vä&amp;lj…</translation>
     </message>
     <message>
@@ -1079,12 +1073,9 @@
         <source>The fragments are as they are painted now.</source>
         <translation>Fragmenten är så som de är målade nu.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n fragment(s) made.</source>
-        <translation>
-            <numerusform>%n fragment skapat.</numerusform>
-            <numerusform>%n fragment skapade.</numerusform>
-        </translation>
+    <message>
+        <source>Fragments made: %1.</source>
+        <translation>Skapade fragment: %1.</translation>
     </message>
     <message>
         <source>The scan that was painted on is not here: locate it in the step Import.</source>
@@ -1729,19 +1720,13 @@
 </context>
 <context>
     <name>hasp::MeasureTool</name>
-    <message numerus="yes">
-        <source>Distance: touch %n place(s) more, or press Insert at the crosshair.</source>
-        <translation>
-            <numerusform>Avstånd: peka på %n ställe till, eller tryck Insert vid hårkorset.</numerusform>
-            <numerusform>Avstånd: peka på %n ställen till, eller tryck Insert vid hårkorset.</numerusform>
-        </translation>
+    <message>
+        <source>Distance: places still to touch: %1; or press Insert at the crosshair.</source>
+        <translation>Avstånd: ställen kvar att peka ut: %1; eller tryck Insert vid hårkorset.</translation>
     </message>
-    <message numerus="yes">
-        <source>Angle: touch %n place(s) more, its corner second, or press Insert at the crosshair.</source>
-        <translation>
-            <numerusform>Vinkel: peka på %n ställe till, spetsen som nummer två, eller tryck Insert vid hårkorset.</numerusform>
-            <numerusform>Vinkel: peka på %n ställen till, spetsen som nummer två, eller tryck Insert vid hårkorset.</numerusform>
-        </translation>
+    <message>
+        <source>Angle, its corner second: places still to touch: %1; or press Insert at the crosshair.</source>
+        <translation>Vinkel, spetsen som nummer två: ställen kvar att peka ut: %1; eller tryck Insert vid hårkorset.</translation>
     </message>
     <message>
         <source>There is no crosshair: show a scan first.</source>
@@ -1979,7 +1964,7 @@
 <context>
     <name>hasp::ObjectChooser</name>
     <message>
-        <source>Remo&amp;ve</source>
+        <source>&amp;Remove</source>
         <translation>Ta &amp;bort</translation>
     </message>
     <message>
@@ -2195,18 +2180,15 @@
         <source>Nothing is painted.</source>
         <translation>Inget är målat.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n stroke(s)</source>
-        <translation>
-            <numerusform>%n penseldrag</numerusform>
-            <numerusform>%n penseldrag</numerusform>
-        </translation>
+    <message>
+        <source>Strokes: %1</source>
+        <translation>Penseldrag: %1</translation>
     </message>
 </context>
 <context>
     <name>hasp::PartStatus</name>
     <message>
-        <source>&amp;Make</source>
+        <source>Ma&amp;ke</source>
         <translation>&amp;Skapa</translation>
     </message>
     <message>
@@ -2363,12 +2345,9 @@
         <source>Skipped</source>
         <translation>Överhoppat</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s) that are no images</source>
-        <translation>
-            <numerusform>%n fil som inte är en bild</numerusform>
-            <numerusform>%n filer som inte är bilder</numerusform>
-        </translation>
+    <message>
+        <source>files that are no images: %1</source>
+        <translation>filer som inte är bilder: %1</translation>
     </message>
     <message>
         <source>Resampled</source>
@@ -2418,12 +2397,9 @@
         <source>yes, %1 cm³</source>
         <translation>ja, %1 cm³</translation>
     </message>
-    <message numerus="yes">
-        <source>no, %n edge(s) at holes: it is a sheet</source>
-        <translation>
-            <numerusform>nej, %n kant vid hål: den är ett skal</numerusform>
-            <numerusform>nej, %n kanter vid hål: den är ett skal</numerusform>
-        </translation>
+    <message>
+        <source>no, it is a sheet; edges at its holes: %1</source>
+        <translation>nej, den är ett skal; kanter vid dess hål: %1</translation>
     </message>
     <message>
         <source>Pieces</source>
@@ -2433,7 +2409,7 @@
 <context>
     <name>hasp::PiecesBox</name>
     <message>
-        <source>&amp;Find the pieces</source>
+        <source>F&amp;ind the pieces</source>
         <translation>Hi&amp;tta bitarna</translation>
     </message>
     <message>
@@ -2457,7 +2433,7 @@
         <translation>Bitar</translation>
     </message>
     <message>
-        <source>&amp;Resect</source>
+        <source>Rese&amp;ct</source>
         <translation>Re&amp;sekera</translation>
     </message>
     <message>
@@ -2536,7 +2512,7 @@
         <translation>Diastas: median / 95 %, mm</translation>
     </message>
     <message>
-        <source>M&amp;easure along the fractures</source>
+        <source>Mea&amp;sure along the fractures</source>
         <translation>Mät längs frakt&amp;urerna</translation>
     </message>
     <message>
@@ -2963,12 +2939,9 @@
         <source>The planner ended without saving, and what it kept cannot be read: it is damaged, or of a newer version.</source>
         <translation>Planeraren avslutades utan att spara, och det som den behöll går inte att läsa: det är skadat, eller av en nyare version.</translation>
     </message>
-    <message numerus="yes">
-        <source>The planner ended without saving. Case: %1. Not saved: %n action(s).</source>
-        <translation>
-            <numerusform>Planeraren avslutades utan att spara. Fall: %1. Inte sparat: %n åtgärd.</numerusform>
-            <numerusform>Planeraren avslutades utan att spara. Fall: %1. Inte sparat: %n åtgärder.</numerusform>
-        </translation>
+    <message>
+        <source>The planner ended without saving. Case: %1. Actions not saved: %2.</source>
+        <translation>Planeraren avslutades utan att spara. Fall: %1. Åtgärder som inte är sparade: %2.</translation>
     </message>
     <message>
         <source>Bring back what was not saved?</source>
@@ -3801,19 +3774,19 @@ helt</translation>
 <context>
     <name>hasp::Tour</name>
     <message>
-        <source>&amp;Next</source>
-        <translation>&amp;Nästa</translation>
+        <source>Ne&amp;xt</source>
+        <translation>N&amp;ästa</translation>
     </message>
     <message>
-        <source>&amp;Leave the tour</source>
-        <translation>&amp;Lämna rundturen</translation>
+        <source>Leave the tour</source>
+        <translation>Lämna rundturen</translation>
     </message>
     <message>
         <source>%1 of %2: %3</source>
         <translation>%1 av %2: %3</translation>
     </message>
     <message>
-        <source>&amp;Done</source>
+        <source>D&amp;one</source>
         <translation>&amp;Klar</translation>
     </message>
     <message>
@@ -3833,8 +3806,8 @@ helt</translation>
         <translation>Välj en mapp och exportera. Det som är inaktuellt kan inte exporteras. Det är hela vägen; Ctrl+S sparar planen.</translation>
     </message>
     <message>
-        <source>Press New guide. Then touch bone along the rim of the defect: three clicks or more.</source>
-        <translation>Tryck på Ny för en sågmall. Peka sedan på ben längs defektens kant: tre klick eller fler.</translation>
+        <source>Press New, then touch bone along the rim of the defect: three clicks or more.</source>
+        <translation>Tryck på Ny, och peka på ben längs defektens kant: tre klick eller fler.</translation>
     </message>
     <message>
         <source>Sizes are at the left of their units; change what you like. Press Next.</source>
@@ -3849,12 +3822,12 @@ helt</translation>
         <translation>När varje bit har sin färg: Skapa fragment.</translation>
     </message>
     <message>
-        <source>Lock the cranium in the list of objects, press Grab and drag a piece to where it belongs; with Snap-to-fit it is drawn to its place. Or let all be put together: Automatic.</source>
-        <translation>Lås kraniet i objektlistan, tryck på Greppa och dra en bit dit den hör; med Snäpp på plats dras den till sin plats. Eller låt allt sättas ihop: Automatiskt.</translation>
+        <source>Lock the cranium in the list of objects, press Grab and drag a piece to where it belongs; with Snap-to-fit it is drawn to its place. Or let all be put together: Find how they fit.</source>
+        <translation>Lås kraniet i objektlistan, tryck på Greppa och dra en bit dit den hör; med Snäpp på plats dras den till sin plats. Eller låt allt sättas ihop: Hitta hur de passar ihop.</translation>
     </message>
     <message>
-        <source>New plate: touch the bone along its way over the fracture.</source>
-        <translation>Ny platta: peka på benet längs dess väg över frakturen.</translation>
+        <source>Press New, then touch the bone along the plate&apos;s way over the fracture.</source>
+        <translation>Tryck på Ny, och peka på benet längs plattans väg över frakturen.</translation>
     </message>
     <message>
         <source>Touch the jaw in two places for each of two cuts: what is between them will be resected.</source>
@@ -3865,12 +3838,12 @@ helt</translation>
         <translation>Behåll bitarna, och resekera den i mitten.</translation>
     </message>
     <message>
-        <source>New transplant: touch the places of the new jaw&apos;s line, and the two tips of the fibula.</source>
-        <translation>Nytt transplantat: peka ut den nya käkens linje, och fibulas båda ändar.</translation>
+        <source>Choose Transplants and press New; touch the places of the new jaw&apos;s line, and the two tips of the fibula.</source>
+        <translation>Välj Transplantat och tryck på Nytt; peka ut den nya käkens linje, och fibulas båda ändar.</translation>
     </message>
     <message>
-        <source>New mitre guide: it leads the saw on the fibula.</source>
-        <translation>Ny geringsmall: den styr sågen på fibula.</translation>
+        <source>Choose Saw guides for transplants, and press New: the guide leads the saw on the fibula.</source>
+        <translation>Välj Geringsmallar för transplantat, och tryck på Ny: mallen styr sågen på fibula.</translation>
     </message>
 </context>
 <context>
@@ -4032,7 +4005,7 @@ helt</translation>
         <translation>Titta på d&amp;onatorbenet</translation>
     </message>
     <message>
-        <source>&amp;Find its middle line</source>
+        <source>Find &amp;its middle line</source>
         <translation>Hitta dess mittl&amp;inje</translation>
     </message>
     <message>

@@ -1,5 +1,6 @@
 #include "Model/ScanShelf.h"
 
+#include "Model/KeptFiles.h"
 #include "Planning/DurableFile.h"
 
 #include "vtkHaspOutputFile.h"
@@ -42,34 +43,6 @@ void ReadNote(const fs::path& folder, Passport& passport)
     throw std::runtime_error("a kept scan is damaged");
   passport.modality = note.value("modality", "");
   passport.hounsfield = note.value("hounsfield", false);
-}
-
-void DropOldest(const fs::path& folder)
-{
-  struct KeptFile
-  {
-    fs::file_time_type time;
-    std::uintmax_t bytes;
-    fs::path path;
-  };
-  std::vector<KeptFile> files;
-  std::uintmax_t sum = 0;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-  {
-    if (entry.path().extension() != ".nrrd")
-      continue;
-    files.push_back({ entry.last_write_time(error), entry.file_size(error), entry.path() });
-    sum += files.back().bytes;
-  }
-  std::sort(files.begin(), files.end(),
-    [](const KeptFile& a, const KeptFile& b) { return a.time < b.time; });
-  for (std::size_t n = 0; sum > ScanShelf::MostBytes && n + 1 < files.size(); ++n)
-  {
-    fs::remove(files[n].path, error);
-    fs::remove(fs::path(files[n].path).replace_extension(".json"), error);
-    sum -= files[n].bytes;
-  }
 }
 } // namespace
 
@@ -171,7 +144,7 @@ void ScanShelf::Keep(const fs::path& folder, const ShelfScan& scan)
   {
     WriteNote(folder, scan.passport); // first: a scan is there when its .nrrd is
     WriteVolume(scan.image, file.string());
-    DropOldest(folder);
+    DropOldestFiles(folder, MostBytes);
   }
   catch (const std::exception&) // as the header says
   {

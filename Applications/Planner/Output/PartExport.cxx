@@ -182,7 +182,7 @@ bool ExportAll(Planner& planner, const fs::path& folder, const QString& format)
       };
       Try(ExitCode::WrongUse, "", [&] { WriteInspected(path, write, inspect); });
       return [&planner, count = int(parts.size())]
-      { planner.Say(Words::tr("%n part(s) are written.", nullptr, count)); };
+      { planner.Say(Words::tr("Parts written: %1.").arg(count)); };
     });
   return true;
 }

@@ -122,7 +122,7 @@ void MakeAll(Planner& planner)
     std::erase_if(objects, [&](PlanId object) { return RedParts::Of(planner).Find(object); });
   if (objects.empty()) // they would be the same again
     return planner.SayFault(
-      Words::tr("%n part(s) do not hold: change what they are made of first.", nullptr, int(red)));
+      Words::tr("Parts that do not hold: %1. Change what they are made of first.").arg(red));
   Make(planner, objects);
 }
 

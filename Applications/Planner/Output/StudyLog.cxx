@@ -146,11 +146,6 @@ void StudyLog::ToolTaken(const QString& tool)
   this->Append({ { "what", "tool" }, { "tool", tool.toStdString() } });
 }
 
-void StudyLog::Action(const QString& label)
-{
-  this->Append({ { "what", "action" }, { "label", label.toStdString() } });
-}
-
 void StudyLog::Remember()
 {
   const PlanDocument& document = this->Session.Document();

@@ -62,7 +62,6 @@ public:
 public Q_SLOTS:
   void StepChanged(const QString& step); ///< "cut": the program's word for it, not the user's
   void ToolTaken(const QString& tool);   ///< empty: put away
-  void Action(const QString& label);     ///< that is no step of the plan; no text of the user's
 
 Q_SIGNALS:
   void Failed(const QString& text); ///< what could not be written, and what to do; told once

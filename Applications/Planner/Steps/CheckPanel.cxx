@@ -37,7 +37,7 @@ CheckPanel::CheckPanel(Planner& planner, QWidget* parent)
   this->Why->setWordWrap(true);
   layout->addWidget(this->Why);
   auto* row = new QHBoxLayout;
-  this->Make = AddButton(row, "check.make", tr("&Make"));
+  this->Make = AddButton(row, "check.make", tr("Ma&ke"));
   this->All = AddButton(row, "check.makeall", tr("Make &all"));
   this->All->setToolTip(tr("All parts that are not in date"));
   layout->addLayout(row);

@@ -29,12 +29,12 @@ CutPanel::CutPanel(Planner& planner, QWidget* parent)
   column->addWidget(this->List);
   this->Fault = new FaultLine("cut");
   column->addWidget(this->Fault);
-  auto* pages = new QTabWidget;
-  pages->setObjectName("cut.pages");
-  pages->addTab(this->PlacePage(), tr("Place"));
-  pages->addTab(this->BladePage(), tr("Blade"));
-  pages->addTab(this->Pieces = new PiecesBox(planner), tr("Pieces"));
-  column->addWidget(pages);
+  this->Pages = new QTabWidget;
+  this->Pages->setObjectName("cut.pages");
+  this->Pages->addTab(this->PlacePage(), tr("Place"));
+  this->Pages->addTab(this->BladePage(), tr("Blade"));
+  this->Pages->addTab(this->Pieces = new PiecesBox(planner), tr("Pieces"));
+  column->addWidget(this->Pages);
   column->addStretch(1);
 
   connect(this->List, &ObjectChooser::ChosenChanged, this, &CutPanel::ChooseCut);
@@ -43,6 +43,7 @@ CutPanel::CutPanel(Planner& planner, QWidget* parent)
     {
       this->List->Choose(0);
       this->ChooseCut(0);
+      this->Pages->setCurrentIndex(0);
       this->Places->Take();
     });
   connect(this->Nudge, &BladeNudge::Nudged, this,

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 class QPushButton;
+class QTabWidget;
 
 namespace hasp
 {
@@ -54,6 +55,7 @@ private:
   ObjectDraft<PlanCut> Draft;
   BladeTool Blade;
   ObjectChooser* List;
+  QTabWidget* Pages;
   PointsEdit* Places;
   QPushButton* Drag;
   RecipeForm* Form;

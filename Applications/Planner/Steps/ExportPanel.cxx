@@ -47,7 +47,7 @@ ExportPanel::ExportPanel(Planner& planner, QWidget* parent)
 {
   auto* layout = new QVBoxLayout(this);
   auto* row = new QHBoxLayout;
-  auto* formats = new QLabel(tr("&Format"));
+  auto* formats = new QLabel(tr("Forma&t"));
   formats->setBuddy(this->Formats);
   this->Formats->setObjectName("export.format");
   this->Formats->addItems(ExportFormats());
@@ -68,7 +68,7 @@ ExportPanel::ExportPanel(Planner& planner, QWidget* parent)
   this->Folder->setPlaceholderText(tr("not there yet, or empty"));
   place->addWidget(folder);
   place->addWidget(this->Folder, 1);
-  QPushButton* browse = AddButton(place, "export.browse", tr("C&hoose…"));
+  QPushButton* browse = AddButton(place, "export.browse", tr("&Choose…"));
   inWhole->addLayout(place);
   this->All = AddButton(inWhole, "export.all", tr("Export &all"));
   this->AllWhy = AddReason(inWhole, "export.all.why");
@@ -127,6 +127,7 @@ ExportPanel::Row ExportPanel::MakeRow(PlanId object)
   QLabel* why = AddReason(layout, QStringLiteral("export.why.%1").arg(object));
   connect(button, &QPushButton::clicked, this, [this, object] { this->ExportOne(object); });
   this->Parts->addWidget(all);
+  PutInTabOrder(this->Parts->parentWidget(), button);
   return { all, button, why };
 }
 

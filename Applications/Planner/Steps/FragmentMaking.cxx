@@ -96,9 +96,8 @@ void Take(Planner& planner, const MadeLabels& made)
   else if (made.present.empty())
     planner.SayFault(FragmentMaking::tr("There is no bone in it: choose a lower isovalue."));
   else
-    planner.Say(edits.empty()
-                  ? FragmentMaking::tr("The fragments are as they are painted now.")
-                  : FragmentMaking::tr("%n fragment(s) made.", nullptr, int(edits.size())));
+    planner.Say(edits.empty() ? FragmentMaking::tr("The fragments are as they are painted now.")
+                              : FragmentMaking::tr("Fragments made: %1.").arg(edits.size()));
 }
 
 } // namespace

@@ -52,6 +52,8 @@ FragmentTable::FragmentTable(Planner& planner, QWidget* parent) : QTreeWidget(pa
   this->headerItem()->setToolTip(
     OtherColumn, tr("Is only touched, and nothing is fitted to it: as the cranium for a mandible"));
   this->header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+  for (const Column narrow : { FitsColumn, OtherColumn })
+    this->header()->setSectionResizeMode(narrow, QHeaderView::ResizeToContents);
   this->header()->setStretchLastSection(false);
   connect(this, &QTreeWidget::itemChanged, this, &FragmentTable::Note);
   connect(this, &QTreeWidget::itemSelectionChanged, this,

@@ -43,13 +43,13 @@ GuideBox::GuideBox(Planner& planner, QWidget* parent)
     Paint(new PaintedArea(planner))
 {
   this->NextLabel.kind = GuideLabelKind::Case;
-  auto* pages = new QTabWidget;
-  pages->setObjectName("guide.pages");
-  pages->addTab(this->AreaPage(), tr("Area"));
-  pages->addTab(this->ShapePage(), tr("Shape"));
-  pages->addTab(this->CutsPage(), tr("Cuts"));
-  pages->addTab(this->PinsPage(), tr("Pins"));
-  this->Column->addWidget(pages);
+  this->Pages = new QTabWidget;
+  this->Pages->setObjectName("guide.pages");
+  this->Pages->addTab(this->AreaPage(), tr("Area"));
+  this->Pages->addTab(this->ShapePage(), tr("Shape"));
+  this->Pages->addTab(this->CutsPage(), tr("Cuts"));
+  this->Pages->addTab(this->PinsPage(), tr("Pins"));
+  this->Column->addWidget(this->Pages);
   const auto put = [this] { this->Put(); };
   for (RecipeForm* form : { this->Area, this->Shape, this->LabelForm })
     connect(form, &RecipeForm::Edited, this, put);
@@ -82,6 +82,7 @@ PlanGuide GuideBox::Fresh()
 void GuideBox::Begun()
 {
   this->FollowsNormals = true;
+  this->Pages->setCurrentIndex(0);
   this->Landmarks->Take();
 }
 

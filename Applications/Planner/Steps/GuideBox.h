@@ -3,6 +3,7 @@
 
 class QBoxLayout;
 class QComboBox;
+class QTabWidget;
 
 namespace hasp
 {
@@ -63,6 +64,7 @@ private:
   glm::dvec3 InScan(const glm::dvec3& direction); ///< of the bone, of one of the world
 
   RecipeForm *Area, *Shape, *PinForm, *LabelForm;
+  QTabWidget* Pages;
   QComboBox* Bone;
   PointsEdit *Landmarks, *Pins, *LabelPlace;
   ObjectChecks* Cuts;

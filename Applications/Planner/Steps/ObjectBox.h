@@ -34,6 +34,7 @@ public:
       Status(new PartStatus(planner, prefix)),
       Fault(new FaultLine(prefix))
   {
+    this->Column->setContentsMargins(0, 0, 0, 0);
     this->Column->addWidget(this->List);
     this->Column->addWidget(this->Status);
     this->Column->addWidget(this->Fault);

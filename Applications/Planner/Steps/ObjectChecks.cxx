@@ -1,6 +1,7 @@
 #include "Steps/ObjectChecks.h"
 
 #include "Steps/ObjectChooser.h"
+#include "Steps/PanelWidgets.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -44,6 +45,7 @@ void ObjectChecks::Show(
       box->setObjectName(this->Prefix + '.' + QString::number(id));
       connect(box, &QCheckBox::clicked, this, &ObjectChecks::Edited);
       this->Column->addWidget(box);
+      PutInTabOrder(this, box);
       found = this->Boxes.insert(this->Boxes.end(), { id, box });
     }
     found->second->setText(CalledWithName(plan, id));

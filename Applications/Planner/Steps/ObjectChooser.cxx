@@ -31,7 +31,7 @@ ObjectChooser::ObjectChooser(
     Of(planner),
     Objects(std::move(list)),
     Box(new QComboBox),
-    Gone(new QPushButton(tr("Remo&ve")))
+    Gone(new QPushButton(tr("&Remove")))
 {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -5,6 +5,7 @@
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QPushButton>
 
@@ -68,12 +69,19 @@ void PaintedArea::Take(bool wipe, bool on)
   this->Of.tools.Take(on ? &this->Brush : nullptr);
 }
 
+void PaintedArea::hideEvent(QHideEvent* event)
+{
+  if (!event->spontaneous() && this->Of.tools.InHand() == &this->Brush)
+    this->Of.tools.Take(nullptr);
+  QWidget::hideEvent(event);
+}
+
 void PaintedArea::SetStrokes(const std::vector<GuideStroke>& strokes, PlanId bone)
 {
   this->All = strokes;
   this->Brush.SetStrokes(strokes, bone);
   this->Count->setText(
-    strokes.empty() ? tr("Nothing is painted.") : tr("%n stroke(s)", "", int(strokes.size())));
+    strokes.empty() ? tr("Nothing is painted.") : tr("Strokes: %1").arg(strokes.size()));
 }
 
 } // namespace hasp

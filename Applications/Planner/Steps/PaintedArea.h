@@ -26,6 +26,9 @@ Q_SIGNALS:
   void Painted(const hasp::TouchedPlace& first); ///< one stroke more
   void Cleared();
 
+protected:
+  void hideEvent(QHideEvent* event) override; ///< puts it away: another page is turned to
+
 private:
   void Take(bool wipe, bool on);
 

@@ -32,6 +32,18 @@ QCheckBox* AddCheckBox(QBoxLayout* layout, const char* name, const QString& text
   return box;
 }
 
+void PutInTabOrder(QWidget* place, QWidget* made)
+{
+  QWidget* last = place; // of those in it, which may be none that Tab comes to
+  for (QWidget* next = place->nextInFocusChain(); next != place; next = next->nextInFocusChain())
+    if (place->isAncestorOf(next) && next != made && !made->isAncestorOf(next))
+      last = next;
+  while (last->focusPolicy() == Qt::NoFocus)
+    last = last->previousInFocusChain();
+  if (last != made) // else nothing that is focused is before it
+    QWidget::setTabOrder(last, made);
+}
+
 QDoubleSpinBox* AddSpinBox(
   QBoxLayout* layout, const char* name, const QString& label, const NumberRange& range)
 {

@@ -5,6 +5,7 @@ class QBoxLayout;
 class QCheckBox;
 class QDoubleSpinBox;
 class QPushButton;
+class QWidget;
 
 namespace hasp
 {
@@ -15,6 +16,10 @@ namespace hasp
 QBoxLayout* AddRow(QBoxLayout* layout);
 QPushButton* AddButton(QBoxLayout* layout, const char* name, const QString& text);
 QCheckBox* AddCheckBox(QBoxLayout* layout, const char* name, const QString& text);
+
+/// Tab comes to it right before what comes after `place`: of a widget that is made when the window
+/// is there already, and which would be the last.
+void PutInTabOrder(QWidget* place, QWidget* made);
 
 struct NumberRange
 {

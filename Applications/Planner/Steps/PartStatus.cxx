@@ -15,7 +15,7 @@ PartStatus::PartStatus(Planner& planner, const QString& prefix, QWidget* parent)
   : QWidget(parent),
     Of(planner),
     Line(new QLabel),
-    Make(new QPushButton(tr("&Make")))
+    Make(new QPushButton(tr("Ma&ke")))
 {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

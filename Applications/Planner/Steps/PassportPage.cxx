@@ -89,7 +89,7 @@ QString PassportPage::Of(const Passport& passport)
   if (passport.tiltDegrees > 0.0)
     page.Add(tr("Gantry tilt"), tr("%1°").arg(passport.tiltDegrees, 0, 'f', 2));
   if (passport.filesSkipped > 0)
-    page.Add(tr("Skipped"), tr("%n file(s) that are no images", nullptr, passport.filesSkipped));
+    page.Add(tr("Skipped"), tr("files that are no images: %1").arg(passport.filesSkipped));
   if (passport.resampled)
   {
     const ResampleRecord& made = *passport.resampled;
@@ -116,9 +116,9 @@ QString PassportPage::Of(const SurfacePassport& passport, const MeshCheck& mesh)
   page.Add(tr("Triangles"), QString::number(passport.triangles));
   page.Add(
     tr("Size"), tr("%1 mm").arg(Three(passport.maximum - passport.minimum, QStringLiteral(" × "))));
-  page.Add(tr("Closed"),
-    mesh.Closed() ? tr("yes, %1 cm³").arg(mesh.volumeMm3 / 1000.0, 0, 'f', 1)
-                  : tr("no, %n edge(s) at holes: it is a sheet", nullptr, int(mesh.borderEdges)));
+  page.Add(tr("Closed"), mesh.Closed()
+                           ? tr("yes, %1 cm³").arg(mesh.volumeMm3 / 1000.0, 0, 'f', 1)
+                           : tr("no, it is a sheet; edges at its holes: %1").arg(mesh.borderEdges));
   if (mesh.pieces > 1)
     page.Add(tr("Pieces"), QString::number(mesh.pieces));
   for (const std::string& warning : passport.warnings)

@@ -59,7 +59,7 @@ PiecesBox::PiecesBox(Planner& planner, QWidget* parent)
     List(new QListWidget)
 {
   auto* column = new QVBoxLayout(this);
-  this->FindThem = AddButton(column, "cut.pieces", tr("&Find the pieces"));
+  this->FindThem = AddButton(column, "cut.pieces", tr("F&ind the pieces"));
   this->FindThem->setToolTip(tr("All that the cuts leave of the bone become fragments"));
   this->Seeds = new PointsEdit(
     planner, "cut.seeds", tr("&Touch pieces"), { tr("Touch each piece that is to be kept."), 100 });
@@ -69,7 +69,7 @@ PiecesBox::PiecesBox(Planner& planner, QWidget* parent)
   this->List->setAccessibleName(tr("Pieces"));
   this->List->setSelectionMode(QAbstractItemView::ExtendedSelection);
   column->addWidget(this->List);
-  this->ResectThem = AddButton(column, "cut.resect", tr("&Resect"));
+  this->ResectThem = AddButton(column, "cut.resect", tr("Rese&ct"));
   connect(this->FindThem, &QPushButton::clicked, this, &PiecesBox::Find);
   connect(this->KeepThem, &QPushButton::clicked, this, &PiecesBox::KeepTouched);
   connect(this->ResectThem, &QPushButton::clicked, this, &PiecesBox::Resect);
@@ -222,7 +222,7 @@ void PiecesBox::ShowChosen()
                                           return piece && piece->state == FragmentState::Resected;
                                         });
   this->ResectThem->setEnabled(!chosen.empty());
-  this->ResectThem->setText(all ? tr("Keep it &after all") : tr("&Resect"));
+  this->ResectThem->setText(all ? tr("Keep it &after all") : tr("Rese&ct"));
 }
 
 void PiecesBox::Fill()

@@ -84,7 +84,7 @@ PlanFigures::PlanFigures(Planner& planner, QWidget* parent)
 {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(this->Measures);
-  this->Evaluating = AddButton(layout, "check.evaluate", tr("M&easure along the fractures"));
+  this->Evaluating = AddButton(layout, "check.evaluate", tr("Mea&sure along the fractures"));
   this->Evaluating->setToolTip(
     tr("Step-off and gap of fragments that face each other, as planned; their parts must be made"));
   layout->addWidget(this->Fractures);

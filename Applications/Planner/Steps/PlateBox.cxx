@@ -28,12 +28,12 @@ PlateBox::PlateBox(Planner& planner, QWidget* parent)
         QColor(120, 200, 255) },
       PointsEdit::Space::Planned))
 {
-  auto* pages = new QTabWidget;
-  pages->setObjectName("plate.pages");
-  pages->addTab(this->LinePage(), tr("Line"));
-  pages->addTab(this->ShapePage(), tr("Shape"));
-  pages->addTab(this->ScrewPage(), tr("Screws"));
-  this->Column->addWidget(pages);
+  this->Pages = new QTabWidget;
+  this->Pages->setObjectName("plate.pages");
+  this->Pages->addTab(this->LinePage(), tr("Line"));
+  this->Pages->addTab(this->ShapePage(), tr("Shape"));
+  this->Pages->addTab(this->ScrewPage(), tr("Screws"));
+  this->Column->addWidget(this->Pages);
   connect(this->Form, &RecipeForm::Edited, this, [this] { this->Put(); });
   connect(this->ScrewForm, &RecipeForm::Edited, this, &PlateBox::TakeScrewNumbers);
   connect(this->Landmarks, &PointsEdit::Edited, this, &PlateBox::TakeLandmarks);
@@ -139,6 +139,7 @@ PlanPlate PlateBox::Fresh()
 
 void PlateBox::Begun()
 {
+  this->Pages->setCurrentIndex(0);
   this->Landmarks->Take();
 }
 

@@ -2,6 +2,7 @@
 #include "Steps/ObjectBox.h"
 
 class QComboBox;
+class QTabWidget;
 
 namespace hasp
 {
@@ -43,6 +44,7 @@ private:
   void SetAxis(const std::optional<glm::dvec3>& axis);
 
   RecipeForm *Form, *ScrewForm;
+  QTabWidget* Pages;
   QComboBox* Bone;
   ObjectChecks* Fragments;
   PointsEdit *Landmarks, *Screws;

@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QHideEvent>
 #include <QLocale>
 #include <QPushButton>
 #include <QShortcut>
@@ -153,6 +154,13 @@ void PointsEdit::PutAway()
 {
   if (this->Of.tools.InHand() == &this->Hand)
     this->Of.tools.Take(nullptr);
+}
+
+void PointsEdit::hideEvent(QHideEvent* event)
+{
+  if (!event->spontaneous()) // else it is the window that goes out of sight
+    this->PutAway();
+  QWidget::hideEvent(event);
 }
 
 void PointsEdit::Fill()

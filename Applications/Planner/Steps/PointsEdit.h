@@ -43,6 +43,9 @@ public:
 Q_SIGNALS:
   void Edited(); ///< by hand or by typing
 
+protected:
+  void hideEvent(QHideEvent* event) override; ///< puts it away: another page is turned to
+
 private:
   void Build(const QString& name, const QString& text);
   glm::dvec3 PointOf(const TouchedPlace& place) const;

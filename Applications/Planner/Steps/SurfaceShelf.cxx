@@ -1,5 +1,6 @@
 #include "Steps/SurfaceShelf.h"
 
+#include "Model/KeptFiles.h"
 #include "Tools/Planner.h"
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspSurfaceFile.h"
@@ -24,7 +25,11 @@ fs::path FileOf(const fs::path& folder, const std::string& hash)
 
 } // namespace
 
-SurfaceShelf::SurfaceShelf(Planner& planner) : QObject(&planner), With(planner) {}
+SurfaceShelf::SurfaceShelf(Planner& planner) : QObject(&planner), With(planner)
+{
+  connect(
+    &planner.plan, &PlanSession::Replaced, this, [this] { this->KeepOnly(this->With.plan.Now()); });
+}
 
 SurfaceShelf& SurfaceShelf::Of(Planner& planner)
 {
@@ -54,6 +59,19 @@ std::vector<PlanSurface> SurfaceShelf::Missing(const Plan& plan) const
   return missing;
 }
 
+void SurfaceShelf::KeepOnly(const Plan& plan)
+{
+  std::erase_if(this->Meshes,
+    [&](const auto& mesh)
+    {
+      const bool named = std::any_of(plan.surfaces.begin(), plan.surfaces.end(),
+        [&](const PlanSurface& surface) { return surface.hash == mesh.first; });
+      if (!named)
+        this->With.scene.PutSurface(mesh.first, nullptr);
+      return !named;
+    });
+}
+
 fs::path SurfaceShelf::Folder() const
 {
   return this->With.folders.state / "surfaces";
@@ -75,6 +93,7 @@ void SurfaceShelf::Keep(const fs::path& folder, const std::string& hash, const T
   try
   {
     WriteSurface(MakePolyData(mesh), file.string());
+    DropOldestFiles(folder, MostBytes);
   }
   catch (const std::exception&) // as the header says
   {
@@ -93,7 +112,10 @@ SurfaceShelf::Mesh SurfaceShelf::ReadKept(
     auto mesh = std::make_shared<const TriangleMesh>(
       MakeTriangleMesh(LoadSurface(file.string(), {}, progress).surface));
     if (SurfaceHash(*mesh) == hash)
+    {
+      fs::last_write_time(file, fs::file_time_type::clock::now(), error); // it is the newest again
       return mesh;
+    }
   }
   catch (const Cancelled&)
   {

@@ -3,6 +3,7 @@
 #include "Tools/Planner.h"
 
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QPushButton>
 
 namespace hasp
@@ -42,6 +43,13 @@ TouchButton::TouchButton(
         this->Of.tools.Take(nullptr);
       Q_EMIT this->Touched(place);
     });
+}
+
+void TouchButton::hideEvent(QHideEvent* event)
+{
+  if (!event->spontaneous() && this->Of.tools.InHand() == &this->Hand)
+    this->Of.tools.Take(nullptr);
+  QWidget::hideEvent(event);
 }
 
 } // namespace hasp

@@ -22,6 +22,9 @@ public:
 Q_SIGNALS:
   void Touched(const hasp::TouchedPlace& place);
 
+protected:
+  void hideEvent(QHideEvent* event) override; ///< puts it away: another page is turned to
+
 private:
   Planner& Of;
   LandmarkTool Hand;

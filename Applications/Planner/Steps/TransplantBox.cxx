@@ -47,12 +47,12 @@ TransplantBox::TransplantBox(Planner& planner, QWidget* parent)
     { tr("Touch the outline of the skin that comes along, in order."), 1000, false, Line::Closed });
   this->Perforator = points("transplant.perforator", tr("Its vessel"),
     { tr("Touch where the skin's vessel reaches the bone."), 1, false });
-  auto* pages = new QTabWidget;
-  pages->setObjectName("transplant.pages");
-  pages->addTab(this->JawPage(), tr("Jaw"));
-  pages->addTab(this->DonorPage(), tr("Donor"));
-  pages->addTab(this->TissuePage(), tr("Tissue"));
-  this->Column->addWidget(pages);
+  this->Pages = new QTabWidget;
+  this->Pages->setObjectName("transplant.pages");
+  this->Pages->addTab(this->JawPage(), tr("Jaw"));
+  this->Pages->addTab(this->DonorPage(), tr("Donor"));
+  this->Pages->addTab(this->TissuePage(), tr("Tissue"));
+  this->Column->addWidget(this->Pages);
   this->Layout->setObjectName("transplant.segments");
   this->Layout->setWordWrap(true);
   this->Column->addWidget(this->Layout);
@@ -103,6 +103,7 @@ void TransplantBox::Begun()
   this->Laid.clear();
   this->Path->SetPlaces({});
   this->Tips->SetPlaces({});
+  this->Pages->setCurrentIndex(0);
   this->Path->Take();
 }
 

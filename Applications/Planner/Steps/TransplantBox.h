@@ -5,6 +5,7 @@
 
 class QComboBox;
 class QLabel;
+class QTabWidget;
 
 namespace hasp
 {
@@ -71,6 +72,7 @@ private:
   void FillChoices();
   void SayLayout();
 
+  QTabWidget* Pages;
   PointsEdit *Path, *Tips, *Vessel, *Paddle, *Perforator;
   QComboBox *FirstCut, *FirstFragment, *LastCut, *LastFragment, *Segment, *Donor;
   QLabel *Layout, *Axis;

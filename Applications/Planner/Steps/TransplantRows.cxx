@@ -106,7 +106,7 @@ QWidget* TransplantBox::DonorPage()
     column, "transplant.look.donor", tr("Look at the d&onor"), [this] { this->LookAt(true); });
   column->addWidget(this->Tips);
   NamedButton(
-    column, "transplant.axis.find", tr("&Find its middle line"), [this] { this->FindAxis(); });
+    column, "transplant.axis.find", tr("Find &its middle line"), [this] { this->FindAxis(); });
   this->Axis->setObjectName("transplant.axis");
   column->addWidget(this->Axis);
   auto* side = new TouchButton(this->Of, "transplant.side", tr("Touch its lateral &side"),

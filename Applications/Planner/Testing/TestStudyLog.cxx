@@ -145,11 +145,10 @@ TEST_F(StudyLogTest, EachActionIsALineAtOnce)
     { 3, PartFormat::Stl, PartInputs(session->Now(), 3), session->StoreBlob("a mesh"), "" });
   log.StepChanged("export");
   log.StepChanged("export");
-  log.Action("Report written");
   session->BeginNew();
   const std::vector<json> lines = this->Lines("A-3.jsonl"); // while the program runs
   EXPECT_EQ(
-    this->Whats(lines), "begin step tool action undo redo undo action part left step action plan");
+    this->Whats(lines), "begin step tool action undo redo undo action part left step plan");
   EXPECT_EQ(lines[0]["trial"], 3);
   EXPECT_EQ(lines[3]["label"], "Move fragment 3");
   EXPECT_EQ(lines[8]["id"], 3);

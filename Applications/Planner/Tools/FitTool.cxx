@@ -1,5 +1,7 @@
 #include "Tools/FitTool.h"
 
+#include "Tools/DevicePointer.h"
+
 #include "HapticExchange.h"
 #include "Tools/FitLook.h"
 #include "Tools/Planner.h"
@@ -11,7 +13,6 @@
 
 #include "Planning/PlanLists.h"
 
-#include "Devices/HapticDevice.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkMatrix4x4.h"
@@ -110,10 +111,7 @@ void FitTool::TakeHand()
   this->Lift();
   this->Hand->AddTouchable(this->Bone->Actor());
   this->Hand->AddTool(this->Part->Actor());
-  std::unique_ptr<HapticDevice> device;
-  if (this->openDevice)
-    device = this->openDevice();
-  if (!device || !this->Hand->SetDevice(std::move(device)))
+  if (!GiveDevice(*this->Hand, this->Of))
     this->Hand->UseMouse();
   this->Hand->Start();
   this->Telling.start();

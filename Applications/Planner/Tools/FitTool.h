@@ -22,7 +22,6 @@ namespace hasp
 {
 
 class CellProp;
-class HapticDevice;
 class MeshProp;
 struct Planner;
 class ToolMarks;
@@ -59,6 +58,7 @@ public:
   void Begin() override;
   void End() override;
   QString Hint() const override;
+  bool TakesDevice() const override { return true; }
 
   ///@{
   /// While it is in hand: puts the part LiftMm off again; so many mm off its planned place, turned
@@ -68,9 +68,6 @@ public:
   void Show(const Seat& seat);
   ///@}
   FitState State() const;
-
-  /// Whose hand, from the next Begin on. Empty, or nothing: the mouse.
-  std::function<std::unique_ptr<HapticDevice>()> openDevice;
 
 Q_SIGNALS:
   void StateChanged(); ///< 10 times a second at most while something goes on

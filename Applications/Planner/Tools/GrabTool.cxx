@@ -1,7 +1,7 @@
 #include "Tools/GrabTool.h"
 
-#include "Devices/HapticDevice.h"
 #include "HapticExchange.h"
+#include "Tools/DevicePointer.h"
 #include "Tools/Planner.h"
 #include "vtkHaspHapticInteractor.h"
 #include "vtkHaspHapticLoop.h"
@@ -59,20 +59,13 @@ GrabTool::~GrabTool()
     this->Of.tools.Take(nullptr);
 }
 
-void GrabTool::MakeHand()
+void GrabTool::Begin()
 {
-  if (this->Hand)
-    return;
   this->Hand = vtkSmartPointer<vtkHaspHapticInteractor>::New();
   this->Faults.Follow(this->Hand);
   this->Faults.Follow(this->Hand->GetLoop());
   this->Hand->SetRenderer(this->Of.views.Scene().Renderer());
-}
-
-void GrabTool::Begin()
-{
-  this->MakeHand();
-  if (!this->HasDevice)
+  if (!GiveDevice(*this->Hand, this->Of))
     this->Hand->UseMouse();
   this->Hand->SetSnapToFit(this->Snap);
   this->Hand->SetShowForces(this->Forces);
@@ -111,8 +104,7 @@ void GrabTool::End()
   this->Session->SetInteractor(nullptr); // takes back what was given to it
   this->Session = nullptr;
   this->Known.clear();
-  if (!this->HasDevice)
-    this->Hand = nullptr;
+  this->Hand = nullptr;
   this->Of.views.Scene().Draw();
   Q_EMIT this->HeldChanged();
   Q_EMIT this->StateChanged();
@@ -122,28 +114,6 @@ QString GrabTool::Hint() const
 {
   return tr("Drag a fragment to move it; the wheel moves it in depth, the middle button turns it, "
             "Shift holds it. Beside fragments the view turns. Esc: back");
-}
-
-bool GrabTool::UseDevice(std::unique_ptr<HapticDevice> device)
-{
-  if (!device)
-    return this->UseMouse();
-  this->MakeHand();
-  this->HasDevice = this->Hand->SetDevice(std::move(device));
-  if (this->HasDevice && this->Session)
-    this->Hand->Start();
-  return this->HasDevice;
-}
-
-bool GrabTool::UseMouse()
-{
-  this->HasDevice = false;
-  if (!this->Session)
-  {
-    this->Hand = nullptr; // Begin asks for the mouse
-    return true;
-  }
-  return this->Hand->UseMouse() && this->Hand->Start();
 }
 
 void GrabTool::SetSnap(bool on)

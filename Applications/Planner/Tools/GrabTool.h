@@ -21,7 +21,6 @@ class vtkProp3D;
 namespace hasp
 {
 
-class HapticDevice;
 struct Planner;
 
 /// How it stands with what can be taken in hand.
@@ -53,13 +52,8 @@ public:
   void Begin() override;
   void End() override; ///< what is in hand is let go where it is
   QString Hint() const override;
+  bool TakesDevice() const override { return true; }
 
-  ///@{
-  /// Whose hand: default the mouse. A device is this one's from then on; none: the mouse again.
-  /// What is in hand is let go. False: it was refused, which has been said.
-  bool UseDevice(std::unique_ptr<HapticDevice> device);
-  bool UseMouse();
-  ///@}
   void SetSnap(bool on); ///< Snap-to-fit: broken faces attract
   bool IsSnap() const { return this->Snap; }
   void SetShowForces(bool on); ///< as arrows
@@ -74,7 +68,6 @@ Q_SIGNALS:
   void HeldChanged();  ///< State().held
 
 private:
-  void MakeHand();
   void FollowSoon() { this->Soon.start(); }
   void Follow();
   double Spacing() const;
@@ -89,7 +82,7 @@ private:
   std::map<PlanId, vtkWeakPointer<vtkProp3D>> Known; ///< that the session has
   QTimer Soon, Telling;
   unsigned long FrameTag = 0;
-  bool HasDevice = false, Snap = false, Forces = false;
+  bool Snap = false, Forces = false;
 };
 
 } // namespace hasp

@@ -76,10 +76,10 @@ QString MeasureTool::Hint() const
 {
   const int left = int(PlacesOf(this->Now) - this->All.size());
   return this->Now == MeasureKind::Distance
-           ? tr("Distance: touch %n place(s) more, or press Insert at the crosshair.", "", left)
-           : tr("Angle: touch %n place(s) more, its corner second, or press Insert at the "
-                "crosshair.",
-               "", left);
+           ? tr("Distance: places still to touch: %1; or press Insert at the crosshair.").arg(left)
+           : tr("Angle, its corner second: places still to touch: %1; or press Insert at the "
+                "crosshair.")
+               .arg(left);
 }
 
 bool MeasureTool::TouchCrosshair()

@@ -11,11 +11,13 @@
 #include <QString>
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 
 namespace hasp
 {
 
-class StudyLog;
+class HapticDevice;
 
 /// Where the planner keeps what is its own (never a patient's): journals, kept scans, the recent
 /// list.
@@ -39,7 +41,9 @@ public:
   ViewGrid& views;
   PlanScene scene; ///< in views.Scene()
   ToolBox tools;
-  StudyLog* study = nullptr; ///< none: no study is run
+  /// What moves tools besides the mouse: asked whenever one is taken in hand. None, or null: the
+  /// mouse, and a 6-DOF mouse that the window hears.
+  std::function<std::unique_ptr<HapticDevice>()> openDevice;
 
   /// A line to the user, in the message bar until it is closed or another comes; faults stay red.
   void Say(const QString& text) { Q_EMIT Said(text, false); }

@@ -4,6 +4,7 @@ hasp_add_planner_part(Tools
     Tools/Planner.cxx Tools/Planner.h
     Tools/AreaTool.cxx Tools/AreaTool.h
     Tools/BladeTool.cxx Tools/BladeTool.h
+    Tools/DevicePointer.cxx Tools/DevicePointer.h
     Tools/DistanceBody.cxx Tools/DistanceBody.h
     Tools/DistanceColours.cxx Tools/DistanceColours.h
     Tools/PartOnBone.h
@@ -16,6 +17,7 @@ hasp_add_planner_part(Tools
     Tools/PaintTool.cxx Tools/PaintTool.h
     Tools/PickTool.cxx Tools/PickTool.h
     Tools/PropCover.cxx Tools/PropCover.h
+    Tools/RecordedHand.cxx Tools/RecordedHand.h
     Tools/StrokeEdits.cxx Tools/StrokeEdits.h
     Tools/ToolMarks.cxx Tools/ToolMarks.h
     Tools/Touch.cxx Tools/Touch.h

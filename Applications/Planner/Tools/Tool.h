@@ -15,6 +15,8 @@ public:
   virtual void Begin() = 0;         ///< takes its observers; what it needs is made now
   virtual void End() = 0;           ///< gives all of it back
   virtual QString Hint() const = 0; ///< a line for the status bar: what a drag does now
+  /// Whether it has a haptic device for itself; else the device is its pointer (DevicePointer).
+  virtual bool TakesDevice() const { return false; }
 Q_SIGNALS:
   void HintChanged();
 };

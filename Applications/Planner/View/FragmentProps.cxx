@@ -26,6 +26,13 @@ bool FragmentProps::HasAny(PlanId volume) const
     [&](const auto& entry) { return entry.second.shown && entry.second.volume == volume; });
 }
 
+bool FragmentProps::AreThere() const
+{
+  return !this->Job.IsUnderWay() &&
+         std::any_of(this->Entries.begin(), this->Entries.end(),
+           [](const auto& entry) { return entry.second.shown != nullptr; });
+}
+
 void FragmentProps::Forget()
 {
   this->Job.Drop();

@@ -33,6 +33,8 @@ public:
   vtkImageData* ImageOf(PlanId fragment) const;
   /// A fragment of the volume is there, seen or not.
   bool HasAny(PlanId volume) const;
+  /// Some are, and no voxels are being found.
+  bool AreThere() const;
   void Forget(); ///< another plan: other objects by the same ids
 
   bool Sync() override;

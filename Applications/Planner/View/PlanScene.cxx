@@ -4,6 +4,7 @@
 #include "Model/PlanSession.h"
 #include "Model/ScanShelf.h"
 #include "Planning/PlanLists.h"
+#include "View/FirstLook.h"
 #include "View/SceneCamera.h"
 #include "View/SceneLayers.h"
 #include "View/SceneView.h"
@@ -23,13 +24,7 @@ struct PlanScene::Internals
   SceneContext of;
   std::map<PlanId, bool> asked; ///< to be visible, or not
   double isovalue = 0.0;        ///< that was told last
-  /// What the camera has been put before.
-  enum
-  {
-    Nothing,
-    Something,
-    Bone
-  } seen = Nothing;
+  FirstLook first;
   SceneLayers layers;
 };
 
@@ -74,7 +69,7 @@ void PlanScene::Forget()
 {
   Internals& self = *this->Self;
   self.asked.clear();
-  self.seen = Internals::Nothing;
+  self.first.Begin(!self.of.plan.Now().fragments.empty());
   self.of.labelMaps.clear();
   self.layers.Forget();
   this->Select(0);
@@ -101,19 +96,10 @@ void PlanScene::Sync()
   }
 }
 
-/// From the front, the first time that there is something, and again that there is bone.
 void PlanScene::Show()
 {
   Internals& self = *this->Self;
-  if (self.seen != Internals::Bone)
-  {
-    const auto now = self.layers.BoneBounds().IsValid() ? Internals::Bone
-                     : self.layers.Bounds().IsValid()   ? Internals::Something
-                                                        : Internals::Nothing;
-    if (now > self.seen)
-      LookFromSide(self.of.view.Renderer(), self.layers.Bounds(), 'A');
-    self.seen = std::max(self.seen, now);
-  }
+  self.first.Follow(self.of.view.Renderer(), self.layers);
   self.of.view.Draw();
 }
 

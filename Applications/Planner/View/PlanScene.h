@@ -71,7 +71,7 @@ public:
   /// The isosurface of the scan itself: for painting. Its mapper is a vtkHaspClusteredCellMapper
   /// while the isovalue rests. nullptr: it is not shown.
   vtkProp3D* ScanProp() const;
-  /// Triangles of a PlanSurface's hash, which no plan holds; kept as long as this is there.
+  /// Triangles of a PlanSurface's hash, which no plan holds; nullptr releases them.
   void PutSurface(const std::string& hash, vtkPolyData* mesh);
   /// The voxels of a fragment alone, on a crop of its scan's grid; nullptr: not there yet.
   vtkImageData* ImageOfFragment(PlanId fragment) const;

@@ -21,6 +21,7 @@ hasp_add_planner_part(View
     View/BladeProps.cxx View/BladeProps.h
     View/BlobFile.cxx View/BlobFile.h
     View/CellProp.cxx View/CellProp.h
+    View/FirstLook.cxx View/FirstLook.h
     View/FragmentLook.cxx View/FragmentLook.h
     View/FragmentProps.cxx View/FragmentProps.h
     View/FragmentWork.cxx View/FragmentWork.h

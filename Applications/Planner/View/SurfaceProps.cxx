@@ -23,7 +23,10 @@ std::string HashOf(const Plan& plan, PlanId fragment)
 
 void SurfaceProps::Put(const std::string& hash, vtkPolyData* mesh)
 {
-  this->Meshes[hash] = WithNormals(mesh, true);
+  if (mesh)
+    this->Meshes[hash] = WithNormals(mesh, true);
+  else
+    this->Meshes.erase(hash);
 }
 
 bool SurfaceProps::Sync()

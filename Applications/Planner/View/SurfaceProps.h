@@ -22,7 +22,7 @@ class SurfaceProps : public SceneEntries<SurfaceEntry>
 public:
   using SceneEntries::SceneEntries;
 
-  /// The triangles of that SurfaceHash.
+  /// The triangles of that SurfaceHash; nullptr: they are released.
   void Put(const std::string& hash, vtkPolyData* mesh);
 
   bool Sync() override;

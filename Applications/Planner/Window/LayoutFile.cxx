@@ -8,6 +8,8 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QEvent>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QWidget>
 
 #include <algorithm>
@@ -27,6 +29,15 @@ nlohmann::ordered_json NameOrNull(const QWidget* widget)
   const QString name = widget ? LayoutName(*widget) : QString();
   return name.isEmpty() ? nlohmann::ordered_json(nullptr)
                         : nlohmann::ordered_json(name.toStdString());
+}
+
+/// A bar of tabs has the keyboard for the pages that it is of.
+nlohmann::ordered_json DescribeFocus()
+{
+  const QWidget* focus = QApplication::focusWidget();
+  const bool tabs =
+    qobject_cast<const QTabBar*>(focus) && qobject_cast<const QTabWidget*>(focus->parentWidget());
+  return NameOrNull(tabs ? focus->parentWidget() : focus);
 }
 
 nlohmann::ordered_json DescribeModal()
@@ -143,7 +154,7 @@ std::string LayoutFile::Describe(bool quiet) const
     quiet && !state.value("busy", false) && !state.value("pending", false) && !this->ComesUpSoon();
   const nlohmann::ordered_json layout{ { "format", "hasp-layout-1" }, { "state", state },
     { "modal", DescribeModal() }, { "popup", NameOrNull(QApplication::activePopupWidget()) },
-    { "focus", NameOrNull(QApplication::focusWidget()) },
+    { "focus", DescribeFocus() },
     { "widgets", DescribeWidgets(this->Words ? this->Words() : QStringList()) } };
   return layout.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
+#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -23,6 +24,9 @@
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTextEdit>
+
+#include <map>
+#include <vector>
 
 namespace hasp
 {
@@ -43,6 +47,13 @@ class Describer
 public:
   explicit Describer(const QStringList& words) : Texts(words) {}
 
+  /// What labels stand before, which are to be told before these are added.
+  void Know(const QWidget& widget)
+  {
+    if (const auto* label = qobject_cast<const QLabel*>(&widget); label && label->buddy())
+      this->LabelsOf[label->buddy()] = label->text();
+  }
+
   void Add(const QWidget& widget)
   {
     const QString name = LayoutName(widget);
@@ -53,6 +64,8 @@ public:
       if (const QRect hit = HitOf(widget); !hit.isEmpty())
         entry["hit"] = JsonOf(OnScreen(widget, hit));
       this->AddValue(widget, entry);
+      if (const auto label = this->LabelsOf.find(&widget); label != this->LabelsOf.end())
+        AddMnemonic(label->second, entry);
       this->AddRows(widget, entry);
       this->All.push_back(std::move(entry));
     }
@@ -77,8 +90,15 @@ private:
 
   void AddText(QString text, const QWidget& of, Json& entry) const
   {
+    AddMnemonic(text, entry);
     if (!this->Texts.Hide(text, of))
       entry["text"] = text.remove('&').toStdString();
+  }
+
+  static void AddMnemonic(const QString& text, Json& entry)
+  {
+    if (const QKeySequence key = QKeySequence::mnemonic(text); !key.isEmpty())
+      entry["mnemonic"] = key.toString().section('+', -1).toStdString();
   }
 
   void AddValue(const QWidget& widget, Json& entry) const
@@ -194,6 +214,7 @@ private:
   }
 
   LayoutTexts Texts;
+  std::map<const QWidget*, QString> LabelsOf;
 };
 
 } // namespace
@@ -204,10 +225,14 @@ nlohmann::ordered_json DescribeWidgets(const QStringList& words)
   for (const QWidget* window : QApplication::topLevelWidgets())
     if (window->isVisible())
     {
-      describer.Add(*window);
+      std::vector<const QWidget*> shown{ window };
       for (const QWidget* widget : window->findChildren<QWidget*>())
         if (widget->isVisible() && widget->window() == window)
-          describer.Add(*widget);
+          shown.push_back(widget);
+      for (const QWidget* widget : shown)
+        describer.Know(*widget);
+      for (const QWidget* widget : shown)
+        describer.Add(*widget);
     }
   return std::move(describer.All);
 }

@@ -16,6 +16,7 @@ namespace hasp
 ///   enabled
 ///   checked   of what can be checked
 ///   text      of buttons, labels, and spin boxes, without "&"
+///   mnemonic  the letter that is pressed with Alt: of its text, or of the label before it
 ///   value     of spin boxes, sliders and progress bars
 ///   index, count   of a combo box; of a line of text `length` alone
 ///   rows      of lists, trees and tables: {row, column, rect, selected}, `id` (a number of Qt's

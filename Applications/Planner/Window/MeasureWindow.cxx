@@ -3,13 +3,19 @@
 #include "View/FrameView.h"
 #include "Window/PlannerWindow.h"
 
+#include "vtkRenderWindow.h"
+
 #include <QApplication>
 
 #include <unistd.h>
 
 #include <cmath>
+#include <ctime>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace hasp
 {
@@ -35,9 +41,19 @@ double MsSince(Clock::time_point start)
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-double NowS()
+double SinceStartS()
 {
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+  // Its 22nd word is when the process started, in ticks since the machine did; names end with ).
+  std::ifstream file("/proc/self/stat");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  std::istringstream words(text.substr(text.rfind(')') + 1));
+  std::string word;
+  for (int n = 3; n <= 22; ++n)
+    words >> word;
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec) -
+         std::stod(word) / double(sysconf(_SC_CLK_TCK));
 }
 
 void WaitSettled(PlannerWindow& window)
@@ -48,12 +64,19 @@ void WaitSettled(PlannerWindow& window)
   Wait(120.0, [&] { return window.IsSettled(); });
 }
 
+void FinishDrawing(FrameView& view)
+{
+  view.makeCurrent();
+  view.renderWindow()->WaitForCompletion();
+}
+
 void WaitFrame(FrameView& view)
 {
   const unsigned long long before = view.Frames();
   QTimer wake;
   wake.start(EventsMs);
   Wait(10.0, [&] { return view.Frames() != before; });
+  FinishDrawing(view);
 }
 
 double DrawnMs(FrameView& view)
@@ -72,10 +95,10 @@ void Spend(double seconds)
   Wait(seconds + 60.0, [&] { return MsSince(start) > 1e3 * seconds; });
 }
 
-double RmsBetween(const QImage& picture, const QImage& other)
+double RmsBetween(const QImage& picture, const QImage& full)
 {
-  const QImage a = picture.convertToFormat(QImage::Format_RGB32);
-  const QImage b = other.scaled(picture.size()).convertToFormat(QImage::Format_RGB32);
+  const QImage a = picture.scaled(full.size()).convertToFormat(QImage::Format_RGB32);
+  const QImage b = full.convertToFormat(QImage::Format_RGB32);
   double squares = 0.0;
   for (int y = 0; y < a.height(); ++y)
     for (int x = 0; x < a.width(); ++x)

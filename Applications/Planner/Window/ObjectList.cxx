@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QHeaderView>
+#include <QPainter>
 #include <QPixmap>
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace hasp
 namespace
 {
 constexpr int IdRole = Qt::UserRole;
+constexpr int IndentPixels = 10, LockPixels = 26; // names need the room
 
 PlanId IdOf(const QTreeWidgetItem* item)
 {
@@ -51,6 +53,19 @@ QPixmap Swatch(const std::array<std::uint8_t, 3>& colour)
   return swatch;
 }
 
+/// In place of a word that would take the room from names.
+QPixmap Padlock(const QColor& colour)
+{
+  QPixmap lock(14, 14);
+  lock.fill(Qt::transparent);
+  QPainter painter(&lock);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colour, 1.6));
+  painter.drawArc(QRectF(4, 1.5, 6, 9), 0, 180 * 16);
+  painter.fillRect(2, 6, 10, 7, colour);
+  return lock;
+}
+
 QString StateOf(const PlanSession& plan, const PlanFragment& fragment)
 {
   if (fragment.state == FragmentState::Resected)
@@ -80,9 +95,14 @@ ObjectList::ObjectList(Planner& planner, QWidget* parent) : QTreeWidget(parent),
 {
   this->setObjectName("objects");
   this->setColumnCount(Columns);
-  this->setHeaderLabels({ tr("Object"), tr("Lock"), tr("State") });
+  this->setHeaderLabels({ tr("Object"), {}, tr("State") });
+  this->headerItem()->setIcon(Lock, Padlock(this->palette().text().color()));
+  this->headerItem()->setToolTip(Lock, tr("Lock"));
+  this->setIndentation(IndentPixels);
   this->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-  this->header()->setSectionResizeMode(Lock, QHeaderView::ResizeToContents);
+  this->header()->setMinimumSectionSize(LockPixels);
+  this->header()->setSectionResizeMode(Lock, QHeaderView::Fixed);
+  this->header()->resizeSection(Lock, LockPixels);
   this->header()->setSectionResizeMode(State, QHeaderView::ResizeToContents);
   this->header()->setStretchLastSection(false);
   this->setSelectionMode(QAbstractItemView::ExtendedSelection);

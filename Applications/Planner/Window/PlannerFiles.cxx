@@ -55,6 +55,7 @@ void PlannerWindow::OpenPath(const QString& path)
 
 bool PlannerWindow::MayLeavePlan()
 {
+  this->TakeTyped();
   if (!this->Of->plan.IsModified())
     return true;
   QMessageBox question(QMessageBox::Question, tr("Save the plan?"),
@@ -114,6 +115,7 @@ void PlannerWindow::OpenPlan(const QString& folder)
 
 bool PlannerWindow::SavePlanHere()
 {
+  this->TakeTyped();
   if (!this->Of->plan.HasPlace())
     return this->SavePlanAs();
   if (!this->Of->plan.Save())
@@ -125,6 +127,7 @@ bool PlannerWindow::SavePlanHere()
 
 bool PlannerWindow::SavePlanAs()
 {
+  this->TakeTyped();
   std::error_code error;
   fs::create_directories(this->Of->folders.plans, error);
   QFileDialog dialog(this, tr("Save the plan as a folder, NAME.hasp"));

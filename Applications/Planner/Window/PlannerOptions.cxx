@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 
@@ -22,7 +22,17 @@ fs::path FromEnvironment(const char* name, const char* below)
   return fs::path(home && *home ? home : ".") / below;
 }
 
-void AddOptions(CLI::App& app, PlannerOptions& options, std::array<int, 2>& size)
+/// "1280x800"
+QSize ReadSize(const std::string& text)
+{
+  int width = 0, height = 0;
+  char end = 0;
+  if (std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &end) != 2 || width < 1 || height < 1)
+    throw CLI::ConversionError(text, "--size");
+  return { width, height };
+}
+
+void AddOptions(CLI::App& app, PlannerOptions& options)
 {
   app.add_option("INPUT", options.inputs,
     "Scans (files or folders), surfaces, label maps, or a plan, NAME.hasp");
@@ -51,8 +61,14 @@ void AddOptions(CLI::App& app, PlannerOptions& options, std::array<int, 2>& size
   CLI::Option* measure = app.add_option("--measure", options.measure,
     "Measure the window, write the figures into this file and end: hasp report planner");
   app.add_flag("--quick", options.quick, "Of these figures, in a minute")->needs(measure);
-  app.add_option("--size", size, "Of the window, pixels")->delimiter('x')->expected(2);
+  app
+    .add_option_function<std::string>(
+      "--size", [&](const std::string& text) { options.size = ReadSize(text); },
+      "Of the window, pixels: 1280x800; it is never smaller than what is in it")
+    ->type_name("WIDTHxHEIGHT");
   app.add_option("--language", options.language, "Of the window: en, sv; else the system's");
+  app.add_option("--device", options.device,
+    "A recorded hand in place of a haptic device: it begins anew whenever a tool is taken");
   app.add_option("--layout", options.layout,
     "Keep this file's JSON up to date with what is on the screen: for tests and helps");
   app.add_option("--state", options.state,
@@ -77,12 +93,10 @@ bool ReadPlannerOptions(int argc, const char* const* argv, PlannerOptions& optio
     "hold, 4 nothing can be drawn.");
   options.state = FromEnvironment("XDG_STATE_HOME", ".local/state") / "hasp-planner";
   options.plans = FromEnvironment("HASP_PLANS", "Hasp");
-  std::array<int, 2> size{ options.size.width(), options.size.height() };
-  AddOptions(app, options, size);
+  AddOptions(app, options);
   try
   {
     app.parse(argc, argv);
-    options.size = QSize(size[0], size[1]);
     return true;
   }
   catch (const CLI::Success& asked) // --help, --version

@@ -26,6 +26,7 @@ struct PlannerOptions
   int trial = 0;
   std::string measure;  ///< a file for the figures of `hasp report planner`
   bool quick = false;   ///< of these, fewer
+  std::string device;   ///< a recorded hand; empty: no haptic device
   std::string layout;   ///< a file that says what is on the screen
   std::string language; ///< "sv"; empty: the system's
   std::filesystem::path state, plans;

@@ -6,7 +6,6 @@
 #include "Output/RedParts.h"
 #include "Planning/DurableFile.h"
 #include "View/SliceView.h"
-#include "Window/MeasureWindow.h"
 #include "Window/PlannerMeasure.h"
 #include "Window/PlannerWindow.h"
 #include "Window/UsePanel.h"
@@ -27,8 +26,7 @@ constexpr int LookMs = 20; // how often it is asked whether the window has come 
 
 PlannerScript::PlannerScript(PlannerWindow& window, const PlannerOptions& options)
   : Window(window),
-    Options(options),
-    StartedS(NowS())
+    Options(options)
 {
   this->Look.setInterval(LookMs);
   connect(&this->Look, &QTimer::timeout, this, &PlannerScript::Next);
@@ -140,7 +138,7 @@ void PlannerScript::Measure()
   this->Look.stop(); // it waits by itself
   try
   {
-    const auto figures = MeasurePlanner(this->Window, this->Options.quick, this->StartedS);
+    const auto figures = MeasurePlanner(this->Window, this->Options.quick);
     WriteDurably(this->Options.measure, figures.dump(1) + "\n", "the file of figures");
   }
   catch (const std::exception& error)

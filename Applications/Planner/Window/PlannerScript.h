@@ -37,7 +37,6 @@ private:
   const PlannerOptions& Options;
   std::vector<std::function<void()>> Waiting; ///< the next one last
   QTimer Look;
-  double StartedS; ///< of the steady clock
   int Code = 0;
 };
 

@@ -10,8 +10,10 @@
 #include "Steps/PlatePanel.h"
 #include "Steps/ReducePanel.h"
 #include "Steps/SplitPanel.h"
+#include "Tools/DevicePointer.h"
 #include "Window/MessageBar.h"
 #include "Window/ObjectList.h"
+#include "Window/PanelArea.h"
 #include "Window/PlannerMenus.h"
 #include "Window/UsePanel.h"
 #include "Window/WorkflowBar.h"
@@ -21,7 +23,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QProgressBar>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolButton>
@@ -34,6 +35,7 @@ PlannerWindow::PlannerWindow(const PlannerFolders& folders, WorkFolder& work)
   : Work(work),
     Views(new ViewGrid),
     Of(std::make_unique<Planner>(folders, work.Path(), *this->Views)),
+    Pointer(std::make_unique<DevicePointer>(*this->Of)),
     Messages(new MessageBar)
 {
   this->setAcceptDrops(true);
@@ -74,28 +76,22 @@ void PlannerWindow::AddSteps()
   const auto add = [this](StepPanel* panel, const char* name)
   {
     panel->setObjectName(name);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidget(panel);
-    this->Stack->addWidget(scroll);
+    this->Stack->addWidget(new PanelArea(panel));
     this->Panels.push_back(panel);
   };
-  auto* import = new ImportPanel(*this->Of, nullptr);
-  import->openPlan = [this](const QString& folder) { this->OpenPlan(folder);
-};
-add(import, "import");
-add(new SplitPanel(*this->Of, nullptr), "split");
-add(new ReducePanel(*this->Of, nullptr), "reduce");
-add(new CutPanel(*this->Of, nullptr), "cut");
-add(new GuidePanel(*this->Of, nullptr), "guide");
-add(new PlatePanel(*this->Of, nullptr), "plate");
-add(new CheckPanel(*this->Of, nullptr), "check");
-add(new ExportPanel(*this->Of, nullptr), "export");
-this->Steps = new WorkflowBar(this->Panels, this);
-this->addToolBar(Qt::TopToolBarArea, this->Steps);
-connect(this->Steps, &WorkflowBar::Chosen, this, &PlannerWindow::EnterStep);
+  auto* first = new ImportPanel(*this->Of, nullptr);
+  first->openPlan = [this](const QString& folder) { this->OpenPlan(folder); };
+  add(first, "import");
+  add(new SplitPanel(*this->Of, nullptr), "split");
+  add(new ReducePanel(*this->Of, nullptr), "reduce");
+  add(new CutPanel(*this->Of, nullptr), "cut");
+  add(new GuidePanel(*this->Of, nullptr), "guide");
+  add(new PlatePanel(*this->Of, nullptr), "plate");
+  add(new CheckPanel(*this->Of, nullptr), "check");
+  add(new ExportPanel(*this->Of, nullptr), "export");
+  this->Steps = new WorkflowBar(this->Panels, this);
+  this->addToolBar(Qt::TopToolBarArea, this->Steps);
+  connect(this->Steps, &WorkflowBar::Chosen, this, &PlannerWindow::EnterStep);
 }
 
 void PlannerWindow::AddDocks()
@@ -113,12 +109,11 @@ void PlannerWindow::AddDocks()
   add(this->Objects, tr("Objects"), "dock.objects", Qt::LeftDockWidgetArea);
   this->Use = new UsePanel(*this->Of);
   add(this->Use, tr("What this scene uses"), "dock.use", Qt::LeftDockWidgetArea)->hide();
-  this->Stack->setMinimumWidth(300);
   add(this->Stack, tr("Step"), "dock.step", Qt::RightDockWidgetArea)
     ->setFeatures(QDockWidget::DockWidgetMovable);
   this->resizeDocks(
     { this->findChild<QDockWidget*>("dock.objects"), this->findChild<QDockWidget*>("dock.step") },
-    { 230, 320 }, Qt::Horizontal);
+    { 290, 320 }, Qt::Horizontal);
 }
 
 void PlannerWindow::AddStatus()
@@ -138,31 +133,31 @@ void PlannerWindow::AddStatus()
   auto* use = new QLabel(tr("Research use only, not a medical device"));
   use->setObjectName("status.use");
   this->statusBar()->addWidget(this->Hint, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{ this->Working, this->Bar, this->Cancel })
+  const auto show = [this](bool busy)
   {
+    for (QWidget* widget :
+      std::initializer_list<QWidget*>{ this->Working, this->Bar, this->Cancel })
+      widget->setVisible(busy);
+  };
+  for (QWidget* widget : std::initializer_list<QWidget*>{ this->Working, this->Bar, this->Cancel })
     this->statusBar()->addPermanentWidget(widget);
-    widget->hide();
-  }
+  show(false);
   this->statusBar()->addPermanentWidget(use);
   JobQueue& jobs = this->Of->jobs;
   connect(this->Cancel, &QToolButton::clicked, &jobs, &JobQueue::CancelAll);
   connect(&jobs, &JobQueue::Began, this,
-    [this](const QString& what)
+    [this, show](const QString& what)
     {
       this->Working->setText(what);
       this->Bar->setValue(0);
-      for (QWidget* widget :
-        std::initializer_list<QWidget*>{ this->Working, this->Bar, this->Cancel })
-        widget->show();
+      show(true);
     });
   connect(&jobs, &JobQueue::Progressed, this,
     [this](double share) { this->Bar->setValue(int(1000.0 * share)); });
   connect(&jobs, &JobQueue::Ended, this,
-    [this]
+    [this, show]
     {
-      for (QWidget* widget :
-        std::initializer_list<QWidget*>{ this->Working, this->Bar, this->Cancel })
-        widget->setVisible(!this->Of->jobs.IsIdle());
+      show(!this->Of->jobs.IsIdle());
       this->FollowPlan();
     });
   connect(&this->Of->tools, &ToolBox::Changed, this,
@@ -231,6 +226,17 @@ void PlannerWindow::FollowScan()
     return;
   this->ShownScan = hash;
   this->Views->SetImage(scan ? scan->image.Get() : nullptr, scan && scan->passport.hounsfield);
+}
+
+/// A number or a name that is being typed is done, and it is typed on.
+void PlannerWindow::TakeTyped()
+{
+  const QPointer<QWidget> typing = this->focusWidget();
+  if (!typing)
+    return;
+  typing->clearFocus();
+  if (typing && typing->isVisible())
+    typing->setFocus();
 }
 
 bool PlannerWindow::IsSettled() const

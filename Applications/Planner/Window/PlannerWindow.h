@@ -17,6 +17,7 @@ class QToolButton;
 namespace hasp
 {
 
+class DevicePointer;
 class MessageBar;
 class ObjectList;
 class StepPanel;
@@ -72,6 +73,7 @@ private:
 
   ///@{
   /// What the menus do.
+  void TakeTyped();
   bool MayLeavePlan(); ///< saved, or the user says that it may go
   void LeavePlan();    ///< before another one: what is under way for it ends
   void NewPlan();
@@ -84,6 +86,7 @@ private:
   WorkFolder& Work;
   ViewGrid* Views;
   std::unique_ptr<Planner> Of;
+  std::unique_ptr<DevicePointer> Pointer;
   MessageBar* Messages;
   WorkflowBar* Steps = nullptr;
   QStackedWidget* Stack = nullptr;

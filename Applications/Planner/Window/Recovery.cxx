@@ -34,9 +34,9 @@ QString WordsOf(const std::optional<RecoveredPlan>& found)
     return PlannerWindow::tr("The planner ended without saving, and what it kept cannot be read: "
                              "it is damaged, or of a newer version.");
   const QString label = QString::fromStdString(found->document.history.Current().caseLabel);
-  return PlannerWindow::tr("The planner ended without saving. Case: %1. Not saved: %n action(s).",
-    nullptr, int(found->actions))
-    .arg(label.isEmpty() ? PlannerWindow::tr("(no case label)") : label);
+  return PlannerWindow::tr("The planner ended without saving. Case: %1. Actions not saved: %2.")
+    .arg(label.isEmpty() ? PlannerWindow::tr("(no case label)") : label)
+    .arg(found->actions);
 }
 
 enum class Answer

@@ -3,6 +3,7 @@
 #include "Model/ErrorText.h"
 #include "Model/WorkFolder.h"
 #include "Output/StudyLog.h"
+#include "Tools/RecordedHand.h"
 #include "Window/LayoutFile.h"
 #include "Window/PlannerOptions.h"
 #include "Window/PlannerScript.h"
@@ -98,6 +99,13 @@ void Translate(QApplication& application, const std::string& language)
   }
 }
 
+/// Moves tools in place of a haptic device. Throws as ReadHapticRecording does.
+void UseRecordedHand(Planner& planner, const std::string& file)
+{
+  const auto hand = std::make_shared<const HapticRecording>(ReadHapticRecording(file));
+  planner.openDevice = [hand] { return std::make_unique<RecordedHand>(hand); };
+}
+
 int Show(Application& application, const PlannerOptions& options)
 {
   WorkFolder work(options.state);
@@ -108,6 +116,8 @@ int Show(Application& application, const PlannerOptions& options)
     if (parts)
       parts->SayFault(text);
   };
+  if (!options.device.empty())
+    UseRecordedHand(window.Parts(), options.device);
   const auto study = BeginStudy(window, options);
   window.resize(options.size);
   window.show();
@@ -156,7 +166,7 @@ int RunPlanner(int argc, char* argv[])
   catch (const std::exception& error)
   {
     std::cerr << "hasp-planner: " << ErrorText(error).toStdString() << "\n";
-    return 1;
+    return 2;
   }
 }
 

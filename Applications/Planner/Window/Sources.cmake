@@ -6,10 +6,13 @@ hasp_add_planner_part(Window
     Window/LayoutRects.cxx Window/LayoutRects.h
     Window/LayoutWidgets.cxx Window/LayoutWidgets.h
     Window/MeasureDrag.cxx Window/MeasureDrag.h
+    Window/MeasureIsovalue.cxx Window/MeasureIsovalue.h
+    Window/MeasureScenes.cxx Window/MeasureScenes.h
     Window/MeasureWindow.cxx Window/MeasureWindow.h
     Window/MessageBar.cxx Window/MessageBar.h
     Window/ObjectActions.cxx
     Window/ObjectList.cxx Window/ObjectList.h
+    Window/PanelArea.cxx Window/PanelArea.h
     Window/PlannerFiles.cxx
     Window/PlannerMeasure.cxx Window/PlannerMeasure.h
     Window/PlannerMenus.cxx Window/PlannerMenus.h

@@ -2,19 +2,41 @@
 
 #include "Window/PlannerWindow.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
 
 namespace hasp
 {
+namespace
+{
+
+void Reveal(QWidget& widget)
+{
+  for (QWidget *at = &widget, *above = at->parentWidget(); above;
+       at = above, above = at->parentWidget())
+  {
+    // A page is a child of the stack that is a child of the tabs.
+    if (auto* tabs = qobject_cast<QTabWidget*>(above->parentWidget());
+        tabs && tabs->indexOf(at) >= 0)
+      tabs->setCurrentWidget(at);
+    if (auto* area = qobject_cast<QScrollArea*>(above->parentWidget());
+        area && area->widget() == at)
+      area->ensureWidgetVisible(&widget);
+  }
+}
+
+} // namespace
 
 Tour::Tour(PlannerWindow& window, Sample sample)
   : QFrame(&window),
     Window(window),
     Stops(TourOf(sample)),
     Words(new QLabel),
-    NextButton(new QPushButton(tr("&Next"))),
+    NextButton(new QPushButton(tr("Ne&xt"))),
     Marker(new QFrame(&window))
 {
   this->setObjectName("tour");
@@ -23,7 +45,7 @@ Tour::Tour(PlannerWindow& window, Sample sample)
   this->Words->setObjectName("tour.text");
   this->Words->setWordWrap(true);
   this->NextButton->setObjectName("tour.next");
-  auto* leave = new QPushButton(tr("&Leave the tour"));
+  auto* leave = new QPushButton(tr("Leave the tour"));
   leave->setObjectName("tour.leave");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);
@@ -36,8 +58,7 @@ Tour::Tour(PlannerWindow& window, Sample sample)
   connect(leave, &QPushButton::clicked, this, &QObject::deleteLater);
   connect(this, &QObject::destroyed, this->Marker, &QObject::deleteLater);
   connect(&window.Parts().plan, &PlanSession::Changed, this, &Tour::Follow);
-  connect(&window, &PlannerWindow::StepChosen, this,
-    [this] { this->Mark(this->Stops[std::size_t(this->Now)].widget); });
+  connect(&window, &PlannerWindow::StepChosen, this, [this] { this->Choose(); });
   this->Go(0);
 }
 
@@ -51,9 +72,9 @@ void Tour::Go(int stop)
   this->Now = stop;
   const TourStop& now = this->Stops[std::size_t(stop)];
   this->Words->setText(tr("%1 of %2: %3").arg(stop + 1).arg(this->Stops.size()).arg(now.text));
-  this->NextButton->setText(stop + 1 == int(this->Stops.size()) ? tr("&Done") : tr("&Next"));
+  this->NextButton->setText(stop + 1 == int(this->Stops.size()) ? tr("D&one") : tr("Ne&xt"));
   this->Window.ChooseStep(now.step);
-  this->Mark(now.widget);
+  this->Choose();
 }
 
 void Tour::Follow()
@@ -63,14 +84,57 @@ void Tour::Follow()
     this->Go(this->Now + 1);
 }
 
-void Tour::Mark(const QString& name)
+void Tour::Choose()
 {
-  const auto* widget = name.isEmpty() ? nullptr : this->Window.findChild<QWidget*>(name);
-  this->Marker->setVisible(widget && widget->isVisible());
-  if (!widget)
+  for (const QPointer<QWidget>& watched : this->Watched)
+    if (watched)
+      watched->removeEventFilter(this);
+  this->Watched.clear();
+  this->Marked = nullptr;
+  for (const QString& name : this->Stops[std::size_t(this->Now)].widget.split(' '))
+  {
+    auto* widget = this->Window.findChild<QWidget*>(name);
+    if (!widget)
+      continue;
+    Reveal(*widget);
+    this->Marked = widget;
+    if (widget->isVisible())
+      break;
+  }
+  for (QWidget* at = this->Marked; at; at = at->parentWidget())
+  {
+    at->installEventFilter(this);
+    this->Watched.emplace_back(at);
+  }
+  this->Mark();
+}
+
+/// It, or what it is in, has been scrolled, resized, shown or hidden.
+bool Tour::eventFilter(QObject* watched, QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::Move:
+    case QEvent::Resize:
+    case QEvent::Show:
+    case QEvent::Hide:
+      // Once all of them are where they will be.
+      QMetaObject::invokeMethod(this, &Tour::Mark, Qt::QueuedConnection);
+      break;
+    default:
+      break;
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+void Tour::Mark()
+{
+  const QRect seen = this->Marked ? this->Marked->visibleRegion().boundingRect() : QRect();
+  this->Marker->setVisible(!seen.isEmpty());
+  if (seen.isEmpty())
     return;
-  const QPoint corner = widget->mapTo(&this->Window, QPoint(0, 0));
-  this->Marker->setGeometry(QRect(corner, widget->size()).adjusted(-4, -4, 4, 4));
+  const QPoint corner = this->Marked->mapTo(&this->Window, seen.topLeft());
+  this->Marker->setGeometry(QRect(corner, seen.size()).adjusted(-4, -4, 4, 4));
   this->Marker->raise();
 }
 

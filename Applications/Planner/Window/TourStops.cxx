@@ -58,9 +58,8 @@ std::vector<TourStop> SkullTour()
 {
   return { Begin(), Isovalue(),
     Stop("guide", "guide.new",
-      QT_TRANSLATE_NOOP("hasp::Tour",
-        "Press New guide. Then touch bone along the rim of the defect: "
-        "three clicks or more."),
+      QT_TRANSLATE_NOOP("hasp::Tour", "Press New, then touch bone along the rim of the defect: "
+                                      "three clicks or more."),
       [](const Plan& plan)
       { return !plan.guides.empty() && plan.guides.back().recipe.landmarks.size() >= 3; }),
     Stop("guide", "guide.gap",
@@ -83,9 +82,10 @@ std::vector<TourStop> MandibleTour()
       QT_TRANSLATE_NOOP("hasp::Tour",
         "Lock the cranium in the list of objects, press Grab and drag "
         "a piece to where it belongs; with Snap-to-fit it is drawn to "
-        "its place. Or let all be put together: Automatic.")),
-    Stop("plate", "plate.new",
-      QT_TRANSLATE_NOOP("hasp::Tour", "New plate: touch the bone along its way over the fracture."),
+        "its place. Or let all be put together: Find how they fit.")),
+    Stop("plate", "plate.new plate.kind",
+      QT_TRANSLATE_NOOP(
+        "hasp::Tour", "Press New, then touch the bone along the plate's way over the fracture."),
       AtLeast(&Plan::plates, 1)),
     Check(), Export() };
 }
@@ -100,12 +100,14 @@ std::vector<TourStop> FibulaTour()
     Stop("cut", "cut.pieces",
       QT_TRANSLATE_NOOP("hasp::Tour", "Keep the pieces, and resect the one in the middle."),
       AtLeast(&Plan::fragments, 4)),
-    Stop("plate", "transplant.new",
-      QT_TRANSLATE_NOOP("hasp::Tour", "New transplant: touch the places of the new jaw's line, and "
-                                      "the two tips of the fibula."),
+    Stop("plate", "transplant.new plate.kind",
+      QT_TRANSLATE_NOOP("hasp::Tour",
+        "Choose Transplants and press New; touch the places of the new jaw's line, and "
+        "the two tips of the fibula."),
       AtLeast(&Plan::transplants, 1)),
-    Stop("plate", "mitre.new",
-      QT_TRANSLATE_NOOP("hasp::Tour", "New mitre guide: it leads the saw on the fibula."),
+    Stop("plate", "mitre.new plate.kind",
+      QT_TRANSLATE_NOOP("hasp::Tour",
+        "Choose Saw guides for transplants, and press New: the guide leads the saw on the fibula."),
       AtLeast(&Plan::mitreGuides, 1)),
     Check(), Export() };
 }

@@ -1,0 +1,180 @@
+// A jaw that is broken in four pieces: painted, put together, plated, made and exported, as a user
+// does it.
+#include "../../CommandLine/Testing/HaspProcess.h"
+#include "SampleCase.h"
+
+#include "Grid/RigidPose.h"
+#include "Studies/FractureCases.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace hasp;
+
+constexpr int FirstPieceLabel = 4; ///< 2 the cranium, 3 the chin: they stay
+
+class PlannerFracture : public SampleCase
+{
+protected:
+  static void ChooseLabel(PlannerProcess& planner, int label)
+  {
+    planner.ClickId("split.label", label);
+  }
+  static void Split(PlannerProcess& planner)
+  {
+    planner.Click("step.split");
+    planner.SetNumber("split.isovalue", 226);
+    for (int label = FirstPieceLabel; label <= 6; ++label)
+      planner.Click("split.label.add");
+    planner.Click("split.paint");
+    LookFrom(planner, "alt+shift+3");
+    ChooseLabel(planner, 2);
+    Stroke(planner, { -0.244, -0.177 }, { -0.300, -0.094 });
+    Stroke(planner, { 0.175, -0.115 }, { 0.244, -0.094 });
+    ChooseLabel(planner, 4); // the condyle
+    Stroke(planner, { -0.196, -0.177 }, { -0.158, -0.122 });
+    ChooseLabel(planner, 5); // right body and ramus
+    Stroke(planner, { -0.147, -0.031 }, { -0.091, 0.081 });
+    Stroke(planner, { 0.063, 0.158 }, { 0.105, 0.158 });
+    ChooseLabel(planner, 3); // the chin
+    Stroke(planner, { 0.175, 0.151 }, { 0.258, 0.151 });
+    LookFrom(planner, "alt+3");
+    Stroke(planner, { -0.244, 0.130 }, { -0.035, 0.144 });
+    ChooseLabel(planner, 6); // left ramus
+    Stroke(planner, { 0.133, -0.059 }, { 0.007, 0.039 });
+    Stroke(planner, { 0.063, 0.172 }, { 0.133, 0.179 });
+    planner.Click("split.make");
+  }
+
+  static void Lock(PlannerProcess& planner, int row)
+  {
+    planner.ClickRow("reduce.fragments", row);
+    planner.Click("reduce.lock");
+  }
+  /// The left ramus in hand, pushed at the chin until it is felt.
+  static void PushTheRamus(PlannerProcess& planner)
+  {
+    LookFrom(planner, "alt+3");
+    planner.Click("reduce.grab");
+    const auto says = [](const PlannerProcess::Json& now, const std::string& words)
+    {
+      for (const auto& widget : now.at("widgets"))
+        if (widget.at("name") == "reduce.contact")
+          return widget.value("text", std::string()).starts_with(words);
+      return false;
+    };
+    planner.WaitUntil(
+      "fragments that can be felt", [&](const auto& now) { return says(now, "Nothing in hand"); });
+    const Json before = planner.State("plan");
+    const auto from = PixelOf(planner, { 0.063, 0.011 }), to = PixelOf(planner, { 0.023, 0.011 });
+    ScreenHand& hand = planner.Hand();
+    hand.Move(from[0], from[1]);
+    hand.Press();
+    planner.WaitUntil("a fragment in hand",
+      [&](const auto& now) { return says(now, "Free") || says(now, "Touches"); });
+    for (int x = from[0]; x >= to[0]; --x)
+      hand.Move(x, from[1]);
+    planner.WaitUntil("contact", [&](const auto& now) { return says(now, "Touches"); });
+    hand.Release();
+    planner.WaitUntil(
+      "a step of the plan", [&](const auto& now) { return now["state"]["plan"] != before; });
+    planner.Click("reduce.grab"); // the tool away
+  }
+  /// What little holds is not checked by itself: the right ones are.
+  static void PutTogether(PlannerProcess& planner)
+  {
+    planner.ClickRow("reduce.fragments", 0, 2); // the cranium: other bone
+    planner.Click("reduce.auto");
+    planner.Click("reduce.preview");
+    for (const int unit : { 2, 3, 4 })
+      CheckUnit(planner, unit);
+    planner.Click("reduce.take");
+  }
+  /// Its row is checked, and what it proposes is folded away: the next one is the next row.
+  static void CheckUnit(PlannerProcess& planner, int unit)
+  {
+    for (const Json& row : planner.Widget("reduce.proposals").at("rows"))
+      if (row.at("row") == unit && row.contains("checked"))
+      {
+        planner.ClickRow("reduce.proposals", unit);
+        if (!row.at("checked").get<bool>())
+          planner.Key("space");
+        planner.Key("Left");
+        return;
+      }
+    FAIL() << "no unit " << unit << " was placed";
+  }
+  static void PlateIt(PlannerProcess& planner)
+  {
+    planner.Click("step.plate");
+    LookFrom(planner, "alt+shift+3");
+    planner.Click("plate.new");
+    Touch(planner, { { 0.014, 0.140 }, { 0.075, 0.140 }, { 0.152, 0.132 }, { 0.222, 0.125 } });
+    planner.ClickRow("plate.pages", 2);
+    planner.Click("plate.screws");
+    Touch(planner, { { 0.032, 0.139 }, { 0.083, 0.135 }, { 0.163, 0.131 }, { 0.211, 0.126 } });
+    planner.Key("Escape");
+  }
+
+  /// What became of the pieces: the plan's poses against those that they were broken with.
+  void ExpectBack() const
+  {
+    const FractureCase truth = BrokenMandible({ .spacingMm = 0.8, .moved = true });
+    const Json file = Json::parse(ReadBytes(this->SavedPlan() + "/plan.json"));
+    int pieces = 0;
+    for (const Json& fragment : file.at("plan").at("fragments"))
+    {
+      const Json& pose = fragment.at("scanToPlanned");
+      const auto p = pose.at("position").get<std::array<double, 3>>();
+      const auto q = pose.at("orientation").get<std::array<double, 4>>();
+      const RigidPose planned{ { p[0], p[1], p[2] }, { q[0], q[1], q[2], q[3] } };
+      const int label = fragment.at("source").at("label");
+      if (label < FirstPieceLabel)
+      {
+        EXPECT_EQ(planned, RigidPose{}) << "label " << label;
+        continue;
+      }
+      const FracturePiece& piece = truth.settings.pieces.at(std::size_t(label - FirstPieceLabel));
+      const RigidPose left = planned * piece.moved;
+      const glm::dvec3& at = piece.faces[0].point;
+      const double offMm = glm::distance(left.Place(at), at);
+      const double degrees =
+        glm::degrees(2.0 * std::acos(std::min(1.0, std::abs(left.orientation.w))));
+      std::cout << piece.name << ": " << offMm << " mm at its face, " << degrees << " degrees\n";
+      EXPECT_LT(offMm, 2.0) << piece.name;
+      EXPECT_LT(degrees, 5.0) << piece.name;
+      ++pieces;
+    }
+    EXPECT_EQ(pieces, 3);
+  }
+};
+
+TEST_F(PlannerFracture, AJawInFourPiecesIsPutTogetherPlatedAndExported)
+{
+  const auto planner = this->BeginSample("file.sample.mandible");
+  Split(*planner);
+  planner->Click("step.reduce");
+  Lock(*planner, 0);
+  Lock(*planner, 1);
+  PushTheRamus(*planner);
+  PutTogether(*planner);
+  Picture(*planner, "PlannerFracture-reduced");
+  PlateIt(*planner);
+  Picture(*planner, "PlannerFracture-plated");
+  SaveAs(*planner, this->SavedPlan());
+  this->ExpectBack();
+  MakeAll(*planner);
+  EXPECT_LE(planner->Effort().clicks, 150U);
+  ExpectThereAndBack(*planner);
+  this->ExpectExportAsRun(*planner, "PlannerFracture");
+  EXPECT_EQ(this->Verdicts()["plate-8"], "green");
+  planner->Key("ctrl+s");
+  Close(*planner, "a jaw in four pieces");
+}
+
+} // namespace
