@@ -22,7 +22,7 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr double MostS = 900.0;
+constexpr int MostS = 900;
 
 double Fps(const Json& drag)
 {
@@ -200,15 +200,18 @@ std::string PlannerProgram()
   return fs::exists(program, ignored) ? program.string() : std::string();
 }
 
-/// Runs it on $DISPLAY, or on a screen of its own.
+/// Runs it on $DISPLAY, or on a screen of its own, which goes with it: what is late ends first.
 MeasuredChild RunPlanner(const std::vector<std::string>& words)
 {
+  const std::string limit = std::to_string(MostS);
+  std::vector<std::string> run{ "/usr/bin/timeout", "-k", "9", limit, PlannerProgram() };
   const char* display = std::getenv("DISPLAY");
-  if (display && *display)
-    return RunMeasured(words, { PlannerProgram(), MostS });
-  std::vector<std::string> screen{ "-a", "-s", "-screen 0 1280x800x24 -noreset", PlannerProgram() };
-  screen.insert(screen.end(), words.begin(), words.end());
-  return RunMeasured(screen, { "/usr/bin/xvfb-run", MostS });
+  if (!display || !*display)
+    run.insert(run.begin(), { "/usr/bin/xvfb-run", "-a", "-s", "-screen 0 1280x800x24 -noreset" });
+  const std::string program = run.front();
+  run.erase(run.begin());
+  run.insert(run.end(), words.begin(), words.end());
+  return RunMeasured(run, { program, MostS + 60.0 });
 }
 } // namespace
 

@@ -5,7 +5,7 @@
 #include "Files.h"
 #include "PartReport.h"
 #include "Steps/PanelWidgets.h"
-#include "Steps/SaveQuestion.h"
+#include "Steps/FileQuestion.h"
 #include "Tools/Planner.h"
 
 #include "Planning/Sha256.h"

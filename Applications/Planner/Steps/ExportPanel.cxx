@@ -6,7 +6,7 @@
 #include "Output/RedParts.h"
 #include "Planning/DerivedPart.h"
 #include "Steps/PanelWidgets.h"
-#include "Steps/SaveQuestion.h"
+#include "Steps/FileQuestion.h"
 
 #include <QCheckBox>
 #include <QComboBox>

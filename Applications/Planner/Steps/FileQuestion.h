@@ -6,11 +6,20 @@ class QWidget;
 namespace hasp
 {
 
+// Empty: none was chosen. Qt keeps no folder of them (RunPlanner), for paths name patients. RENDER;
+// each waits.
+
 ///@{
-/// Asks for a file, or for a folder, to open; empty: none was chosen. Paths name patients, and Qt
-/// keeps the folders that its dialogs have shown: that is forgotten each time. RENDER; waits.
+/// Asks for a file, or for a folder, to open.
 QString AskForFile(QWidget* parent, const QString& title, const QString& filter);
 QString AskForFolder(QWidget* parent, const QString& title);
+///@}
+///@{
+/// Asks for a file to write, or for a folder that is not there yet or empty. `name`: what is
+/// proposed.
+QString AskForNewFile(
+  QWidget* parent, const QString& title, const QString& name, const QString& filter);
+QString AskForNewFolder(QWidget* parent, const QString& title, const QString& name);
 ///@}
 
 } // namespace hasp

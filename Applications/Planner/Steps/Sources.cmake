@@ -8,7 +8,6 @@ hasp_add_planner_part(Steps
     Steps/FitBox.cxx Steps/FitBox.h
     Steps/PartTable.cxx Steps/PartTable.h
     Steps/PlanFigures.cxx Steps/PlanFigures.h
-    Steps/SaveQuestion.cxx Steps/SaveQuestion.h
     Steps/BonesBox.cxx Steps/BonesBox.h
     Steps/FileQuestion.cxx Steps/FileQuestion.h
     Steps/FragmentMaking.cxx Steps/FragmentMaking.h

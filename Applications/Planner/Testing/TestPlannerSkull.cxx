@@ -1,7 +1,11 @@
 // A guide, from the scan to the printed part, as a user makes it.
 #include "WholeWay.h"
 
+#include "Planning/PlanHistory.h"
+
 #include <array>
+#include <cmath>
+#include <regex>
 
 namespace
 {
@@ -13,6 +17,19 @@ using Shares = std::vector<std::array<double, 2>>; // of the large view's width 
 const Shares AlongTheRim{ { 0.451, 0.480 }, { 0.448, 0.444 }, { 0.445, 0.406 }, { 0.437, 0.360 },
   { 0.419, 0.330 }, { 0.393, 0.348 } };
 const Shares ForPins{ { 0.468, 0.462 }, { 0.460, 0.378 } };
+/// Of the left forehead, which is whole.
+const Shares OnPlainBone{ { 0.580, 0.430 }, { 0.582, 0.400 }, { 0.584, 0.370 }, { 0.586, 0.345 } };
+constexpr int MostSteps = 60; // of a case that is planned here
+
+/// The numbers before " mm" in a text, in order.
+std::vector<double> MillimetresIn(const std::string& text)
+{
+  static const std::regex Number("(-?[0-9]+\\.[0-9]+) mm");
+  std::vector<double> numbers;
+  for (std::sregex_iterator at(text.begin(), text.end(), Number), end; at != end; ++at)
+    numbers.push_back(std::stod((*at)[1]));
+  return numbers;
+}
 
 class PlannerSkull : public WholeWay
 {
@@ -23,13 +40,6 @@ protected:
     if (!this->IsSkipped() && std::string(HASP_CRANIUM).empty())
       GTEST_SKIP() << "Cranium.inv3 is not here: Utilities/Scripts/cranium fetches it";
   }
-
-  static void Touch(PlannerProcess& planner, const Shares& places)
-  {
-    for (const auto& [x, y] : places)
-      planner.ClickAt("view.scene", x, y);
-    planner.Key("Escape");
-  }
   /// The scan, its bone from the front, large.
   static void ShowBone(PlannerProcess& planner)
   {
@@ -39,45 +49,103 @@ protected:
     planner.Key("alt+1");
     planner.Key("ctrl+m");
   }
-  static void PlanGuide(PlannerProcess& planner)
+  static void Touch(PlannerProcess& planner, const Shares& places)
+  {
+    for (const auto& [x, y] : places)
+      planner.ClickAt("view.scene", x, y);
+    planner.Key("Escape");
+  }
+  static void PlanGuide(PlannerProcess& planner, const Shares& along)
   {
     planner.Click("step.guide");
     planner.Click("guide.new");
-    Touch(planner, AlongTheRim);
+    Touch(planner, along);
     planner.SetNumber("guide.width", 16);
     planner.ClickRow("guide.pages", 1);
     planner.SetNumber("guide.thickness", 2.5);
     planner.SetNumber("guide.gap", 0.3);
+  }
+  static void PlanPins(PlannerProcess& planner)
+  {
     planner.ClickRow("guide.pages", 3);
     planner.Click("guide.pins");
     Touch(planner, ForPins);
   }
+  static std::string Push(PlannerProcess& planner)
+  {
+    planner.Click("step.check");
+    planner.Click("check.seat");
+    return planner.Text("check.seat.result");
+  }
 };
 
-TEST_F(PlannerSkull, Explore)
+TEST_F(PlannerSkull, AGuideIsMadeTriedOnWrittenAndTheSameByTheCommandLine)
 {
   const auto planner = this->Begin();
   ShowBone(*planner);
-  PlanGuide(*planner);
-  Picture(*planner, "PlannerSkull-1");
-  std::cout << MakeAll(*planner) << "\n";
-  Picture(*planner, "PlannerSkull-2");
-  planner->Click("check.seat");
-  std::cout << planner->Text("check.seat.result") << "\n";
+  PlanGuide(*planner, AlongTheRim);
+  PlanPins(*planner);
+  EXPECT_EQ(MakeAll(*planner), "guide 2 is made: green.");
   planner->Click("check.fit");
-  planner->WaitSettled();
-  Picture(*planner, "PlannerSkull-3");
-  std::cout << planner->Text("check.fit.state") << "\n";
+  const auto isFree = [&](const Json& now)
+  {
+    for (const Json& widget : now["widgets"])
+      if (widget["name"] == "check.fit.state")
+        return widget.value("text", "") == "Free, 30.00 mm off its planned place.";
+    return false;
+  };
+  planner->WaitUntil("the part in hand, lifted off", isFree);
+  Picture(*planner, "PlannerSkullLifted");
+  EXPECT_NE(Push(*planner).find("guide 2 seats"), std::string::npos) << Push(*planner);
+  EXPECT_NE(planner->Text("check.fit.state").find("off its planned place"), std::string::npos);
+  Picture(*planner, "PlannerSkullSeated");
   planner->Key("Escape");
   ExportAll(*planner, this->Path("parts"));
-  std::cout << planner->State("message") << "\n";
-  Picture(*planner, "PlannerSkull-4");
+  Picture(*planner, "PlannerSkullWritten");
   WriteReport(*planner, this->Path("report.html"));
-  std::cout << planner->State("message") << "\n";
   SaveAs(*planner, this->Path("skull.hasp"));
   Close(*planner, "A guide on the skull");
+  for (const char* report : { "report.html", "report.pdf" })
+    EXPECT_GT(std::filesystem::file_size(this->Path(report)), 100'000U) << report;
   this->ExpectSameAsRun(this->Path("skull.hasp"), HASP_CRANIUM, this->Path("parts"));
-  std::system(("cp -r " + this->Path("skull.hasp") + " " + this->Path("parts") + " " + this->Path("report.html") + " " + this->Path("report.pdf")+ " /tmp/A-out/").c_str());
+}
+
+TEST_F(PlannerSkull, AllThatWasPlannedIsTakenBackToAnEmptyPlanAndDoneAgain)
+{
+  const auto planner = this->Begin();
+  ShowBone(*planner);
+  PlanGuide(*planner, AlongTheRim);
+  PlanPins(*planner);
+  const Json planned = planner->State("plan"), empty = hasp::PlanHash(hasp::Plan{});
+  int steps = 0;
+  for (; planner->State("plan") != empty && steps < MostSteps; ++steps)
+    planner->Key("ctrl+z");
+  EXPECT_EQ(planner->State("plan"), empty);
+  EXPECT_GE(steps, 10); // a scan, places, pins and sizes
+  for (int n = 0; n < steps; ++n)
+    planner->Key("ctrl+y");
+  EXPECT_EQ(planner->State("plan"), planned);
+  planner->Key("ctrl+y"); // there is no more
+  EXPECT_EQ(planner->State("plan"), planned);
+  planner->Key("ctrl+z");
+  EXPECT_NE(planner->State("plan"), planned);
+}
+
+/// On plain bone, which faces the way, its first touch is the certificate's least gap
+/// (TestGuideSeat.cxx says why, and why not along a rim). Both have two digits here.
+TEST_F(PlannerSkull, AGuideOnPlainBoneSeatsWhereItsCertificateSays)
+{
+  const auto planner = this->Begin();
+  ShowBone(*planner);
+  PlanGuide(*planner, OnPlainBone);
+  EXPECT_EQ(MakeAll(*planner), "guide 2 is made: green.");
+  Picture(*planner, "PlannerSkullPlain");
+  const std::string found = Push(*planner);
+  ASSERT_NE(found.find("guide 2 seats"), std::string::npos) << found;
+  const std::vector<double> mm = MillimetresIn(found); // depth, place, least gap
+  ASSERT_GE(mm.size(), 2U) << found;
+  EXPECT_NEAR(mm.front(), mm.back(), 0.1) << found;
+  std::cout << found << "\n";
 }
 
 } // namespace

@@ -13,7 +13,7 @@ class WholeWay : public PlannerDesk
 protected:
   using Json = nlohmann::json;
 
-  static constexpr double LongS = 90.0; ///< how long a job may take where five run side by side
+  static constexpr double LongS = 600.0; ///< for a job on a machine that has others to do
 
   std::string Path(const std::string& name) const { return (this->folder / name).string(); }
   /// The program in a large view, with patience for what takes long.
@@ -34,7 +34,8 @@ protected:
   /// Made in the step Check: all parts. What the message bar says then.
   static std::string MakeAll(PlannerProcess& planner);
 
-  /// What the folder would be by bin/hasp, for the plan that was saved. Expects that the parts hold.
+  /// Expects that the folder is what bin/hasp makes anew of the plan that was saved, to the byte,
+  /// and that certificates of all its parts hold.
   void ExpectSameAsRun(const std::string& plan, const std::string& scan, const std::string& parts);
   /// For a look: into the build folder.
   static void Picture(const PlannerProcess& planner, const std::string& name);

@@ -87,7 +87,8 @@ bool LayoutFile::eventFilter(QObject* watched, QEvent* event)
   if (watched == &this->Looking)
     return false;
   this->Count(watched, event);
-  ++this->Seen;
+  // A tool that is held has a clock that ticks for as long. What a tick does brings other events.
+  this->Seen += event->type() == QEvent::Timer ? 0 : 1;
   if (!this->Looking.isActive())
   {
     this->Noise.start();

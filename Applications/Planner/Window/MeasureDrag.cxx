@@ -25,7 +25,7 @@ namespace hasp
 namespace
 {
 using Json = nlohmann::ordered_json;
-constexpr double MostReadyS = 120.0, RestS = 0.5;
+constexpr double MostReadyS = 120.0, MostHeldS = 20.0, RestS = 0.5, LookS = 0.02;
 
 /// The pixel of the view, from its upper left, at which a fragment that may move is seen.
 QPoint PixelOfFragment(const Planner& parts)
@@ -85,26 +85,22 @@ Motion MoveAbout(SceneView& view, const GrabTool& grab, const QPoint& from, doub
   return motion;
 }
 
-void WaitReady(const GrabTool& grab)
+template <typename Holds>
+void WaitUntil(const char* what, double mostS, const Holds& holds)
 {
-  const auto start = Clock::now();
-  while (!grab.State().isReady)
-  {
-    if (MsSince(start) > 1e3 * MostReadyS)
-      throw std::runtime_error("what can be felt is not prepared");
-    Spend(0.1);
-  }
+  for (const auto start = Clock::now(); !holds(); Spend(LookS))
+    if (MsSince(start) > 1e3 * mostS)
+      throw std::runtime_error(what);
 }
 
 Json DragOnce(PlannerWindow& window, GrabTool& grab, double seconds)
 {
-  WaitReady(grab);
+  WaitUntil("what can be felt is not prepared", MostReadyS, [&] { return grab.State().isReady; });
   SceneView& view = window.Parts().views.Scene();
   const QPoint from = PixelOfFragment(window.Parts());
   Mouse(view, QEvent::MouseMove, from, false);
   Mouse(view, QEvent::MouseButtonPress, from, true);
-  if (grab.State().held.empty())
-    throw std::runtime_error("the fragment is not in hand");
+  WaitUntil("the fragment is not in hand", MostHeldS, [&] { return !grab.State().held.empty(); });
   const unsigned long long before = view.Frames();
   const RateCounts first = grab.Haptic()->GetLoop()->GetRates();
   const Motion motion = MoveAbout(view, grab, from, seconds);

@@ -144,6 +144,8 @@ void PlannerScript::Measure()
   catch (const std::exception& error)
   {
     this->Fail(2, QString::fromUtf8(error.what()));
+    QApplication::exit(this->Code); // what it was in the middle of may never come to rest
+    return;
   }
   this->Look.start();
 }

@@ -1,12 +1,9 @@
 #pragma once
+#include "InChild.h"
 #include "PlanFixture.h"
 #include "Planning/PlanJournal.h"
 
-#include <sys/wait.h>
-
-#include <exception>
 #include <fstream>
-#include <functional>
 #include <utility>
 
 /// A folder for a journal.
@@ -69,26 +66,4 @@ inline hasp::AddSegmentationStroke Stroke(RandomEdits& random, std::size_t point
     stroke.points.emplace_back(
       random.Number(-200, 200), random.Number(-200, 200), random.Number(-200, 200));
   return { 2, std::move(stroke) };
-}
-
-/// Runs `act` in a child process and returns its exit status; 1 if it throws.
-inline int InChild(const std::function<void()>& act)
-{
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    int status = 0;
-    try
-    {
-      act();
-    }
-    catch (const std::exception&)
-    {
-      status = 1;
-    }
-    _exit(status);
-  }
-  int status = -1;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

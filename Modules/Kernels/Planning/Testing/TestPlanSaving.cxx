@@ -1,42 +1,19 @@
 #include "FailingCalls.h"
+#include "InChild.h"
 #include "PlanFixture.h"
 #include "Planning/PlanFile.h"
 
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <csignal>
-#include <functional>
 
 namespace
 {
 using namespace hasp;
 namespace fs = std::filesystem;
-
-/// Runs `act` in a child process and returns its exit status; 1 if it throws.
-int InChild(const std::function<void()>& act)
-{
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    int status = 0;
-    try
-    {
-      act();
-    }
-    catch (const std::exception&)
-    {
-      status = 1;
-    }
-    _exit(status);
-  }
-  int status = -1;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 std::size_t FilesIn(const fs::path& folder)
 {
