@@ -20,7 +20,11 @@ endif ()
 function (hasp_discover_tests target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # test files share names freely
   # A program of many libraries may take seconds to start on a machine that is busy.
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120)
+  set(timeout 120)
+  if ("long" IN_LIST ARGN)
+    set(timeout 900)
+  endif ()
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${timeout})
   # gtest_discover_tests would take a second label for the name of the next property.
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_labels.cmake")
   # Without times of an earlier run ctest starts first what costs most, so that all cores have work at the end:

@@ -12,7 +12,8 @@ std::vector<ReportTerm> PlannerTerms()
       "samples a side" },
     { "planner.drag", "a fragment in hand, in contact, in a window of 1280x800: fps: frames a "
                       "second; full: with all "
-                      "pixels; share: least pixels along an axis; tick: of the haptic thread" },
+                      "pixels; share: least pixels along an axis; touching: in contact; tick: of "
+                      "the haptic thread" },
     { "planner.idle", "frames drawn while nothing happens" },
     { "planner.reopened", "growth of memory over plans that are opened again and again" },
   };

@@ -13,6 +13,11 @@
 namespace hasp
 {
 
+namespace
+{
+constexpr int ButtonMargins = 20; // pixels, both
+}
+
 QString CalledWithName(const Plan& plan, PlanId object)
 {
   QString called = QString::fromStdString(CalledObject(plan, object));
@@ -44,6 +49,9 @@ ObjectChooser::ObjectChooser(
   row->addWidget(add);
   this->Gone->setObjectName(prefix + ".remove");
   row->addWidget(this->Gone);
+  for (QPushButton* button : { add, this->Gone }) // names need the room
+    button->setMaximumWidth(
+      button->fontMetrics().horizontalAdvance(button->text()) + ButtonMargins);
   connect(add, &QPushButton::clicked, this, &ObjectChooser::NewAsked);
   connect(this->Gone, &QPushButton::clicked, this, &ObjectChooser::Remove);
   connect(this->Box, qOverload<int>(&QComboBox::activated), this,

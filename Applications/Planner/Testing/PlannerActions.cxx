@@ -11,6 +11,8 @@ using namespace layout;
 namespace
 {
 
+constexpr int MostTries = 4; // of a path
+
 std::string Decimal(double value)
 {
   std::array<char, 40> text;
@@ -116,10 +118,19 @@ void PlannerProcess::SetChecked(const std::string& name, bool checked)
 
 void PlannerProcess::AnswerFile(const std::string& path)
 {
-  this->Click("fileNameEdit"); // QFileDialog's
-  this->Key("ctrl+a");
-  this->Type(path);
-  this->Key("Return");
+  // Qt selects what the typed text names so far, and may still have a folder on the way there when
+  // Return comes: then it goes into that, and empties the line. As a user would: once more.
+  const auto isEmptied = [this]
+  { return this->Has("fileNameEdit") && this->Widget("fileNameEdit").value("length", 0) == 0; };
+  for (int tries = 0; tries == 0 || isEmptied(); ++tries)
+  {
+    if (tries == MostTries)
+      this->Fail("the dialog does not take the path");
+    this->Click("fileNameEdit"); // QFileDialog's
+    this->Key("ctrl+a");
+    this->Type(path);
+    this->Key("Return");
+  }
 }
 
 void PlannerProcess::Menu(const std::vector<std::string>& path)

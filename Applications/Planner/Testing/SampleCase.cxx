@@ -10,6 +10,7 @@ namespace fs = std::filesystem;
 std::unique_ptr<PlannerProcess> SampleCase::BeginSample(const std::string& action)
 {
   auto planner = this->Begin();
+  planner->patienceS = 300;
   planner->Menu({ "menu.file", "menu.samples", action });
   planner->Click("tour.leave");
   planner->Key("ctrl+m");
@@ -117,7 +118,6 @@ std::map<std::string, std::string> SampleCase::Verdicts() const
   std::map<std::string, std::string> verdicts;
   const Json report = Json::parse(ReadBytes(this->Path("parts/run.json")));
   for (const Json& part : report.at("parts"))
-    verdicts[part.at("kind").get<std::string>() + "-" +
-             std::to_string(part.at("id").get<unsigned>())] = part.at("verdict");
+    verdicts[part.at("file")] = part.at("verdict");
   return verdicts;
 }

@@ -28,7 +28,7 @@ protected:
   static void ExpectThereAndBack(PlannerProcess& planner);
   /// Exports, and compares with what bin/hasp makes of the plan as it was saved.
   void ExpectExportAsRun(PlannerProcess& planner, const std::string& called);
-  /// What run.json of the export says of them, by kind and number: "plate-8".
+  /// What run.json of the export says of them, by file: "plate-8.stl".
   std::map<std::string, std::string> Verdicts() const;
   std::string SavedPlan() const { return this->Path("case.hasp"); }
 

@@ -1,37 +1,18 @@
 // The program is killed at any moment: at most the action that was under way is lost.
-#include "Planning/DerivedPart.h"
+#include "CrashDesk.h"
 
-#include "PlannerDesk.h"
+#include <poll.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
-#include <chrono>
-#include <cstdlib>
-#include <random>
+#include <algorithm>
+#include <cstdio>
 #include <set>
-#include <thread>
+#include <vector>
 
 namespace
 {
-std::string PlanOf(PlannerProcess& planner)
-{
-  return planner.State("plan");
-}
-
-/// The hash of a plan that has a case label and nothing else.
-std::string PlanWith(const std::string& caseLabel)
-{
-  hasp::Plan plan;
-  plan.caseLabel = caseLabel;
-  return hasp::PlanHash(plan);
-}
-
-/// Brings back what was not saved, if that is asked. Says whether it was.
-bool BringBack(PlannerProcess& planner)
-{
-  if (!planner.Has("recover.bring"))
-    return false;
-  planner.Click("recover.bring");
-  return true;
-}
+namespace fs = std::filesystem;
 
 /// One action of the user's: another case label, or one taken back.
 void Act(PlannerProcess& planner, std::mt19937& dice, int number)
@@ -42,43 +23,121 @@ void Act(PlannerProcess& planner, std::mt19937& dice, int number)
     planner.SetText("import.case", "K-" + std::to_string(number));
 }
 
-/// How often the program is killed: 50 times, or as Utilities/Scripts/crash-test says.
-int Kills()
+/// Sends another case label and does not wait for what comes of it.
+void SendLabel(PlannerProcess& planner, const std::string& label)
 {
-  const char* said = std::getenv("HASP_KILLS");
-  return said ? std::atoi(said) : 50;
+  planner.Click("import.case");
+  planner.Hand().Key("ctrl+a");
+  planner.Hand().Type(label);
+  planner.Hand().Key("Return");
 }
 
-using PlannerCrash = PlannerDesk;
+/// Waits until something changes in a folder.
+class FolderWatch
+{
+public:
+  explicit FolderWatch(const fs::path& folder) : Events(inotify_init1(IN_CLOEXEC))
+  {
+    inotify_add_watch(this->Events, folder.c_str(), IN_CREATE | IN_MODIFY | IN_MOVED_TO);
+  }
+  ~FolderWatch() { close(this->Events); }
+  FolderWatch(const FolderWatch&) = delete;
+  void operator=(const FolderWatch&) = delete;
+
+  bool Wait(double mostS) const
+  {
+    pollfd event{ this->Events, POLLIN, 0 };
+    return poll(&event, 1, int(1000.0 * mostS)) == 1;
+  }
+
+private:
+  int Events;
+};
+
+class PlannerCrash : public CrashDesk
+{
+protected:
+  /// Starts it again; how long it took until it asked.
+  std::unique_ptr<PlannerProcess> Restart()
+  {
+    const auto start = std::chrono::steady_clock::now();
+    auto planner = this->Open();
+    const bool asked = planner->Has("recover.bring");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    if (asked)
+      this->askedS.push_back(took.count());
+    return planner;
+  }
+  void TearDown() override
+  {
+    if (this->askedS.empty())
+      return;
+    std::sort(this->askedS.begin(), this->askedS.end());
+    std::printf("asked after %zu of %d kills; from its start to the question: median %.2f s, at "
+                "most %.2f s\n",
+      this->askedS.size(), Kills(), this->askedS[this->askedS.size() / 2], this->askedS.back());
+  }
+  std::mt19937 dice{ 12 };
+  std::vector<double> askedS;
+};
 
 TEST_F(PlannerCrash, LosesAtMostTheActionUnderWayAndOffersTheRest)
 {
-  std::mt19937 dice(12);
+  constexpr int MostMs = 60;
   std::set<std::string> allowed; // plans that may come back
-  int number = 0, offered = 0;
+  int number = 0;
   for (int kill = 0; kill < Kills(); ++kill)
   {
-    const auto planner = this->Open();
-    const bool asked = BringBack(*planner);
-    offered += asked;
-    ASSERT_EQ(asked, kill > 0) << "kill " << kill;
-    const std::string found = PlanOf(*planner);
-    ASSERT_TRUE(kill == 0 || allowed.contains(found)) << "kill " << kill;
-    const int actions = 1 + int(dice() % 3);
+    const auto planner = this->Restart();
+    ASSERT_EQ(BringBack(*planner), kill > 0) << "kill " << kill;
+    ASSERT_TRUE(kill == 0 || allowed.contains(planner->State("plan"))) << "kill " << kill;
+    const int actions = 1 + int(this->dice() % 3);
     for (int n = 0; n < actions; ++n)
-      Act(*planner, dice, ++number);
-    // The last action is sent, and the program killed while it works on it, or before, or after.
-    allowed = { PlanOf(*planner) };
-    planner->Click("import.case");
-    planner->Hand().Key("ctrl+a");
+      Act(*planner, this->dice, ++number);
+    allowed = { planner->State("plan") };
     const std::string last = "L-" + std::to_string(++number);
-    planner->Hand().Type(last);
-    planner->Hand().Key("Return");
-    std::this_thread::sleep_for(std::chrono::microseconds(dice() % 60'000));
-    planner->Kill9();
+    SendLabel(*planner, last);
+    KillSoon(*planner, this->dice, MostMs);
     allowed.insert(PlanWith(last));
   }
-  EXPECT_EQ(offered, Kills() - 1);
+  EXPECT_EQ(int(this->askedS.size()), Kills() - 1);
+}
+
+/// Each round: what came back is saved, an action is done, and the program is killed while it saves
+/// that.
+TEST_F(PlannerCrash, APlanThatWasBeingSavedIsTheOldOneOrTheNewOneAndWhole)
+{
+  constexpr int MostMs = 6;
+  fs::path place;
+  std::string before, after; // case labels: on disk, and of the save under way
+  int old = 0;
+  for (int kill = 0; kill < Kills(); ++kill)
+  {
+    const auto planner = this->Restart();
+    const std::string found = place.empty() ? std::string() : LabelIn(place);
+    if (BringBack(*planner))
+      ASSERT_EQ(planner->State("plan"), PlanWith(after)) << "kill " << kill;
+    else if (kill > 0) // it was saved, and nothing of it is lost
+    {
+      ASSERT_EQ(found, after) << "kill " << kill;
+      planner->SetText("import.case", "M-" + std::to_string(kill));
+    }
+    old += kill > 0 && found == before;
+    const fs::path another = this->Plans() / ("plan-" + std::to_string(kill) + ".hasp");
+    if (Save(*planner, another))
+      place = another;
+    before = LabelIn(place);
+    after = "K-" + std::to_string(kill);
+    planner->SetText("import.case", after);
+    const FolderWatch watch(place);
+    planner->Hand().Key("ctrl+s");
+    ASSERT_TRUE(watch.Wait(planner->patienceS)) << "kill " << kill << ": nothing is saved";
+    KillSoon(*planner, this->dice, MostMs);
+    ASSERT_EQ(hasp::PlanFaults(place), std::vector<std::string>()) << "kill " << kill;
+    const std::string now = LabelIn(place);
+    ASSERT_TRUE(now == before || now == after) << "kill " << kill << ": " << now;
+  }
+  std::printf("the old plan was there after %d of %d kills\n", old, Kills());
 }
 
 } // namespace

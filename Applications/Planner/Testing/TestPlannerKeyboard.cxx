@@ -71,6 +71,15 @@ std::string GivenTwice(PlannerProcess& planner)
   return of.size() < 5 ? "there are hardly any letters" : twice;
 }
 
+/// Whether it is the plan's, not a sample's.
+bool ListsObjects(PlannerProcess& planner)
+{
+  for (const Json& row : planner.Widget("objects")["rows"])
+    if (row.value("id", 0) == 9)
+      return true;
+  return false;
+}
+
 /// Each page of what is shown of a step, in turn.
 template <typename Look>
 void EachPage(PlannerProcess& planner, const Look& look)
@@ -88,11 +97,17 @@ void EachPage(PlannerProcess& planner, const Look& look)
   }
 }
 
+/// What is chosen in the list of objects, so that forms are filled.
+const std::map<std::string, int> Chosen{ { "reduce", 5 }, { "cut", 3 }, { "guide", 8 },
+  { "plate", 9 } };
+
 /// All that a step shows: its pages, and those of each kind of what is planned there.
 template <typename Look>
 void EachView(PlannerProcess& planner, const std::string& step, const Look& look)
 {
   planner.Click("step." + step);
+  if (const auto chosen = Chosen.find(step); chosen != Chosen.end() && ListsObjects(planner))
+    planner.ClickId("objects", chosen->second);
   const int kinds = planner.Has("plate.kind") ? planner.Widget("plate.kind").value("count", 0) : 1;
   for (int kind = 0; kind < kinds; ++kind)
   {
@@ -135,7 +150,6 @@ protected:
 TEST_P(PlannerLetters, AreGivenOnceOfAPlan)
 {
   const auto planner = this->OpenPlan({ "--language", this->GetParam() });
-  planner->ClickId("objects", 8); // guide: its form is filled
   this->ExpectEachGivenOnce(*planner);
 }
 
@@ -154,6 +168,35 @@ TEST_P(PlannerLetters, AreGivenOnceInTheTour)
 
 INSTANTIATE_TEST_SUITE_P(Of, PlannerLetters, testing::Values("en", "sv"),
   [](const auto& language) { return std::string(language.param); });
+
+using PlannerTabOrder = PhantomDesk;
+
+/// What has the keyboard after that, by Tab.
+std::string After(PlannerProcess& planner, const std::string& name)
+{
+  for (int tab = 0; tab < MostTabs && planner.Layout()["focus"] != name; ++tab)
+    planner.Key("Tab");
+  EXPECT_EQ(planner.Layout()["focus"], name);
+  planner.Key("Tab");
+  return planner.Layout().value("focus", std::string());
+}
+
+TEST_F(PlannerTabOrder, BoxesOfObjectsStandWhereTheyAreSeen)
+{
+  const auto planner = this->OpenPlan();
+  planner->Click("step.guide");
+  planner->ClickId("objects", 8);
+  planner->ClickRow("guide.pages", 2);
+  EXPECT_EQ(After(*planner, "guide.pages"), "guide.cut.3");
+  EXPECT_EQ(After(*planner, "guide.cut.3"), "guide.cut.4");
+}
+
+TEST_F(PlannerTabOrder, LeavesTheTableOfResources)
+{
+  const auto planner = this->OpenPlan();
+  planner->Menu({ "menu.view", "view.dock.use" });
+  EXPECT_NE(After(*planner, "use"), "use");
+}
 
 using PlannerMenuKeys = PlannerDesk;
 

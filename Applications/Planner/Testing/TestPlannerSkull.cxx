@@ -1,7 +1,7 @@
 // A guide, from the scan to the printed part, as a user makes it.
-#include "WholeWay.h"
+#include "Planning/DerivedPart.h" // before Qt, which has a macro "slots"
 
-#include "Planning/PlanHistory.h"
+#include "WholeWay.h"
 
 #include <array>
 #include <cmath>

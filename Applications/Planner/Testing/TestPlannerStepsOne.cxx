@@ -4,6 +4,7 @@
 #include "Steps/ImportPanel.h"
 #include "Steps/ImportRemedies.h"
 #include "Steps/MissingInputs.h"
+#include "Steps/SurfaceShelf.h"
 #include "vtkHaspLabelFile.h"
 #include "vtkHaspOutputFile.h"
 #include "vtkHaspVolumeFile.h"
@@ -142,6 +143,30 @@ TEST(PlannerImport, ASurfaceBecomesAFragment)
   EXPECT_EQ(desk.Steps(), 1U);
   EXPECT_EQ(std::get<SurfaceSource>(desk.Now().fragments[0].source).thicknessMm, 0.0);
   EXPECT_TRUE(desk.planner.scene.PropOf(desk.Now().fragments[0].id));
+}
+
+TEST(PlannerImport, TrianglesGoWithTheirPlanAndComeBackWithIt)
+{
+  const CanaryFolder folder;
+  vtkNew<vtkSphereSource> ball;
+  ball->Update();
+  WriteSurface(ball->GetOutput(), folder.File("sherd.stl"));
+  ImportDesk desk(folder);
+  ASSERT_TRUE(desk.Import(folder.File("sherd.stl")));
+  const std::string hash = desk.Now().surfaces.at(0).hash;
+  const PlanId fragment = desk.Now().fragments.at(0).id;
+  const SurfaceShelf& shelf = SurfaceShelf::Of(desk.planner);
+  ASSERT_TRUE(shelf.Find(hash));
+  ASSERT_TRUE(desk.planner.scene.PropOf(fragment));
+  const std::weak_ptr<const TriangleMesh> mesh = shelf.Find(hash);
+  ASSERT_TRUE(desk.planner.plan.SaveAs(folder.File("sherd.hasp")));
+  desk.planner.plan.BeginNew();
+  EXPECT_TRUE(mesh.expired());
+  EXPECT_FALSE(desk.planner.scene.PropOf(fragment));
+  ASSERT_TRUE(desk.planner.plan.Open(folder.File("sherd.hasp")));
+  ASSERT_TRUE(desk.Settle());
+  EXPECT_TRUE(shelf.Find(hash));
+  EXPECT_TRUE(desk.planner.scene.PropOf(fragment));
 }
 
 TEST(PlannerImport, ThePseudonymIsAStep)

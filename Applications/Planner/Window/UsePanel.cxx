@@ -31,6 +31,7 @@ UsePanel::UsePanel(Planner& planner, QWidget* parent)
   this->horizontalHeader()->setStretchLastSection(true);
   this->verticalHeader()->hide();
   this->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->setTabKeyNavigation(false); // Tab goes on
   this->setAccessibleName(tr("What this scene uses"));
   this->Again->setSingleShot(true);
   connect(this->Again, &QTimer::timeout, this, &UsePanel::Refresh);
