@@ -66,7 +66,9 @@ CertificateBox::CertificateBox(Planner& planner, QWidget* parent)
   this->Measures->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Measures->setTabKeyNavigation(false);
   this->Measures->verticalHeader()->hide();
-  this->Measures->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // A panel is narrow: long cells go on in the next line.
+  this->Measures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  this->Measures->horizontalHeader()->setSectionResizeMode(3, QHeaderView::ResizeToContents);
   layout->addWidget(this->Measures);
   this->Page = AddButton(layout, "check.page", tr("Open the certificate's &page"));
   connect(this->Faults, &QListWidget::currentRowChanged, this,
@@ -111,6 +113,7 @@ void CertificateBox::Show(const PartFacts* facts)
     if (!cells[3].isEmpty() && !line.missing)
       this->Measures->item(at, 3)->setForeground(line.fault ? Red : Green);
   }
+  this->Measures->resizeRowsToContents();
 }
 
 void CertificateBox::ShowPlace()

@@ -10,7 +10,6 @@ namespace fs = std::filesystem;
 std::unique_ptr<PlannerProcess> SampleCase::BeginSample(const std::string& action)
 {
   auto planner = this->Begin();
-  planner->patienceS = 300;
   planner->Menu({ "menu.file", "menu.samples", action });
   planner->Click("tour.leave");
   planner->Key("ctrl+m");

@@ -232,37 +232,4 @@ TEST_F(PlannerMenuKeys, AnActionIsDoneByLettersAlone)
   EXPECT_TRUE(planner->Has("page.keys"));
 }
 
-using PlannerTyping = PhantomDesk;
-
-TEST_F(PlannerTyping, ANumberThatIsBeingTypedIsSavedWithThePlan)
-{
-  const auto planner = this->OpenPlan();
-  planner->Click("step.guide");
-  planner->ClickId("objects", 8);
-  planner->Click("guide.width");
-  planner->Key("ctrl+a");
-  planner->Type("17");
-  planner->Key("ctrl+s");
-  EXPECT_FALSE(planner->State("modified"));
-  EXPECT_NE(ReadBytes(this->Plan() + "/plan.json").find("\"widthMm\": 17"), std::string::npos);
-  EXPECT_EQ(planner->Layout()["focus"], "guide.width");
-}
-
-TEST_F(PlannerTyping, AToolIsPutAwayWithItsPageAndABladeIsNot)
-{
-  const auto planner = this->OpenPlan();
-  planner->Click("step.cut");
-  planner->ClickId("objects", 3);
-  planner->ClickRow("cut.pages", 0);
-  EXPECT_TRUE(planner->Widget("cut.drag")["checked"]);
-  planner->ClickRow("cut.pages", 1);
-  planner->ClickRow("cut.pages", 0);
-  EXPECT_TRUE(planner->Widget("cut.drag")["checked"]) << "its handles are there on all pages";
-  planner->Click("cut.place");
-  EXPECT_TRUE(planner->Widget("cut.place")["checked"]);
-  planner->ClickRow("cut.pages", 1);
-  planner->ClickRow("cut.pages", 0);
-  EXPECT_FALSE(planner->Widget("cut.place")["checked"]);
-}
-
 } // namespace

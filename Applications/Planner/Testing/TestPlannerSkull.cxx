@@ -1,6 +1,7 @@
 // A guide, from the scan to the printed part, as a user makes it.
 #include "Planning/DerivedPart.h" // before Qt, which has a macro "slots"
 
+#include "../../CommandLine/Testing/HaspProcess.h"
 #include "WholeWay.h"
 
 #include <array>
@@ -71,6 +72,11 @@ protected:
     planner.Click("guide.pins");
     Touch(planner, ForPins);
   }
+  static QImage ViewOf(PlannerProcess& planner)
+  {
+    const auto rect = planner.Widget("view.scene").at("rect").get<std::array<int, 4>>();
+    return planner.Hand().Picture().copy(rect[0], rect[1], rect[2], rect[3]);
+  }
   static std::string Push(PlannerProcess& planner)
   {
     planner.Click("step.check");
@@ -86,6 +92,7 @@ TEST_F(PlannerSkull, AGuideIsMadeTriedOnWrittenAndTheSameByTheCommandLine)
   PlanGuide(*planner, AlongTheRim);
   PlanPins(*planner);
   EXPECT_EQ(MakeAll(*planner), "guide 2 is made: green.");
+  const QImage before = ViewOf(*planner);
   planner->Click("check.fit");
   const auto isFree = [&](const Json& now)
   {
@@ -100,6 +107,7 @@ TEST_F(PlannerSkull, AGuideIsMadeTriedOnWrittenAndTheSameByTheCommandLine)
   EXPECT_NE(planner->Text("check.fit.state").find("off its planned place"), std::string::npos);
   Picture(*planner, "PlannerSkullSeated");
   planner->Key("Escape");
+  EXPECT_TRUE(ViewOf(*planner) == before) << "the view is not as it was before the test fit";
   ExportAll(*planner, this->Path("parts"));
   Picture(*planner, "PlannerSkullWritten");
   WriteReport(*planner, this->Path("report.html"));
@@ -146,6 +154,38 @@ TEST_F(PlannerSkull, AGuideOnPlainBoneSeatsWhereItsCertificateSays)
   ASSERT_GE(mm.size(), 2U) << found;
   EXPECT_NEAR(mm.front(), mm.back(), 0.1) << found;
   std::cout << found << "\n";
+}
+
+class PlannerPlateAround : public WholeWay
+{
+};
+
+/// What goes round a bone cannot be put on along a straight way.
+TEST_F(PlannerPlateAround, ABoneIsBlockedByIt)
+{
+  const std::string leg = this->Path("leg.mha");
+  ASSERT_EQ(
+    RunHasp({ "phantom", "--anatomy", "fibula", "--spacing", "1,1,1", "--output", leg }).exitCode,
+    0);
+  const auto planner = this->Begin();
+  Import(*planner, leg);
+  planner->Key("ctrl+m");
+  planner->Click("step.plate");
+  planner->Click("plate.new");
+  for (const char* side : { "alt+1", "alt+3", "alt+shift+1", "alt+shift+3" })
+  {
+    planner->Key(side);
+    planner->ClickAt("view.scene", 0.5, 0.5);
+    Picture(*planner, std::string("PlannerAround-") + side);
+  }
+  planner->Key("Escape");
+  std::cout << MakeAll(*planner) << "\n";
+  Picture(*planner, "PlannerAround");
+  planner->Click("check.seat");
+  const std::string found = planner->Text("check.seat.result");
+  std::cout << found << "\n";
+  Picture(*planner, "PlannerAroundSeat");
+  EXPECT_NE(found.find("is blocked"), std::string::npos) << found;
 }
 
 } // namespace

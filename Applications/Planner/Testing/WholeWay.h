@@ -13,7 +13,7 @@ class WholeWay : public PlannerDesk
 protected:
   using Json = nlohmann::json;
 
-  static constexpr double LongS = 60.0; ///< for a job on a machine that has others to do
+  static constexpr double LongS = 600.0; ///< for a job on a machine that has others to do
 
   std::string Path(const std::string& name) const { return (this->folder / name).string(); }
   /// The program in a large view, with patience for what takes long.

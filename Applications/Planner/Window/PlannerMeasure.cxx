@@ -17,7 +17,7 @@ namespace hasp
 namespace
 {
 using Json = nlohmann::ordered_json;
-constexpr int Pairs = 9, MemorySamples = 20;
+constexpr int Pairs = 9, MemorySamples = 20, WarmUps = 50;
 
 Json MeasureFirst(PlannerWindow& window)
 {
@@ -62,7 +62,7 @@ Json MeasureReopening(PlannerWindow& window, int times)
     if (!parts.scene.ShownImage() || !parts.scene.PropOf(ball))
       throw std::runtime_error("the plan that is opened again is not shown");
   };
-  for (int warm = 0; warm < times / 10; ++warm) // what is kept for the next time is there then
+  for (int warm = 0; warm < WarmUps; ++warm) // what is kept for the next time is there then
     again();
   Json bytes = Json::array();
   for (int n = 0; n < times; ++n)

@@ -105,10 +105,11 @@ void PlannerWindow::AddDocks()
     this->addDockWidget(area, dock);
     return dock;
   };
-  this->Objects = new ObjectList(*this->Of);
-  add(this->Objects, tr("Objects"), "dock.objects", Qt::LeftDockWidgetArea);
-  this->Use = new UsePanel(*this->Of);
-  add(this->Use, tr("What this scene uses"), "dock.use", Qt::LeftDockWidgetArea)->hide();
+  add(this->Objects = new ObjectList(*this->Of), tr("Objects"), "dock.objects",
+    Qt::LeftDockWidgetArea);
+  add(this->Use = new UsePanel(*this->Of), tr("What this scene uses"), "dock.use",
+    Qt::LeftDockWidgetArea)
+    ->hide();
   add(this->Stack, tr("Step"), "dock.step", Qt::RightDockWidgetArea)
     ->setFeatures(QDockWidget::DockWidgetMovable);
   this->resizeDocks(
@@ -201,10 +202,7 @@ QString PlannerWindow::ChosenStep() const
 
 StepPanel* PlannerWindow::Step(const QString& name) const
 {
-  for (StepPanel* panel : this->Panels)
-    if (panel->objectName() == name)
-      return panel;
-  return nullptr;
+  return this->findChild<StepPanel*>(name);
 }
 
 void PlannerWindow::FollowPlan()
@@ -232,9 +230,8 @@ void PlannerWindow::FollowScan()
 void PlannerWindow::TakeTyped()
 {
   const QPointer<QWidget> typing = this->focusWidget();
-  if (!typing)
-    return;
-  typing->clearFocus();
+  if (typing)
+    typing->clearFocus();
   if (typing && typing->isVisible())
     typing->setFocus();
 }
