@@ -65,7 +65,7 @@ void BonesBox::ShowToPick()
   const PlanId volume = this->Of.scene.ShownVolume();
   const bool picks = this->Of.tools.InHand() == &this->Pick,
              hasFragments = std::any_of(plan.fragments.begin(), plan.fragments.end(),
-               [&](const PlanFragment& one) { return VolumeOfFragment(plan, one.id) == volume; });
+               [&](const PlanFragment&one) { return VolumeOfFragment(plan, one.id) == volume; });
   if (picks && volume != 0 && !this->Of.scene.IsVisible(volume))
   {
     this->ShownToPick = volume;

@@ -4,8 +4,8 @@
 #include "Failure.h"
 #include "Files.h"
 #include "PartReport.h"
-#include "Steps/PanelWidgets.h"
 #include "Steps/FileQuestion.h"
+#include "Steps/PanelWidgets.h"
 #include "Tools/Planner.h"
 
 #include "Planning/Sha256.h"

@@ -5,8 +5,8 @@
 #include "Output/PartFacts.h"
 #include "Output/RedParts.h"
 #include "Planning/DerivedPart.h"
-#include "Steps/PanelWidgets.h"
 #include "Steps/FileQuestion.h"
+#include "Steps/PanelWidgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -160,23 +160,26 @@ class PlannerPlateAround : public WholeWay
 {
 };
 
-/// What goes round a bone cannot be put on along a straight way.
-TEST_F(PlannerPlateAround, ABoneIsBlockedByIt)
+/// What goes round a bone by more than half cannot be put on along a straight way.
+TEST_F(PlannerPlateAround, ASkullIsBlockedByItAndThatIsSaid)
 {
-  const std::string leg = this->Path("leg.mha");
-  ASSERT_EQ(
-    RunHasp({ "phantom", "--anatomy", "fibula", "--spacing", "1,1,1", "--output", leg }).exitCode,
-    0);
+  const std::string head = this->Path("head.mha");
+  ASSERT_EQ(RunHasp({ "phantom", "--spacing", "1,1,1", "--output", head }).exitCode, 0);
   const auto planner = this->Begin();
-  Import(*planner, leg);
+  planner->patienceS = 60;
+  Import(*planner, head);
   planner->Key("ctrl+m");
   planner->Click("step.plate");
   planner->Click("plate.new");
-  for (const char* side : { "alt+1", "alt+3", "alt+shift+1", "alt+shift+3" })
+  const std::vector<std::pair<const char*, std::vector<double>>> sides{ { "alt+1", { 0.5, 0.6 } },
+    { "alt+3", { 0.36, 0.5, 0.64 } }, { "alt+shift+1", { 0.4, 0.5, 0.6 } },
+    { "alt+shift+3", { 0.36, 0.5, 0.6 } } };
+  for (const auto& [keys, places] : sides)
   {
-    planner->Key(side);
-    planner->ClickAt("view.scene", 0.5, 0.5);
-    Picture(*planner, std::string("PlannerAround-") + side);
+    planner->Key(keys);
+    for (const double x : places)
+      planner->ClickAt("view.scene", x, 0.3);
+    Picture(*planner, std::string("PlannerAround-") + keys);
   }
   planner->Key("Escape");
   std::cout << MakeAll(*planner) << "\n";

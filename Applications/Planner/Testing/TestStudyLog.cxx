@@ -147,8 +147,7 @@ TEST_F(StudyLogTest, EachActionIsALineAtOnce)
   log.StepChanged("export");
   session->BeginNew();
   const std::vector<json> lines = this->Lines("A-3.jsonl"); // while the program runs
-  EXPECT_EQ(
-    this->Whats(lines), "begin step tool action undo redo undo action part left step plan");
+  EXPECT_EQ(this->Whats(lines), "begin step tool action undo redo undo action part left step plan");
   EXPECT_EQ(lines[0]["trial"], 3);
   EXPECT_EQ(lines[3]["label"], "Move fragment 3");
   EXPECT_EQ(lines[8]["id"], 3);

@@ -135,6 +135,7 @@ void FitTool::End()
   this->Bone.reset();
   this->Others.Set({});
   view.Renderer()->GetActiveCamera()->DeepCopy(this->Before);
+  view.Renderer()->GetActiveCamera()->Modified(); // DeepCopy says nothing: it drew what was before
   view.Renderer()->ResetCameraClippingRange();
   view.Draw();
   Q_EMIT this->StateChanged();
