@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <iostream>
 #include <stdexcept>
 
 namespace

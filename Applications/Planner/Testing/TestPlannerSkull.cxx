@@ -32,6 +32,20 @@ std::vector<double> MillimetresIn(const std::string& text)
   return numbers;
 }
 
+using PlannerPlateAround = WholeWay;
+
+/// Of pixels, those that differ.
+double ShareOfOthers(const QImage& one, const QImage& other)
+{
+  if (one.size() != other.size())
+    return 1.0;
+  int others = 0;
+  for (int y = 0; y < one.height(); ++y)
+    for (int x = 0; x < one.width(); ++x)
+      others += one.pixel(x, y) != other.pixel(x, y);
+  return double(others) / (double(one.width()) * one.height());
+}
+
 class PlannerSkull : public WholeWay
 {
 protected:
@@ -107,7 +121,9 @@ TEST_F(PlannerSkull, AGuideIsMadeTriedOnWrittenAndTheSameByTheCommandLine)
   EXPECT_NE(planner->Text("check.fit.state").find("off its planned place"), std::string::npos);
   Picture(*planner, "PlannerSkullSeated");
   planner->Key("Escape");
-  EXPECT_TRUE(ViewOf(*planner) == before) << "the view is not as it was before the test fit";
+  // The clipping range is another one, and depths are rounded otherwise: some hundred pixels at
+  // edges, where another camera changes a hundred thousand.
+  EXPECT_LT(ShareOfOthers(ViewOf(*planner), before), 0.001) << "not as before the test fit";
   ExportAll(*planner, this->Path("parts"));
   Picture(*planner, "PlannerSkullWritten");
   WriteReport(*planner, this->Path("report.html"));
@@ -156,39 +172,31 @@ TEST_F(PlannerSkull, AGuideOnPlainBoneSeatsWhereItsCertificateSays)
   std::cout << found << "\n";
 }
 
-class PlannerPlateAround : public WholeWay
-{
-};
-
-/// What goes round a bone by more than half cannot be put on along a straight way.
+/// From the middle of the forehead over the top to below the widest place of the back: what goes
+/// round bone by more than half goes on along no straight way. A guide is made without undercuts.
 TEST_F(PlannerPlateAround, ASkullIsBlockedByItAndThatIsSaid)
 {
   const std::string head = this->Path("head.mha");
   ASSERT_EQ(RunHasp({ "phantom", "--spacing", "1,1,1", "--output", head }).exitCode, 0);
   const auto planner = this->Begin();
-  planner->patienceS = 60;
   Import(*planner, head);
   planner->Key("ctrl+m");
   planner->Click("step.plate");
   planner->Click("plate.new");
-  const std::vector<std::pair<const char*, std::vector<double>>> sides{ { "alt+1", { 0.5, 0.6 } },
-    { "alt+3", { 0.36, 0.5, 0.64 } }, { "alt+shift+1", { 0.4, 0.5, 0.6 } },
-    { "alt+shift+3", { 0.36, 0.5, 0.6 } } };
-  for (const auto& [keys, places] : sides)
+  const std::pair<const char*, std::vector<double>> sides[]{ { "alt+1", { 0.42, 0.34 } },
+    { "alt+7", { 0.4, 0.6 } }, { "alt+shift+1", { 0.34, 0.45, 0.56 } } };
+  for (const auto& [side, heights] : sides)
   {
-    planner->Key(keys);
-    for (const double x : places)
-      planner->ClickAt("view.scene", x, 0.3);
-    Picture(*planner, std::string("PlannerAround-") + keys);
+    planner->Key(side);
+    for (const double y : heights)
+      planner->ClickAt("view.scene", 0.5, y);
   }
   planner->Key("Escape");
-  std::cout << MakeAll(*planner) << "\n";
-  Picture(*planner, "PlannerAround");
+  EXPECT_EQ(MakeAll(*planner), "plate 2 is made: green.");
   planner->Click("check.seat");
   const std::string found = planner->Text("check.seat.result");
-  std::cout << found << "\n";
-  Picture(*planner, "PlannerAroundSeat");
-  EXPECT_NE(found.find("is blocked"), std::string::npos) << found;
+  EXPECT_NE(found.find("plate 2 is blocked"), std::string::npos) << found;
+  Picture(*planner, "PlannerSkullAround");
 }
 
 } // namespace
