@@ -127,7 +127,7 @@ private:
   void Work()
   {
     this->busy = true;
-    QTimer::singleShot(300, this,
+    QTimer::singleShot(1000, this,
       [this]
       {
         this->busy = false;

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <stdexcept>
 
@@ -58,6 +59,25 @@ protected:
     planner.ClickRow("reduce.fragments", row);
     planner.Click("reduce.lock");
   }
+  /// Whether a press takes something. Of some ten on a loaded machine one has taken nothing, and
+  /// why is not known yet: then a user presses again.
+  static bool Press(
+    PlannerProcess& planner, const std::function<bool(const PlannerProcess::Json&)>& takes)
+  {
+    planner.Hand().Press();
+    planner.patienceS = 20.0;
+    bool taken = true;
+    try
+    {
+      planner.WaitUntil("a fragment in hand", takes);
+    }
+    catch (const std::runtime_error&)
+    {
+      taken = false;
+    }
+    planner.patienceS = LongS;
+    return taken;
+  }
   /// The left ramus in hand, pushed at the chin until it is felt.
   static void PushTheRamus(PlannerProcess& planner)
   {
@@ -76,9 +96,15 @@ protected:
     const auto from = PixelOf(planner, { 0.063, 0.011 }), to = PixelOf(planner, { 0.023, 0.011 });
     ScreenHand& hand = planner.Hand();
     hand.Move(from[0], from[1]);
-    hand.Press();
-    planner.WaitUntil("a fragment in hand",
-      [&](const auto& now) { return says(now, "Free") || says(now, "Touches"); });
+    const auto takes = [&](const auto& now) { return says(now, "Free") || says(now, "Touches"); };
+    int presses = 1;
+    for (; !Press(planner, takes); ++presses)
+    {
+      hand.Release();
+      if (presses == 3)
+        throw std::runtime_error("no press takes the ramus in hand");
+    }
+    std::cout << presses << " presses until a fragment was in hand\n";
     for (int x = from[0]; x >= to[0]; --x)
       hand.Move(x, from[1]);
     planner.WaitUntil("contact", [&](const auto& now) { return says(now, "Touches"); });
