@@ -1,5 +1,6 @@
 #include "FractureFolder.h"
 
+#include "PlanFragmentLabels.h"
 #include "PlanFragments.h"
 #include "VerbWork.h"
 #include "vtkHaspLabelFile.h"

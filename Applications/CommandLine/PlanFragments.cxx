@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "LabelInput.h"
+#include "PlanFragmentLabels.h"
 #include "PlanText.h"
 #include "Planning/PlanLists.h"
 #include "Report/ScratchFolder.h"
@@ -98,11 +99,6 @@ std::string StoreLabels(const std::string& planFolder, vtkImageData* labels)
   const std::string file = (std::filesystem::path(scratch.Path()) / "labels.nrrd").string();
   WriteLabels(labels, {}, file);
   return WriteBlob(planFolder, ReadWholeFile(file));
-}
-
-double FragmentSpacing(const glm::dvec3& voxelMm)
-{
-  return std::clamp(std::min({ voxelMm.x, voxelMm.y, voxelMm.z }), 0.1, 2.0);
 }
 
 void AddFragmentOptions(CLI::App& verb, PlanFragmentsChoice& choice)

@@ -27,9 +27,6 @@ std::vector<PlanEdit> FragmentEdits(const Plan& plan, PlanId firstId, const Frag
 /// Stores labels as a blob of the plan's folder. Throws as WriteBlob.
 std::string StoreLabels(const std::string& planFolder, vtkImageData* labels);
 
-/// A grid for meshes as fine as the scan, as far as plans allow it.
-double FragmentSpacing(const glm::dvec3& voxelMm);
-
 /// `hasp plan --fragments`.
 struct PlanFragmentsChoice
 {

@@ -26,11 +26,6 @@ PlanId SegmentationOfBlob(const Plan& plan, const std::string& blob)
   return found == plan.segmentations.end() ? 0 : found->id;
 }
 
-double FragmentSpacing(const glm::dvec3& voxelMm)
-{
-  return std::clamp(std::min({ voxelMm.x, voxelMm.y, voxelMm.z }), 0.1, 2.0);
-}
-
 std::vector<PlanEdit> FragmentEdits(PlanId firstId, const LabelMapFragments& map)
 {
   PlanId id = firstId;

@@ -2,8 +2,6 @@
 #include "Grid/LabelTable.h"
 #include "Planning/PlanEdits.h"
 
-#include <glm/vec3.hpp>
-
 #include <QString>
 
 #include <string>
@@ -20,9 +18,6 @@ PlanId VolumeOfHash(const Plan& plan, const std::string& hash);
 
 /// The segmentation whose labels are that blob, without steps; 0: none.
 PlanId SegmentationOfBlob(const Plan& plan, const std::string& blob);
-
-/// A grid for fragments' meshes as fine as the scan, as far as plans allow it.
-double FragmentSpacing(const glm::dvec3& voxelMm);
 
 /// A label map from elsewhere, whose labels become fragments.
 struct LabelMapFragments

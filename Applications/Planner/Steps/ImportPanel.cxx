@@ -1,5 +1,6 @@
 #include "Steps/ImportPanel.h"
 
+#include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
 #include "Steps/FileQuestion.h"
 #include "Steps/ImportEdits.h"

@@ -1,6 +1,5 @@
 #include "Steps/ReductionWork.h"
 
-#include "Evaluation/MeshCheck.h"
 #include "Grid/ProgressPart.h"
 #include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
@@ -15,14 +14,6 @@ namespace hasp
 namespace
 {
 
-/// Of a pointshell, as BakeFitBody has them: by the area. A sheet has two faces.
-int PointsOf(const TriangleMesh& mesh, bool sheet, const FitBodySettings& body)
-{
-  const double faces = sheet ? 2.0 : 1.0;
-  return int(std::clamp(faces * CheckMesh(WeldPoints(mesh)).areaMm2 / body.pointMm2, 1024.0,
-    double(std::max(1024, body.mostPoints))));
-}
-
 BakedFitBody BakeSurfaceBody(const SurfaceSource& source, const TriangleMesh& mesh,
   const FitBakeSettings& bake, const ProgressFunction& progress)
 {
@@ -31,7 +22,8 @@ BakedFitBody BakeSurfaceBody(const SurfaceSource& source, const TriangleMesh& me
   settings.behind = source.side == SheetSide::Behind;
   settings.spacingMm = source.spacingMm;
   settings.rangeMm = bake.rangeMm;
-  settings.shellPoints = PointsOf(mesh, source.thicknessMm > 0.0, bake.body);
+  settings.shellPoints =
+    ShellPointsOf(mesh, source.thicknessMm, bake.body.pointMm2, bake.body.mostPoints);
   settings.mostSamples = bake.mostSamples;
   const SurfaceFragment made =
     BakeSurface(mesh, settings, { .map = true, .shell = true }, progress);

@@ -1,7 +1,7 @@
 #include "Steps/TouchedFragment.h"
 
+#include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
-#include "Steps/ImportEdits.h"
 #include "Tools/Planner.h"
 
 #include <QCoreApplication>

@@ -173,4 +173,12 @@ SurfaceFragment BakeSurface(const TriangleMesh& mesh, const SurfaceFragmentSetti
   return made;
 }
 
+int ShellPointsOf(const TriangleMesh& mesh, double thicknessMm, double pointMm2, int most)
+{
+  constexpr int Least = 1024;
+  const double faces = thicknessMm > 0.0 ? 2.0 : 1.0;
+  return int(std::clamp(faces * CheckMesh(WeldPoints(mesh)).areaMm2 / pointMm2, double(Least),
+    double(std::max(Least, most))));
+}
+
 } // namespace hasp

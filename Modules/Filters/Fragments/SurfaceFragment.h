@@ -51,6 +51,11 @@ VTKHASPFILTERSFRAGMENTS_EXPORT SurfaceFragment BakeSurface(const TriangleMesh& m
   const SurfaceFragmentSettings& settings, const FragmentWants& wants = AllOfFragment,
   const ProgressFunction& progress = {});
 
+/// So many points as give one to each `pointMm2` of the body's surface, of which a sheet has two
+/// faces: 1024 at least, and `most` at most unless that is less. Any thread; O(triangles).
+VTKHASPFILTERSFRAGMENTS_EXPORT int ShellPointsOf(
+  const TriangleMesh& mesh, double thicknessMm, double pointMm2, int most);
+
 } // namespace hasp
 
 #endif

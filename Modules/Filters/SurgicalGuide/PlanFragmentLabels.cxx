@@ -303,4 +303,9 @@ PlanFragmentVoxels PlanFragmentLabels(const Plan& plan, const PlanImages& images
   return FragmentNumbers(plan, images, fragments).Take(progress);
 }
 
+double FragmentSpacing(const glm::dvec3& voxelMm)
+{
+  return std::clamp(std::min({ voxelMm.x, voxelMm.y, voxelMm.z }), 0.1, 2.0);
+}
+
 } // namespace hasp

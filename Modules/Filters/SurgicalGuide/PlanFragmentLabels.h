@@ -53,6 +53,9 @@ VTKHASPFILTERSSURGICALGUIDE_EXPORT std::vector<PlanId> CutsOfPiece(
 VTKHASPFILTERSSURGICALGUIDE_EXPORT PlanId VolumeOfFragment(const Plan& plan, PlanId fragment);
 /// Bone is value >= isovalue in it. 0 of a surface's, or if there is none.
 VTKHASPFILTERSSURGICALGUIDE_EXPORT double IsovalueOfFragment(const Plan& plan, PlanId fragment);
+/// A grid for meshes of a scan's fragments (LabelSource::spacingMm) as fine as the scan, as far as
+/// plans allow it.
+VTKHASPFILTERSSURGICALGUIDE_EXPORT double FragmentSpacing(const glm::dvec3& voxelMm);
 
 } // namespace hasp
 
