@@ -410,6 +410,14 @@
         <source>%1 was kept without what was measured on it: make it again</source>
         <translation>%1 sparades utan det som mättes på den: skapa den på nytt</translation>
     </message>
+    <message>
+        <source>%1 is exported as it is: nothing is claimed of its fit, so that there is nothing to certify.</source>
+        <translation>%1 exporteras som den är: inget utlovas om dess passform, så det finns inget att certifiera.</translation>
+    </message>
+    <message>
+        <source>%1 is not certified: it lies on fragments where the plan puts them, so that its gap to scanned bone cannot be measured, and it has no screw whose bore could be. Touch screws in the step Plate and make it again.</source>
+        <translation>%1 är inte certifierad: den ligger på fragment där planen lägger dem, så avståndet till skannat ben kan inte mätas, och den har ingen skruv vars borrhål kan mätas. Peka ut skruvar i steget Platta och skapa den på nytt.</translation>
+    </message>
 </context>
 <context>
     <name>PartMaking</name>
@@ -968,10 +976,6 @@
         <translation>%1 rör inte vid något, inte ens %2 mm bortom sin planerade plats.</translation>
     </message>
     <message>
-        <source>%1 is blocked %2 mm before its planned place, by bone at (%3) mm: change its withdrawal or its outline, and make it again.</source>
-        <translation>%1 stoppas %2 mm före sin planerade plats, av ben vid (%3) mm: ändra dess avlyftning eller dess kontur, och skapa den på nytt.</translation>
-    </message>
-    <message>
         <source>%1 seats: it touches first %2 mm beyond its planned place, at (%3) mm.</source>
         <translation>%1 sitter på plats: den tar emot först %2 mm bortom sin planerade plats, vid (%3) mm.</translation>
     </message>
@@ -1035,6 +1039,30 @@
         <source>Free, %1 mm off its planned place.</source>
         <translation>Fri, %1 mm från sin planerade plats.</translation>
     </message>
+    <message>
+        <source>change the way it lifts off, or its outline</source>
+        <translation>ändra åt vilket håll den lyfts av, eller dess kontur</translation>
+    </message>
+    <message>
+        <source>move its landmarks away from there, or make it narrower</source>
+        <translation>flytta dess landmärken därifrån, eller gör den smalare</translation>
+    </message>
+    <message>
+        <source>change its outline, the way it is put in, or give it more clearance</source>
+        <translation>ändra dess kontur eller hur det sätts in, eller ge det mer spelrum</translation>
+    </message>
+    <message>
+        <source>make it narrower, or shorter beyond the cuts</source>
+        <translation>gör den smalare, eller kortare bortom snitten</translation>
+    </message>
+    <message>
+        <source>%1 is blocked %2 mm before its planned place, by bone at (%3) mm: %4, and make it again.</source>
+        <translation>%1 stoppas %2 mm före sin planerade plats, av ben vid (%3) mm: %4, och skapa den på nytt.</translation>
+    </message>
+    <message>
+        <source>%1 lies on fragments where the plan puts them: it cannot be tried on scanned bone.</source>
+        <translation>%1 ligger på fragment där planen lägger dem: den kan inte provas på skannat ben.</translation>
+    </message>
 </context>
 <context>
     <name>hasp::FitTool</name>
@@ -1060,10 +1088,6 @@
     <message>
         <source>It was painted on meanwhile: make the fragments once more.</source>
         <translation>Det målades mer under tiden: skapa fragmenten en gång till.</translation>
-    </message>
-    <message>
-        <source>The fragments are made, but look at them: %1</source>
-        <translation>Fragmenten är skapade, men granska dem: %1</translation>
     </message>
     <message>
         <source>There is no bone in it: choose a lower isovalue.</source>
@@ -1654,6 +1678,45 @@
     </message>
 </context>
 <context>
+    <name>hasp::LabelFindings</name>
+    <message>
+        <source>label %1</source>
+        <translation>etikett %1</translation>
+    </message>
+    <message>
+        <source>%1 gets no bone: its strokes touch none, or later ones paint over them.</source>
+        <translation>%1 får inget ben: dess penseldrag rör inget, eller senare penseldrag målar över dem.</translation>
+    </message>
+    <message>
+        <source>Sharing out bone did not come to its end: look at where fragments meet.</source>
+        <translation>Fördelningen av ben kom inte till slut: granska där fragment möts.</translation>
+    </message>
+    <message>
+        <source>Strokes that touch no bone: %1.</source>
+        <translation>Penseldrag som inte rör något ben: %1.</translation>
+    </message>
+    <message>
+        <source>Left out is bone that no stroke is connected to: %1 mm³ (voxels: %2).</source>
+        <translation>Utelämnat är ben som inget penseldrag hänger ihop med: %1 mm³ (voxlar: %2).</translation>
+    </message>
+    <message>
+        <source>%1 has no cavity to fill.</source>
+        <translation>%1 har ingen hålighet att fylla.</translation>
+    </message>
+    <message>
+        <source>Of %1 nothing changes within %2 mm.</source>
+        <translation>Av %1 ändras inget inom %2 mm.</translation>
+    </message>
+    <message>
+        <source>The bone is one piece.</source>
+        <translation>Benet är ett stycke.</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Steg %1</translation>
+    </message>
+</context>
+<context>
     <name>hasp::LabelList</name>
     <message>
         <source>Fragment %1</source>
@@ -1695,8 +1758,8 @@
 <context>
     <name>hasp::LandmarkTool</name>
     <message>
-        <source>Drag a place to move it; Delete removes it, Insert takes the crosshair&apos;s place, Escape ends.</source>
-        <translation>Dra ett ställe för att flytta det; Delete tar bort det, Insert tar hårkorsets plats, Escape avslutar.</translation>
+        <source>Drag: move it, Delete: remove it, Insert: at the crosshair, Esc: back.</source>
+        <translation>Dra: flytta det, Delete: ta bort det, Insert: vid hårkorset, Esc: tillbaka.</translation>
     </message>
     <message>
         <source>There is no crosshair: show a scan first.</source>
@@ -2215,10 +2278,6 @@
         <translation>inaktuell</translation>
     </message>
     <message>
-        <source>not kept</source>
-        <translation>inte behållen</translation>
-    </message>
-    <message>
         <source>not made</source>
         <translation>inte skapad</translation>
     </message>
@@ -2247,20 +2306,24 @@
         <translation>Del</translation>
     </message>
     <message>
-        <source>State</source>
-        <translation>Status</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Omdöme</translation>
     </message>
     <message>
-        <source>Gap: median / 95 % / least, mm</source>
-        <translation>Avstånd: median / 95 % / minst, mm</translation>
-    </message>
-    <message>
         <source>mm³</source>
         <translation>mm³</translation>
+    </message>
+    <message>
+        <source>red, not kept</source>
+        <translation>röd, inte behållen</translation>
+    </message>
+    <message>
+        <source>Gap, mm</source>
+        <translation>Avstånd, mm</translation>
+    </message>
+    <message>
+        <source>To the bone: median / 95 % / least</source>
+        <translation>Till benet: median / 95 % / minst</translation>
     </message>
 </context>
 <context>
@@ -3370,22 +3433,6 @@
         <translation>%1 placeras inte: ingen yta finns inom räckhåll</translation>
     </message>
     <message>
-        <source>%1: turned %2°, faces %3 mm² at %4 mm; at 95 % within %5 mm and %6°</source>
-        <translation>%1: vridet %2°, ytor %3 mm² på %4 mm; till 95 % inom %5 mm och %6°</translation>
-    </message>
-    <message>
-        <source>; undecided: look at the next one, too</source>
-        <translation>; oavgjort: granska också nästa</translation>
-    </message>
-    <message>
-        <source>; wide: little holds it, look before you use it</source>
-        <translation>; osäkert: lite håller det på plats, granska innan du använder det</translation>
-    </message>
-    <message>
-        <source>proposal %1: %2 % likely, %3 mm from where it was, faces %4 mm² at %5 mm, within %6 mm</source>
-        <translation>förslag %1: %2 % sannolikt, %3 mm från där det var, ytor %4 mm² på %5 mm, inom %6 mm</translation>
-    </message>
-    <message>
         <source>Proposals</source>
         <translation>Förslag</translation>
     </message>
@@ -3412,6 +3459,32 @@
     <message>
         <source>Put fragments together</source>
         <translation>Sätt ihop fragment</translation>
+    </message>
+    <message>
+        <source>wide and undecided: little holds it, look before you use it, and at the next one, too</source>
+        <translation>osäkert och oavgjort: lite håller det på plats, granska det innan du använder det, och även nästa</translation>
+    </message>
+    <message>
+        <source>wide: little holds it, look before you use it</source>
+        <translation>osäkert: lite håller det på plats, granska innan du använder det</translation>
+    </message>
+    <message>
+        <source>undecided: look at the next one, too</source>
+        <translation>oavgjort: granska också nästa</translation>
+    </message>
+    <message>
+        <source>placed</source>
+        <translation>placerat</translation>
+    </message>
+    <message>
+        <source>%1, %2.
+At 95 % within %3 mm and %4°; turned %5°, faces %6 mm² at %7 mm</source>
+        <translation>%1, %2.
+Till 95 % inom %3 mm och %4°; vridet %5°, ytor %6 mm² på %7 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 % likely, within %3 mm; %4 mm from where it was, faces %5 mm² at %6 mm</source>
+        <translation>%1: %2 % sannolikt, inom %3 mm; %4 mm från där det var, ytor %5 mm² på %6 mm</translation>
     </message>
 </context>
 <context>

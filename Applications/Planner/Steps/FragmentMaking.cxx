@@ -1,7 +1,8 @@
 #include "Steps/FragmentMaking.h"
 
+#include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
-#include "Steps/ImportEdits.h"
+#include "Steps/LabelFindings.h"
 #include "Steps/LabelMaps.h"
 #include "Tools/StrokeEdits.h"
 #include "vtkHaspVolumeView.h"
@@ -29,7 +30,8 @@ struct MadeLabels
   DerivedPart part;
   LabelTable present;
   double spacingMm = 0.5;
-  std::vector<std::string> warnings;
+  std::vector<SegmentationFinding> findings;
+  double voxelMm3 = 0.0;
 };
 
 bool IsFragment(const Plan& plan, PlanId segmentation, std::uint32_t label)
@@ -62,26 +64,35 @@ MadeLabels MakeLabels(const PlanSnapshot& snapshot, PlanId id, const ProgressFun
   const std::vector<std::uint16_t> labels =
     LabelsOf(std::get<GridView<const std::uint16_t>>(ViewImage(map.labels)));
   return { id, std::move(map.part), TableOf(*segmentation, labels),
-    FragmentSpacing(ImageGeometry(scan).spacing), std::move(map.warnings) };
+    FragmentSpacing(ImageGeometry(scan).spacing), std::move(map.findings), map.voxelMm3 };
 }
 
-QString Joined(const std::vector<std::string>& sentences)
+/// What has become of it, and what a planner would look for in vain. A fault where a label that was
+/// painted has become nothing.
+void Tell(Planner& planner, const LabelNotes& notes, std::size_t fragments)
 {
-  QString all;
-  for (const std::string& sentence : sentences)
-    all += (all.isEmpty() ? "" : "; ") + QString::fromStdString(sentence);
-  return all;
+  QStringList sentences{ fragments == 0
+                           ? FragmentMaking::tr("The fragments are as they are painted now.")
+                           : FragmentMaking::tr("Fragments made: %1.").arg(fragments) };
+  sentences += notes.faults + notes.others;
+  const QString text = sentences.join(' ');
+  if (notes.faults.isEmpty())
+    planner.Say(text);
+  else
+    planner.SayFault(text);
 }
 
 void Take(Planner& planner, const MadeLabels& made)
 {
   const Plan& plan = planner.plan.Now();
-  if (!FindPlanObject<PlanSegmentation>(plan, made.segmentation))
+  const auto* segmentation = FindPlanObject<PlanSegmentation>(plan, made.segmentation);
+  if (!segmentation)
   {
     planner.SayFault(FragmentMaking::tr("What was painted is no longer in the plan: no fragments "
                                         "were made of it."));
     return;
   }
+  const LabelNotes notes = NotesOf(segmentation->recipe, made.findings, made.voxelMm3);
   planner.plan.KeepMade(made.part);
   const std::vector<PlanEdit> edits =
     FragmentsOfLabels(plan, planner.plan.NewId(), made.segmentation, made.present, made.spacingMm);
@@ -90,14 +101,10 @@ void Take(Planner& planner, const MadeLabels& made)
   if (!WhyOutOfDate(planner.plan.Now(), made.part).empty())
     planner.SayFault(
       FragmentMaking::tr("It was painted on meanwhile: make the fragments once more."));
-  else if (!made.warnings.empty())
-    planner.SayFault(FragmentMaking::tr("The fragments are made, but look at them: %1")
-                       .arg(Joined(made.warnings)));
   else if (made.present.empty())
     planner.SayFault(FragmentMaking::tr("There is no bone in it: choose a lower isovalue."));
   else
-    planner.Say(edits.empty() ? FragmentMaking::tr("The fragments are as they are painted now.")
-                              : FragmentMaking::tr("Fragments made: %1.").arg(edits.size()));
+    Tell(planner, notes, edits.size());
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "Model/ScanShelf.h"
 #include "Planning/DurableFile.h"
 #include "Planning/PlanLists.h"
-#include "SegmentationWarnings.h"
 #include "Segmenter.h"
 #include "View/BlobFile.h"
 #include "vtkHaspLabelFile.h"
@@ -80,14 +79,14 @@ MadeLabelMap MakeLabelMap(const Plan& plan, PlanId id, vtkImageData* scan, const
   vtkSmartPointer<vtkImageData> begin;
   if (!segmentation.labels.empty())
     begin = ReadLabelBlob(folder, segmentation.labels, {});
-  const SegmentedScan made = SegmentScan(scan, segmentation.recipe, begin, {}, progress);
+  SegmentedScan made = SegmentScan(scan, segmentation.recipe, begin, {}, progress);
   const double* spacing = scan->GetSpacing();
-  const double voxelMm3 = spacing[0] * spacing[1] * spacing[2];
   MadeLabelMap map;
   map.labels = made.labels;
-  map.warnings = WarningsOf(segmentation.recipe, made.findings, voxelMm3);
+  map.voxelMm3 = spacing[0] * spacing[1] * spacing[2];
   map.part = { id, PartFormat::Nrrd, LabelInputs(plan, id), StoreLabelMap(folder, made.labels),
-    WriteBlob(folder, FormatLabelReport(made.findings, voxelMm3)) };
+    WriteBlob(folder, FormatLabelReport(made.findings, map.voxelMm3)) };
+  map.findings = std::move(made.findings);
   return map;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "PlanRebuild.h"
 #include "Planning/PlanFile.h"
+#include "Segmenter.h"
 #include "vtkHaspVolumeFile.h"
 
 #include "vtkImageData.h"
@@ -25,8 +26,9 @@ std::string StoreLabelMap(const std::filesystem::path& folder, vtkImageData* lab
 struct MadeLabelMap
 {
   vtkSmartPointer<vtkImageData> labels;
-  DerivedPart part;                  ///< for PlanSession::KeepMade: the same as `hasp run` keeps
-  std::vector<std::string> warnings; ///< of what its steps found, for the user
+  DerivedPart part; ///< for PlanSession::KeepMade: the same as `hasp run` keeps
+  std::vector<SegmentationFinding> findings; ///< one a step
+  double voxelMm3 = 0.0;
 };
 
 /// Makes the label map of a segmentation with steps by its recipe, of the scan that it is of, and

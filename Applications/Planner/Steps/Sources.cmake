@@ -17,6 +17,7 @@ hasp_add_planner_part(Steps
     Steps/ImportReading.cxx Steps/ImportReading.h
     Steps/ImportRemedies.cxx Steps/ImportRemedies.h
     Steps/IsovalueBox.cxx Steps/IsovalueBox.h
+    Steps/LabelFindings.cxx Steps/LabelFindings.h
     Steps/LabelList.cxx Steps/LabelList.h
     Steps/LabelMaps.cxx Steps/LabelMaps.h
     Steps/MissingInputs.cxx Steps/MissingInputs.h
@@ -29,6 +30,7 @@ hasp_add_planner_part(Steps
     Steps/ReductionWork.cxx Steps/ReductionWork.h
     Steps/SplitPanel.cxx Steps/SplitPanel.h
     Steps/SurfaceShelf.cxx Steps/SurfaceShelf.h
+    Steps/WrappedRows.cxx Steps/WrappedRows.h
     Steps/BladeNudge.cxx Steps/BladeNudge.h
     Steps/CutPanel.cxx Steps/CutPanel.h Steps/CutRows.cxx
     Steps/FaultLine.cxx Steps/FaultLine.h
