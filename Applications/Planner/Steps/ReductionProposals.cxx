@@ -3,6 +3,7 @@
 #include "Planning/PlanLists.h"
 #include "PropPose.h"
 #include "Steps/PanelWidgets.h"
+#include "Steps/WrappedRows.h"
 
 #include "vtkProp3D.h"
 
@@ -22,10 +23,24 @@ namespace hasp
 namespace
 {
 
+constexpr int LeastLines = 18;
+
 /// Little holds it: faces are planned to 2 mm.
 bool IsWide(const ReducedUnit& unit)
 {
   return !(unit.assembled.within95Mm <= 2.0);
+}
+
+/// What is to be thought of it.
+QString VerdictOf(const ReducedUnit& unit)
+{
+  const bool undecided = unit.assembled.proposals.undecided;
+  if (IsWide(unit))
+    return undecided ? ReductionProposals::tr("wide and undecided: little holds it, look before "
+                                              "you use it, and at the next one, too")
+                     : ReductionProposals::tr("wide: little holds it, look before you use it");
+  return undecided ? ReductionProposals::tr("undecided: look at the next one, too")
+                   : ReductionProposals::tr("placed");
 }
 
 }
@@ -40,32 +55,27 @@ QString UnitText(const ReducedUnit& unit)
     return made.placed
              ? ReductionProposals::tr("%1 stays where it is").arg(called)
              : ReductionProposals::tr("%1 is not placed: no face is in its reach").arg(called);
-  QString text =
-    ReductionProposals::tr("%1: turned %2°, faces %3 mm² at %4 mm; at 95 % within %5 mm and %6°")
-      .arg(called)
-      .arg(glm::degrees(glm::length(RotationVector(made.groupInWorld.orientation))), 0, 'f', 1)
-      .arg(made.fit.sums.facesMm2, 0, 'f', 0)
-      .arg(made.fit.FaceRmsMm(), 0, 'f', 2)
-      .arg(made.within95Mm, 0, 'f', 2)
-      .arg(made.fit.spread.within95Degrees, 0, 'f', 1);
-  if (made.proposals.undecided)
-    text += ReductionProposals::tr("; undecided: look at the next one, too");
-  if (IsWide(unit))
-    text += ReductionProposals::tr("; wide: little holds it, look before you use it");
-  return text;
+  return ReductionProposals::tr(
+    "%1, %2.\nAt 95 % within %3 mm and %4°; turned %5°, faces %6 mm² at %7 mm")
+    .arg(called, VerdictOf(unit))
+    .arg(made.within95Mm, 0, 'f', 2)
+    .arg(made.fit.spread.within95Degrees, 0, 'f', 1)
+    .arg(glm::degrees(glm::length(RotationVector(made.groupInWorld.orientation))), 0, 'f', 1)
+    .arg(made.fit.sums.facesMm2, 0, 'f', 0)
+    .arg(made.fit.FaceRmsMm(), 0, 'f', 2);
 }
 
 QString ProposalText(const ReducedUnit& unit, std::size_t number)
 {
   const FitProposal& proposal = unit.assembled.proposals.proposals.at(number);
   return ReductionProposals::tr(
-    "proposal %1: %2 % likely, %3 mm from where it was, faces %4 mm² at %5 mm, within %6 mm")
+    "%1: %2 % likely, within %3 mm; %4 mm from where it was, faces %5 mm² at %6 mm")
     .arg(number + 1)
     .arg(100.0 * proposal.share, 0, 'f', 0)
+    .arg(proposal.fit.spread.within95Mm, 0, 'f', 2)
     .arg(proposal.startMm, 0, 'f', 2)
     .arg(proposal.fit.sums.facesMm2, 0, 'f', 0)
-    .arg(proposal.fit.FaceRmsMm(), 0, 'f', 2)
-    .arg(proposal.fit.spread.within95Mm, 0, 'f', 2);
+    .arg(proposal.fit.FaceRmsMm(), 0, 'f', 2);
 }
 
 ReductionProposals::ReductionProposals(Planner& planner, QWidget* parent)
@@ -78,8 +88,8 @@ ReductionProposals::ReductionProposals(Planner& planner, QWidget* parent)
   this->Tree->setObjectName("reduce.proposals");
   this->Tree->setAccessibleName(tr("Proposals"));
   this->Tree->setHeaderHidden(true);
-  this->Tree->setWordWrap(true);
-  this->Tree->setMinimumHeight(120);
+  new WrappedRows(*this->Tree);
+  this->Tree->setMinimumHeight(LeastLines * this->fontMetrics().lineSpacing());
   layout->addWidget(this->Tree);
   auto* row = new QHBoxLayout;
   this->Preview = AddButton(row, "reduce.preview", tr("Show in &the view"));
@@ -123,14 +133,12 @@ void ReductionProposals::Fill()
   for (const ReducedUnit& unit : this->Result->reduction.units)
   {
     auto* item = new QTreeWidgetItem(this->Tree, { UnitText(unit) });
-    item->setToolTip(0, item->text(0));
     if (unit.assembled.turn == 0)
       continue;
     item->setCheckState(0, IsWide(unit) ? Qt::Unchecked : Qt::Checked); // then it is looked at
     for (std::size_t n = 0; n < unit.assembled.proposals.proposals.size(); ++n)
     {
       auto* proposal = new QTreeWidgetItem(item, { ProposalText(unit, n) });
-      proposal->setToolTip(0, proposal->text(0));
       proposal->setCheckState(0, n == 0 ? Qt::Checked : Qt::Unchecked);
     }
     item->setExpanded(true);

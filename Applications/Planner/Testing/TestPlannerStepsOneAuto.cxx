@@ -48,6 +48,26 @@ double Off(const MadeFractureCase& made, Label label, const PlanPose& pose)
   return 0.0;
 }
 
+/// In a window of the planner's usual size every word of the rows can be read.
+void ExpectReadable(QWidget& panel, const QTreeWidget& tree)
+{
+  panel.resize(300, 1100);
+  panel.show();
+  QTest::qWait(100);
+  panel.grab().save("PlannerProposals.png");
+  for (QTreeWidgetItemIterator item(const_cast<QTreeWidget*>(&tree)); *item; ++item)
+  {
+    const QRect row = tree.visualItemRect(*item);
+    const int box = (*item)->data(0, Qt::CheckStateRole).isValid()
+                      ? tree.style()->pixelMetric(QStyle::PM_IndicatorWidth)
+                      : 0;
+    const QRect words = tree.fontMetrics().boundingRect(
+      QRect(0, 0, row.width() - box, 10'000), Qt::TextWordWrap, (*item)->text(0));
+    EXPECT_GE(row.height(), words.height()) << (*item)->text(0).toStdString();
+    EXPECT_LE(row.right(), tree.viewport()->width());
+  }
+}
+
 TEST(PlannerAutomatic, FragmentsComeWithinTheKnownTruthInOneStep)
 {
   const CanaryFolder folder;
@@ -99,6 +119,7 @@ TEST(PlannerAutomatic, FragmentsComeWithinTheKnownTruthInOneStep)
   QTreeWidgetItem& condyle = *proposals.topLevelItem(2);
   EXPECT_TRUE(condyle.text(0).contains("wide")) << condyle.text(0).toStdString();
   EXPECT_EQ(condyle.checkState(0), Qt::Unchecked);
+  ExpectReadable(panel, proposals);
   proposals.topLevelItem(3)->setCheckState(0, Qt::Checked);
   StepsOneDesk::Click(panel, "reduce.take");
   ASSERT_EQ(desk.Steps(), before + 1) << desk.faults.join(' ').toStdString();
