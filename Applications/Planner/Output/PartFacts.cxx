@@ -96,6 +96,27 @@ PartFacts FactsOf(Planner& planner, PlanId object)
   return facts;
 }
 
+QString WhyNotCertified(const Plan& plan, const PartFacts& facts)
+{
+  if (facts.verdict != FitVerdict::NotCertified)
+    return {};
+  if (!FindPlanObject<PlanPlate>(plan, facts.object))
+    return Words::tr("%1 is exported as it is: nothing is claimed of its fit, so that there is "
+                     "nothing to certify.")
+      .arg(facts.called);
+  return Words::tr(
+    "%1 is not certified: it lies on fragments where the plan puts them, so that its "
+    "gap to scanned bone cannot be measured, and it has no screw whose bore could "
+    "be. Touch screws in the step Plate and make it again.")
+    .arg(facts.called);
+}
+
+bool IsPutOnBone(const PartFacts& facts)
+{
+  return facts.certificate &&
+         (facts.certificate->claims.withdrawal || facts.certificate->claims.shell);
+}
+
 QString WhyNotExported(const PartFacts& facts)
 {
   if (!facts.why.isEmpty())

@@ -25,7 +25,7 @@ enum class FitVerdict
 {
   Green,
   Red,
-  NotCertified ///< nothing is claimed of it: a fragment
+  NotCertified ///< nothing that can be measured is claimed of it: WhyNotCertified
 };
 
 /// What is known of a part of the plan.
@@ -49,6 +49,13 @@ struct PartFacts
 /// damaged is as good as not made, and `why` says so. RENDER; some milliseconds: keep it until the
 /// plan, its parts or RedParts change.
 PartFacts FactsOf(Planner& planner, PlanId object);
+
+/// Why a part that is in date has no certificate, and what to do about it; empty: it has one, or is
+/// not in date.
+QString WhyNotCertified(const Plan& plan, const PartFacts& facts);
+
+/// Whether it can be put on bone: it says how, or has a wall that lies on it.
+bool IsPutOnBone(const PartFacts& facts);
 
 /// Why it must not leave the planner: "guide 8 is out of date: cut 6 has changed"; empty: it may.
 QString WhyNotExported(const PartFacts& facts);

@@ -97,7 +97,9 @@ void CheckPanel::Refresh()
   const PartFacts* chosen = this->Table->Chosen();
   this->Make->setEnabled(chosen != nullptr);
   this->All->setEnabled(!this->Table->Parts().empty());
-  this->Why->setText(chosen && !chosen->why.isEmpty() ? chosen->why + '.' : QString());
+  this->Why->setText(!chosen                 ? QString()
+                     : chosen->why.isEmpty() ? WhyNotCertified(this->Of.plan.Now(), *chosen)
+                                             : chosen->why + '.');
   this->Why->setVisible(!this->Why->text().isEmpty());
   this->Certificate->Show(chosen);
   this->Trying->Show(chosen);

@@ -24,8 +24,21 @@ QString Mm(double mm)
   return QString::number(mm, 'f', 2);
 }
 
-/// What a push has found, in words.
-QString TextOf(const PartSeat& push, const PartFacts& facts)
+/// What can be changed about a part that bone is in the way of.
+QString RemedyOf(const Plan& plan, PlanId object)
+{
+  if (FindPlanObject<PlanGuide>(plan, object))
+    return FitBox::tr("change the way it lifts off, or its outline");
+  if (FindPlanObject<PlanPlate>(plan, object))
+    return FitBox::tr("move its landmarks away from there, or make it narrower");
+  if (FindPlanObject<PlanImplant>(plan, object))
+    return FitBox::tr("change its outline, the way it is put in, or give it more clearance");
+  return FitBox::tr("make it narrower, or shorter beyond the cuts");
+}
+
+} // namespace
+
+QString SeatText(const Plan& plan, const PartSeat& push, const PartFacts& facts)
 {
   const Seat& seat = push.seat;
   if (!seat.touched)
@@ -34,9 +47,8 @@ QString TextOf(const PartSeat& push, const PartFacts& facts)
   const QString at = WriteNumbers(seat.boneAt, 1);
   if (!seat.seats)
     return FitBox::tr(
-      "%1 is blocked %2 mm before its planned place, by bone at (%3) mm: change its "
-      "withdrawal or its outline, and make it again.")
-      .arg(facts.called, Mm(-seat.depthMm), at);
+      "%1 is blocked %2 mm before its planned place, by bone at (%3) mm: %4, and make it again.")
+      .arg(facts.called, Mm(-seat.depthMm), at, RemedyOf(plan, facts.object));
   QString text =
     FitBox::tr("%1 seats: it touches first %2 mm beyond its planned place, at (%3) mm.")
       .arg(facts.called, Mm(seat.depthMm), at);
@@ -45,8 +57,6 @@ QString TextOf(const PartSeat& push, const PartFacts& facts)
               .arg(Mm(facts.certificate->gap->least));
   return text;
 }
-
-} // namespace
 
 FitBox::FitBox(Planner& planner, QWidget* parent)
   : QGroupBox(tr("Test fit"), parent),
@@ -175,7 +185,7 @@ void FitBox::Refresh()
   const bool can =
     this->Shown &&
     (this->Shown->state == PartState::InDate || this->Shown->state == PartState::DoesNotHold) &&
-    this->Shown->certificate;
+    IsPutOnBone(*this->Shown);
   this->Taking->setEnabled(can || inHand);
   this->Taking->setChecked(inHand);
   this->Pushing->setEnabled(can);
@@ -185,6 +195,9 @@ void FitBox::Refresh()
     this->State->setText(
       !this->Shown || !this->Shown->why.isEmpty()
         ? tr("A part must be made, and in date, before it is tried on.")
+      : this->Shown->certificate
+        ? tr("%1 lies on fragments where the plan puts them: it cannot be tried on scanned bone.")
+            .arg(this->Shown->called)
         : tr("%1 is put on no bone: there is nothing to try.").arg(this->Shown->called));
   else if (!inHand)
     this->State->setText(
@@ -196,7 +209,8 @@ void FitBox::Refresh()
                                          : tr("Free, %1 mm off its planned place."))
                            .arg(Mm(now.offMm)));
   const bool pushed = can && this->Made && this->Made->seat;
-  this->Result->setText(pushed ? TextOf(*this->Made->seat, *this->Shown) : QString());
+  this->Result->setText(
+    pushed ? SeatText(this->Of.plan.Now(), *this->Made->seat, *this->Shown) : QString());
   this->Result->setVisible(pushed);
 }
 

@@ -55,4 +55,7 @@ private:
   QLabel *State, *Result;
 };
 
+/// What a push of a part of this plan has found, in words; where it is blocked, what to change.
+QString SeatText(const Plan& plan, const PartSeat& push, const PartFacts& facts);
+
 } // namespace hasp

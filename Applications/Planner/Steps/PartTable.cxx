@@ -17,7 +17,6 @@ namespace
 enum Column
 {
   Called,
-  State,
   Verdict,
   Gap,
   Volume,
@@ -26,32 +25,33 @@ enum Column
 
 const QColor Green(29, 107, 52), Red(164, 0, 0);
 
-QString TextOf(PartState state)
-{
-  switch (state)
-  {
-    case PartState::InDate:
-      return PartTable::tr("in date");
-    case PartState::OutOfDate:
-      return PartTable::tr("out of date");
-    case PartState::DoesNotHold:
-      return PartTable::tr("not kept");
-    case PartState::NotMade:
-      break;
-  }
-  return PartTable::tr("not made");
-}
-
-QString TextOf(const PartFacts& facts)
+QString VerdictOf(const PartFacts& facts)
 {
   if (!facts.verdict)
-    return {};
+    return PartTable::tr("in date");
   if (*facts.verdict == FitVerdict::Red)
     return PartTable::tr("red");
   if (*facts.verdict == FitVerdict::NotCertified)
     return PartTable::tr("not certified");
   return facts.heldTo == 0 ? PartTable::tr("green")
                            : PartTable::tr("green, held to fragment %1 alone").arg(facts.heldTo);
+}
+
+/// The verdict of one that is in date; of all others why there is none.
+QString TextOf(const PartFacts& facts)
+{
+  switch (facts.state)
+  {
+    case PartState::InDate:
+      return VerdictOf(facts);
+    case PartState::OutOfDate:
+      return PartTable::tr("out of date");
+    case PartState::DoesNotHold:
+      return PartTable::tr("red, not kept");
+    case PartState::NotMade:
+      break;
+  }
+  return PartTable::tr("not made");
 }
 
 /// Median, 95 % and least, mm.
@@ -74,14 +74,18 @@ PartTable::PartTable(Planner& planner, QWidget* parent)
 {
   this->setObjectName("check.table");
   this->setAccessibleName(tr("Parts of the plan"));
-  this->setHorizontalHeaderLabels(
-    { tr("Part"), tr("State"), tr("Verdict"), tr("Gap: median / 95 % / least, mm"), tr("mm³") });
+  this->setHorizontalHeaderLabels({ tr("Part"), tr("Verdict"), tr("Gap, mm"), tr("mm³") });
+  this->horizontalHeaderItem(Gap)->setToolTip(tr("To the bone: median / 95 % / least"));
   this->setSelectionBehavior(QAbstractItemView::SelectRows);
   this->setSelectionMode(QAbstractItemView::SingleSelection);
   this->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->setTabKeyNavigation(false); // Tab goes on to the buttons
   this->verticalHeader()->hide();
-  this->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // A panel is narrow: long cells go on in the next line.
+  this->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  this->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  for (const Column whole : { Called, Volume })
+    this->horizontalHeader()->setSectionResizeMode(whole, QHeaderView::ResizeToContents);
   connect(this, &QTableWidget::itemSelectionChanged, this,
     [this]
     {
@@ -131,7 +135,7 @@ void PartTable::Read()
 
 void PartTable::Fill(int row, const PartFacts& facts)
 {
-  const QString cells[Columns] = { facts.called, TextOf(facts.state), TextOf(facts), GapOf(facts),
+  const QString cells[Columns] = { facts.called, TextOf(facts), GapOf(facts),
     facts.verdict ? QString::number(facts.volumeMm3, 'f', 1) : QString() };
   for (int column = 0; column < Columns; ++column)
   {

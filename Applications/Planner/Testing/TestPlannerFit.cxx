@@ -10,12 +10,15 @@
 #include "Steps/FitBox.h"
 #include "Steps/PartTable.h"
 
+#include "Planning/PlanLists.h"
+
 #include "Grid/GridView.h"
 #include "vtkHaspVolumeView.h"
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QtTest>
@@ -123,6 +126,71 @@ TEST_F(PlannerParts, AreTriedOnAndPutBackFromTheCheckPanel)
   this->MoveCut(1.0);
   EXPECT_FALSE(panel.Fit().LastSeat());
   EXPECT_FALSE(button("check.seat")->isEnabled());
+}
+
+/// At the width of the planner's panel.
+void ExpectReadable(const QTableWidget& table)
+{
+  EXPECT_EQ(table.horizontalScrollBar()->maximum(), 0);
+  for (int row = 0; row < table.rowCount(); ++row)
+    for (int column = 0; column < table.columnCount(); ++column)
+    {
+      const QRect cell = table.visualRect(table.model()->index(row, column));
+      const QString text = table.item(row, column)->text();
+      const QRect words =
+        table.fontMetrics().boundingRect(QRect(0, 0, cell.width(), 10'000), Qt::TextWordWrap, text);
+      EXPECT_GE(cell.height(), words.height()) << text.toStdString();
+      EXPECT_GE(cell.width(), words.width()) << text.toStdString();
+    }
+}
+
+TEST_F(PlannerParts, WithoutACertificateSayWhyAndWhatToDo)
+{
+  PlanPlate plate = *FindPlanObject<PlanPlate>(this->planner->plan.Now(), 9);
+  plate.volume = 0;
+  plate.fragments = { 2 };
+  plate.recipe.screws.clear();
+  this->Do(ChangeObject<PlanPlate>{ plate });
+  CheckPanel panel(*this->planner, nullptr);
+  panel.resize(300, 1100);
+  panel.show();
+  panel.Parts().Choose(9);
+  const auto text = [&](const char* name) { return panel.findChild<QLabel*>(name)->text(); };
+  EXPECT_EQ(text("check.why"), "plate 9 has not been made.");
+  for (const PlanId part : { 8, 9 })
+    MakePart(*this->planner, part);
+  this->Finish();
+  ASSERT_TRUE(panel.Parts().Chosen());
+  EXPECT_EQ(panel.Parts().Chosen()->verdict, FitVerdict::NotCertified)
+    << this->faults.join(' ').toStdString();
+  EXPECT_TRUE(text("check.why").contains("Touch screws")) << text("check.why").toStdString();
+  EXPECT_FALSE(panel.findChild<QPushButton*>("check.seat")->isEnabled()); // on what?
+  EXPECT_TRUE(text("check.fit.state").contains("cannot be tried"));
+  QTest::qWait(100);
+  panel.grab().save("PlannerCheckPanel.png");
+  ExpectReadable(panel.Parts()); // guide 8 was held to fragment 2 alone, which is long
+}
+
+TEST(SeatText, OfABlockedPartNamesWhatItsStepCanChange)
+{
+  Plan plan;
+  plan.guides.push_back({ .id = 1 });
+  plan.plates.push_back({ .id = 2 });
+  plan.implants.push_back({ .id = 3 });
+  plan.mitreGuides.push_back({ .id = 4 });
+  PartSeat push;
+  push.seat.touched = true;
+  push.seat.depthMm = -3.0;
+  const auto text = [&](PlanId object)
+  {
+    PartFacts facts;
+    facts.object = object;
+    return SeatText(plan, push, facts);
+  };
+  EXPECT_TRUE(text(1).contains("the way it lifts off"));
+  EXPECT_TRUE(text(2).contains("landmarks")); // it has no way that a user could set
+  EXPECT_TRUE(text(3).contains("clearance"));
+  EXPECT_TRUE(text(4).contains("beyond the cuts"));
 }
 
 TEST_F(PlannerParts, SayInTheExportPanelWhyTheyStay)
