@@ -150,12 +150,14 @@ JobQueue::Result JobQueue::DoJob(const Job& job)
 
 void JobQueue::Deliver(const QString& what, const Result& result, unsigned long long round)
 {
+  this->Delivered = what;
   if (round != this->Round || (!result.finish && !result.error))
     Q_EMIT this->GaveUp(what);
   else if (result.error)
     Q_EMIT this->Failed(what, *result.error);
   else if (const auto fault = FaultOf(result.finish)) // the queue goes on
     Q_EMIT this->Failed(what, *fault);
+  this->Delivered.clear();
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Busy = false;

@@ -40,6 +40,8 @@ public:
 
   bool IsIdle() const;
   QString What() const; ///< of the job that runs; empty: none
+  /// The job whose Finish or Failed is being called; empty: none.
+  const QString& Delivering() const { return this->Delivered; }
   double Share() const; ///< of it, [0, 1]
 
 Q_SIGNALS:
@@ -70,6 +72,7 @@ private:
   QString Running;
   bool Busy = false; ///< from Began until its result is delivered
   bool Ending = false;
+  QString Delivered; ///< RENDER's
   std::atomic<bool> GiveUp{ false };
   std::atomic<unsigned long long> Round{ 0 }; ///< of cancellations: older results are dropped
   std::atomic<double> Done{ 0.0 };

@@ -16,6 +16,20 @@ Planner::Planner(const PlannerFolders& folders, const std::filesystem::path& wor
   connect(&this->jobs, &JobQueue::Failed, this,
     [this](const QString& what, const QString& text)
     { this->SayFault(tr("%1 failed: %2").arg(what, text)); });
+  connect(&this->jobs, &JobQueue::Began, this,
+    [this](const QString& what)
+    {
+      if (what != this->SaidBy)
+        return;
+      this->SaidBy.clear();
+      Q_EMIT this->Withdrawn();
+    });
+}
+
+void Planner::Tell(const QString& text, bool fault)
+{
+  this->SaidBy = this->jobs.Delivering();
+  Q_EMIT this->Said(text, fault);
 }
 
 } // namespace hasp

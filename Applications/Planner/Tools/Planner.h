@@ -46,11 +46,17 @@ public:
   std::function<std::unique_ptr<HapticDevice>()> openDevice;
 
   /// A line to the user, in the message bar until it is closed or another comes; faults stay red.
-  void Say(const QString& text) { Q_EMIT Said(text, false); }
-  void SayFault(const QString& text) { Q_EMIT Said(text, true); }
+  void Say(const QString& text) { this->Tell(text, false); }
+  void SayFault(const QString& text) { this->Tell(text, true); }
 
 Q_SIGNALS:
   void Said(const QString& text, bool fault);
+  /// What was said last is out of date: a job has said it, and the same is tried again.
+  void Withdrawn();
+
+private:
+  void Tell(const QString& text, bool fault);
+  QString SaidBy; ///< the job; empty: none
 };
 
 } // namespace hasp

@@ -47,6 +47,7 @@ PlannerWindow::PlannerWindow(const PlannerFolders& folders, WorkFolder& work)
   column->addWidget(this->Views, 1);
   this->setCentralWidget(middle);
   connect(this->Of.get(), &Planner::Said, this->Messages, &MessageBar::Say);
+  connect(this->Of.get(), &Planner::Withdrawn, this->Messages, &MessageBar::Withdraw);
   this->AddSteps();
   this->AddDocks();
   this->AddStatus();
