@@ -15,7 +15,7 @@ namespace
 
 std::mutex Guard; // errors may come from VTK's threads
 std::string FirstError;
-std::function<void(const std::string&)> SayWarning;
+VtkMessageCapture::Say SayWarning, SayError;
 
 /// Out of "ERROR: In file, line 1\nvtkHaspFoo (0x55): text\n\n".
 struct Said
@@ -36,14 +36,6 @@ struct Said
   bool IsOurs() const { return this->name.starts_with("vtkHasp"); }
 };
 
-std::string Message(const std::string& error)
-{
-  if (error.empty())
-    return error;
-  const Said said(error);
-  return said.IsOurs() ? said.text : (said.name.empty() ? "VTK" : said.name) + " reports an error";
-}
-
 class Collector : public vtkOutputWindow
 {
 public:
@@ -53,7 +45,9 @@ public:
   void DisplayErrorText(const char* text) override
   {
     const std::lock_guard lock(Guard);
-    if (FirstError.empty())
+    if (SayError)
+      SayError(VtkMessageText(text));
+    else if (FirstError.empty())
       FirstError = text;
   }
   void DisplayText(const char*) override {}
@@ -70,10 +64,11 @@ vtkStandardNewMacro(Collector);
 
 } // namespace
 
-VtkMessageCapture::VtkMessageCapture(std::function<void(const std::string&)> sayWarning)
+VtkMessageCapture::VtkMessageCapture(Say sayWarning, Say sayError)
 {
   const std::lock_guard lock(Guard);
   SayWarning = std::move(sayWarning);
+  SayError = std::move(sayError);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Collector> collector;
   vtkOutputWindow::SetInstance(collector);
@@ -82,13 +77,21 @@ VtkMessageCapture::VtkMessageCapture(std::function<void(const std::string&)> say
 VtkMessageCapture::~VtkMessageCapture()
 {
   const std::lock_guard lock(Guard);
-  SayWarning = nullptr;
+  SayWarning = SayError = nullptr;
+}
+
+std::string VtkMessageText(const std::string& message)
+{
+  if (message.empty())
+    return message;
+  const Said said(message);
+  return said.IsOurs() ? said.text : (said.name.empty() ? "VTK" : said.name) + " reports an error";
 }
 
 std::string TakeVtkError()
 {
   const std::lock_guard lock(Guard);
-  return Message(std::exchange(FirstError, {}));
+  return VtkMessageText(std::exchange(FirstError, {}));
 }
 
 void ThrowVtkError(ExitCode code, const std::string& what)

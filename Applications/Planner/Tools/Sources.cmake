@@ -23,4 +23,4 @@ hasp_add_planner_part(Tools
     Tools/Touch.cxx Tools/Touch.h
     Tools/ViewMouse.cxx Tools/ViewMouse.h
     Tools/VtkFaults.cxx Tools/VtkFaults.h
-  LIBRARIES HaspPlannerView)
+  LIBRARIES HaspPlannerView HaspCommandLineParts)

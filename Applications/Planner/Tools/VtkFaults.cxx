@@ -1,5 +1,7 @@
 #include "Tools/VtkFaults.h"
 
+#include "VtkMessages.h"
+
 #include "vtkCommand.h"
 #include "vtkObject.h"
 
@@ -8,15 +10,6 @@
 namespace hasp
 {
 
-QString VtkFaultText(const char* error)
-{
-  // "ERROR: In file, line 1\nvtkHaspFoo (0x55): text\n\n"
-  const QString all = QString::fromUtf8(error).trimmed();
-  const int address = all.indexOf(QStringLiteral(" (0x"));
-  const int begin = address < 0 ? -1 : all.indexOf(QStringLiteral("): "), address);
-  return begin < 0 ? all : all.mid(begin + 3);
-}
-
 VtkFaults::VtkFaults(std::function<void(const QString&)> say) : Say(std::move(say))
 {
   this->Command->SetClientData(this);
@@ -24,7 +17,8 @@ VtkFaults::VtkFaults(std::function<void(const QString&)> say) : Say(std::move(sa
     [](vtkObject*, unsigned long, void* self, void* text)
     {
       if (self && text)
-        static_cast<VtkFaults*>(self)->Say(VtkFaultText(static_cast<const char*>(text)));
+        static_cast<VtkFaults*>(self)->Say(
+          QString::fromStdString(VtkMessageText(static_cast<const char*>(text))));
     });
 }
 

@@ -9,8 +9,8 @@
 namespace hasp
 {
 
-/// Tells what objects of VTK call errors, in their own words without file, line, class and address.
-/// Those that are followed write nothing to the console. Threads: RENDER; objects that outlive it
+/// Tells what objects of VTK call errors, as VtkMessageText has it. Those that are followed tell
+/// nobody else. Threads: RENDER; objects that outlive it
 /// are told nothing more.
 class VtkFaults
 {
@@ -26,8 +26,5 @@ private:
   std::function<void(const QString&)> Say;
   vtkNew<vtkCallbackCommand> Command;
 };
-
-/// The sentence in an error's text; the text where none is found.
-QString VtkFaultText(const char* error);
 
 } // namespace hasp

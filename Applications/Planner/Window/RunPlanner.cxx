@@ -4,6 +4,7 @@
 #include "Model/WorkFolder.h"
 #include "Output/StudyLog.h"
 #include "Tools/RecordedHand.h"
+#include "VtkMessages.h"
 #include "Window/LayoutFile.h"
 #include "Window/PlannerOptions.h"
 #include "Window/PlannerScript.h"
@@ -38,7 +39,7 @@ class Application : public QApplication
 {
 public:
   using QApplication::QApplication;
-  std::function<void(const QString&)> sayFault;
+  std::function<void(const QString& text, bool fault)> say;
 
   bool notify(QObject* receiver, QEvent* event) override
   {
@@ -51,14 +52,31 @@ public:
       const QString text = PlannerWindow::tr("The last action was not finished: %1. Undo it if the "
                                              "plan is not as it should be.")
                              .arg(ErrorText(error));
-      if (this->sayFault)
-        this->sayFault(text);
+      if (this->say)
+        this->say(text, true);
       else
         std::cerr << "hasp-planner: " << text.toStdString() << "\n";
       return false;
     }
   }
 };
+
+/// For what VTK says, on any of its threads.
+VtkMessageCapture::Say Teller(Application& application, bool fault)
+{
+  return [&application, fault](const std::string& text)
+  {
+    std::cerr << "hasp-planner: " + text + "\n"; // at once: it may be the last
+    QMetaObject::invokeMethod(
+      &application,
+      [&application, fault, text]
+      {
+        if (application.say)
+          application.say(QString::fromStdString(text), fault);
+      },
+      Qt::QueuedConnection);
+  };
+}
 
 /// Qt's dialogues of files keep the folders that they have shown, whose names may be patients'.
 void ForgetFolders()
@@ -111,10 +129,14 @@ int Show(Application& application, const PlannerOptions& options)
   WorkFolder work(options.state);
   PlannerWindow window({ options.state, options.plans }, work);
   const QPointer<Planner> parts(&window.Parts());
-  application.sayFault = [parts](const QString& text)
+  application.say = [parts](const QString& text, bool fault)
   {
-    if (parts)
+    if (!parts)
+      return;
+    if (fault)
       parts->SayFault(text);
+    else
+      parts->Say(text);
   };
   if (!options.device.empty())
     UseRecordedHand(window.Parts(), options.device);
@@ -158,6 +180,8 @@ int RunPlanner(int argc, char* argv[])
   int words = 1; // Qt has its own meaning for some of ours
   Application application(words, argv);
   ForgetFolders();
+  // VTK's own words name files, and those may be called as patients are.
+  const VtkMessageCapture vtk(Teller(application, false), Teller(application, true));
   Translate(application, options.language);
   try
   {
