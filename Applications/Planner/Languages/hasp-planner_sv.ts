@@ -156,6 +156,10 @@
         <translation>Som planerat, %1.</translation>
     </message>
     <message>
+        <source>%1, the donor&apos;s</source>
+        <translation>%1, donatorns</translation>
+    </message>
+    <message>
         <source>not moved</source>
         <translation>inte flyttat</translation>
     </message>
@@ -363,6 +367,25 @@
         <source>S</source>
         <comment>superior</comment>
         <translation>S</translation>
+    </message>
+</context>
+<context>
+    <name>FileQuestion</name>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Ersätt filen?</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 finns redan.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace it</source>
+        <translation>&amp;Ersätt den</translation>
+    </message>
+    <message>
+        <source>&amp;Another name</source>
+        <translation>&amp;Annat namn</translation>
     </message>
 </context>
 <context>
@@ -791,10 +814,6 @@
         <translation>Hitta först planens skanning: den finns inte i minnet.</translation>
     </message>
     <message>
-        <source>cut %1</source>
-        <translation>snitt %1</translation>
-    </message>
-    <message>
         <source>That is a surface: only bone of scans can be cut.</source>
         <translation>Det är en yta: bara ben i skanningar kan snittas.</translation>
     </message>
@@ -1122,10 +1141,6 @@
         <translation>Ta isär ben</translation>
     </message>
     <message>
-        <source>bone %1</source>
-        <translation>ben %1</translation>
-    </message>
-    <message>
         <source>Bone from here</source>
         <translation>Ben härifrån</translation>
     </message>
@@ -1174,6 +1189,10 @@
     <message>
         <source>Drag a fragment to move it; the wheel moves it in depth, the middle button turns it, Shift holds it. Beside fragments the view turns. Esc: back</source>
         <translation>Dra ett fragment för att flytta det; hjulet flyttar det i djupled, mittknappen vrider det, Shift håller kvar det. Bredvid fragment vrids vyn. Esc: tillbaka</translation>
+    </message>
+    <message>
+        <source>What is felt is still being prepared (%1 %): take the fragment in hand when that is done.</source>
+        <translation>Det som känns förbereds fortfarande (%1 %): ta fragmentet i handen när det är klart.</translation>
     </message>
 </context>
 <context>
@@ -1229,10 +1248,6 @@
     <message>
         <source>Pins</source>
         <translation>Stift</translation>
-    </message>
-    <message>
-        <source>guide %1</source>
-        <translation>sågmall %1</translation>
     </message>
     <message>
         <source>Of the chosen pin; of all of them where none is chosen</source>
@@ -1469,10 +1484,6 @@
         <translation>Speglat i</translation>
     </message>
     <message>
-        <source>implant %1</source>
-        <translation>implantat %1</translation>
-    </message>
-    <message>
         <source>the plane found in the scan</source>
         <translation>planet som hittas i skanningen</translation>
     </message>
@@ -1502,10 +1513,6 @@
     <message>
         <source>Open a folder of slices, or a plan</source>
         <translation>Öppna en mapp med snittbilder, eller en plan</translation>
-    </message>
-    <message>
-        <source>What is known of what was imported</source>
-        <translation>Vad som är känt om det importerade</translation>
     </message>
     <message>
         <source>a pseudonym, no name</source>
@@ -1548,10 +1555,6 @@
         <translation>Planens skanning %1: den fanns här redan.</translation>
     </message>
     <message>
-        <source>scan %1</source>
-        <translation>skanning %1</translation>
-    </message>
-    <message>
         <source>The scan that these labels are of is no longer in the plan: import it, and then the labels again.</source>
         <translation>Skanningen som dessa etiketter hör till finns inte längre i planen: importera den, och sedan etiketterna på nytt.</translation>
     </message>
@@ -1562,10 +1565,6 @@
     <message>
         <source>Import fragments</source>
         <translation>Importera fragment</translation>
-    </message>
-    <message>
-        <source>surface %1</source>
-        <translation>yta %1</translation>
     </message>
     <message>
         <source>Import a surface</source>
@@ -1718,10 +1717,6 @@
 </context>
 <context>
     <name>hasp::LabelList</name>
-    <message>
-        <source>Fragment %1</source>
-        <translation>Fragment %1</translation>
-    </message>
     <message>
         <source>Colo&amp;ur…</source>
         <translation>Fär&amp;g…</translation>
@@ -1933,10 +1928,6 @@
         <translation>Arbetsrutnät</translation>
     </message>
     <message>
-        <source>saw guide %1</source>
-        <translation>geringsmall %1</translation>
-    </message>
-    <message>
         <source>Plan a transplant first.</source>
         <translation>Planera först ett transplantat.</translation>
     </message>
@@ -2044,10 +2035,6 @@
     <message>
         <source>Choose the two or more fragments that shall move as one.</source>
         <translation>Välj de två eller fler fragment som ska flyttas som ett.</translation>
-    </message>
-    <message>
-        <source>group</source>
-        <translation>grupp</translation>
     </message>
     <message>
         <source>Choose the fragments that shall be resected.</source>
@@ -2176,6 +2163,81 @@
     <message>
         <source>&amp;Colour …</source>
         <translation>&amp;Färg …</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Byt &amp;namn</translation>
+    </message>
+    <message>
+        <source>S&amp;how, or hide</source>
+        <translation>&amp;Visa, eller dölj</translation>
+    </message>
+    <message>
+        <source>&amp;Lock, or take that back</source>
+        <translation>&amp;Lås, eller ta tillbaka det</translation>
+    </message>
+    <message>
+        <source>Choose the fragments that shall stay where they are.</source>
+        <translation>Välj de fragment som ska stanna där de är.</translation>
+    </message>
+</context>
+<context>
+    <name>hasp::ObjectNames</name>
+    <message>
+        <source>scan %1</source>
+        <translation>skanning %1</translation>
+    </message>
+    <message>
+        <source>segmentation %1</source>
+        <translation>segmentering %1</translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation>yta %1</translation>
+    </message>
+    <message>
+        <source>fragment %1</source>
+        <translation>fragment %1</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>grupp %1</translation>
+    </message>
+    <message>
+        <source>cut %1</source>
+        <translation>snitt %1</translation>
+    </message>
+    <message>
+        <source>guide %1</source>
+        <translation>sågmall %1</translation>
+    </message>
+    <message>
+        <source>plate %1</source>
+        <translation>platta %1</translation>
+    </message>
+    <message>
+        <source>implant %1</source>
+        <translation>implantat %1</translation>
+    </message>
+    <message>
+        <source>transplant %1</source>
+        <translation>transplantat %1</translation>
+    </message>
+    <message>
+        <source>mitre-guide %1</source>
+        <translation>geringsmall %1</translation>
+    </message>
+    <message>
+        <source>measure %1</source>
+        <translation>mått %1</translation>
+    </message>
+    <message>
+        <source>mirror %1</source>
+        <translation>spegelbild %1</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>etikett %1</translation>
     </message>
 </context>
 <context>
@@ -2324,6 +2386,17 @@
     <message>
         <source>To the bone: median / 95 % / least</source>
         <translation>Till benet: median / 95 % / minst</translation>
+    </message>
+</context>
+<context>
+    <name>hasp::PassportBrowser</name>
+    <message>
+        <source>What is known of what was imported</source>
+        <translation>Vad som är känt om det som importerats</translation>
+    </message>
+    <message>
+        <source>The scan that is shown:</source>
+        <translation>Skanningen som visas:</translation>
     </message>
 </context>
 <context>
@@ -2520,10 +2593,6 @@
         <translation>Peka på bitar av ett fragment som ett snitt går genom, och behåll dem sedan.</translation>
     </message>
     <message>
-        <source>piece %1 of %2</source>
-        <translation>bit %1 av %2</translation>
-    </message>
-    <message>
         <source>Keep pieces of fragment %1</source>
         <translation>Behåll bitar av fragment %1</translation>
     </message>
@@ -2534,6 +2603,10 @@
     <message>
         <source> (resected)</source>
         <translation> (resekerat)</translation>
+    </message>
+    <message>
+        <source>piece %1 of fragment %2</source>
+        <translation>bit %1 av fragment %2</translation>
     </message>
 </context>
 <context>
@@ -3050,6 +3123,10 @@
         <source>The trial&apos;s plan is not saved.</source>
         <translation>Försökets plan är inte sparad.</translation>
     </message>
+    <message>
+        <source>The real CT is not here, and a generated phantom stands in for it. The script Utilities/Scripts/cranium gets it, or Debian&apos;s package invesalius-examples.</source>
+        <translation>Den riktiga datortomografin finns inte här, och ett genererat fantom står i dess ställe. Skriptet Utilities/Scripts/cranium hämtar den, eller Debians paket invesalius-examples.</translation>
+    </message>
 </context>
 <context>
     <name>hasp::PlateBox</name>
@@ -3176,10 +3253,6 @@
     <message>
         <source>Upright on the plate</source>
         <translation>Vinkelrätt mot plattan</translation>
-    </message>
-    <message>
-        <source>plate %1</source>
-        <translation>platta %1</translation>
     </message>
     <message>
         <source>fragments, as planned</source>
@@ -3394,20 +3467,12 @@
         <translation>Fritt: tar inte emot.</translation>
     </message>
     <message>
-        <source>group %1</source>
-        <translation>grupp %1</translation>
-    </message>
-    <message>
         <source>Finding how fragments fit</source>
         <translation>Söker hur fragment passar ihop</translation>
     </message>
     <message>
         <source>The plan has it: mirror %1. It is in the list of objects.</source>
         <translation>Planen har den: spegelbild %1. Den finns i objektlistan.</translation>
-    </message>
-    <message>
-        <source>mirror image</source>
-        <translation>spegelbild</translation>
     </message>
     <message>
         <source>Reduce</source>
@@ -3592,6 +3657,13 @@ Till 95 % inom %3 mm och %4°; vridet %5°, ytor %6 mm² på %7 mm</translation>
     <message>
         <source>Split</source>
         <translation>Delning</translation>
+    </message>
+</context>
+<context>
+    <name>hasp::StartHint</name>
+    <message>
+        <source>Open a scan in the step Import, or drop a file or a folder here; without a scan of your own: File, Try it on a sample.</source>
+        <translation>Öppna en skanning i steget Import, eller släpp en fil eller mapp här; utan egen skanning: Arkiv, Prova på ett exempel.</translation>
     </message>
 </context>
 <context>
@@ -3838,13 +3910,6 @@ helt</translation>
     </message>
 </context>
 <context>
-    <name>hasp::TouchedFragment</name>
-    <message>
-        <source>bone %1</source>
-        <translation>ben %1</translation>
-    </message>
-</context>
-<context>
     <name>hasp::Tour</name>
     <message>
         <source>Ne&amp;xt</source>
@@ -3899,8 +3964,8 @@ helt</translation>
         <translation>Lås kraniet i objektlistan, tryck på Greppa och dra en bit dit den hör; med Snäpp på plats dras den till sin plats. Eller låt allt sättas ihop: Hitta hur de passar ihop.</translation>
     </message>
     <message>
-        <source>Press New, then touch the bone along the plate&apos;s way over the fracture.</source>
-        <translation>Tryck på Ny, och peka på benet längs plattans väg över frakturen.</translation>
+        <source>Press New, then touch the bone along the plate&apos;s way over the fracture. Press Next when its line is right.</source>
+        <translation>Tryck på Ny, och peka på benet längs plattans väg över frakturen. Tryck på Nästa när dess linje är rätt.</translation>
     </message>
     <message>
         <source>Touch the jaw in two places for each of two cuts: what is between them will be resected.</source>
@@ -3980,10 +4045,6 @@ helt</translation>
     <message>
         <source>Tissue</source>
         <translation>Vävnad</translation>
-    </message>
-    <message>
-        <source>transplant %1</source>
-        <translation>transplantat %1</translation>
     </message>
     <message>
         <source>Touch both tips of the donor bone first.</source>

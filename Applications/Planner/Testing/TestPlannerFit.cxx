@@ -167,7 +167,6 @@ TEST_F(PlannerParts, WithoutACertificateSayWhyAndWhatToDo)
   EXPECT_FALSE(panel.findChild<QPushButton*>("check.seat")->isEnabled()); // on what?
   EXPECT_TRUE(text("check.fit.state").contains("cannot be tried"));
   QTest::qWait(100);
-  panel.grab().save("PlannerCheckPanel.png");
   ExpectReadable(panel.Parts()); // guide 8 was held to fragment 2 alone, which is long
 }
 

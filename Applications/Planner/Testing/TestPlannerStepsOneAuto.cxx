@@ -54,7 +54,6 @@ void ExpectReadable(QWidget& panel, const QTreeWidget& tree)
   panel.resize(300, 1100);
   panel.show();
   QTest::qWait(100);
-  panel.grab().save("PlannerProposals.png");
   for (QTreeWidgetItemIterator item(const_cast<QTreeWidget*>(&tree)); *item; ++item)
   {
     const QRect row = tree.visualItemRect(*item);

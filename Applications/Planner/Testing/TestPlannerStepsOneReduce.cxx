@@ -9,12 +9,14 @@
 #include "Tools/DistanceColours.h"
 #include "vtkHaspOutputFile.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProp3D.h"
+#include "vtkRenderer.h"
 
 #include <QCheckBox>
 #include <QtTest>
@@ -118,6 +120,55 @@ TEST(PlannerReduce, ADragOfTheMouseIsOneStep)
   StepsOneDesk::Click(desk.panel, "reduce.grab");
   EXPECT_EQ(desk.planner.tools.InHand(), nullptr);
   EXPECT_EQ(desk.Steps(), before);
+}
+
+// On a busy machine no frame comes between the two.
+TEST(PlannerReduce, APressRightAfterLettingGoTakesAnotherOne)
+{
+  const CanaryFolder folder;
+  ReduceDesk desk(folder);
+  StepsOneDesk::Click(desk.panel, "reduce.grab");
+  ASSERT_TRUE(desk.desk.Wait([&] { return desk.panel.Grab().State().isReady; }, 60'000));
+  desk.Settle();
+  const QPoint left = desk.PixelOf(BallMiddle(GapMm, 1)),
+               right = desk.PixelOf(BallMiddle(GapMm, -1));
+  desk.desk.Press(desk.desk.scene, left);
+  ASSERT_TRUE(desk.WaitForHand(true));
+  desk.desk.Release(desk.desk.scene, left);
+  desk.desk.Press(desk.desk.scene, right);
+  EXPECT_TRUE(desk.desk.Wait(
+    [&] { return desk.panel.Grab().State().held == std::vector<PlanId>{ desk.right }; }));
+  desk.desk.Release(desk.desk.scene, right);
+  ASSERT_TRUE(desk.WaitForHand(false));
+}
+
+// What is under the pointer is what is there by now, and not what was drawn before.
+TEST(PlannerReduce, APressTakesWhatTheNextFrameWouldShow)
+{
+  const CanaryFolder folder;
+  ReduceDesk desk(folder);
+  StepsOneDesk::Click(desk.panel, "reduce.grab");
+  ASSERT_TRUE(desk.desk.Wait([&] { return desk.panel.Grab().State().isReady; }, 60'000));
+  desk.Settle();
+  desk.desk.scene.Renderer()->GetActiveCamera()->Dolly(0.4); // half as large: nearer to the middle
+  desk.desk.scene.Draw();
+  const QPoint left = desk.PixelOf(BallMiddle(GapMm, 1));
+  desk.desk.Press(desk.desk.scene, left);
+  EXPECT_TRUE(desk.WaitForHand(true));
+  desk.desk.Release(desk.desk.scene, left);
+}
+
+TEST(PlannerReduce, APressIsNeverLostWithoutAWord)
+{
+  const CanaryFolder folder;
+  ReduceDesk desk(folder);
+  const QPoint at = desk.PixelOf(BallMiddle(GapMm, 1));
+  StepsOneDesk::Click(desk.panel, "reduce.grab");
+  desk.desk.Press(desk.desk.scene, at); // what is felt is still prepared, as a rule
+  const bool isHeld = !desk.panel.Grab().State().held.empty();
+  EXPECT_NE(isHeld, desk.said.join(' ').contains("still being prepared"))
+    << desk.said.join(' ').toStdString();
+  desk.desk.Release(desk.desk.scene, at);
 }
 
 TEST(PlannerReduce, ALockedFragmentStaysInTheMousesHand)

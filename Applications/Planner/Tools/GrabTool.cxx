@@ -36,6 +36,9 @@ GrabTool::GrabTool(Planner& planner, QObject* parent)
   // A press may come with another number of pixels: the pointer has not moved by the difference.
   this->BeforePress->SetCallback([](vtkObject* interactor, unsigned long, void*, void*)
     { interactor->InvokeEvent(vtkCommand::MouseMoveEvent); });
+  this->Untaken->SetClientData(this);
+  this->Untaken->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<GrabTool*>(self)->SayWhyNot(); });
   this->Soon.setSingleShot(true);
   this->Soon.setInterval(0);
   this->Telling.setInterval(TellMs);
@@ -80,6 +83,8 @@ void GrabTool::Begin()
   this->Session->AddObserver(vtkHaspReductionSession::PlanChangedEvent, this->Command);
   this->Of.views.Scene().interactor()->AddObserver(
     vtkCommand::LeftButtonPressEvent, this->BeforePress, 2.0F); // before the hand
+  this->Of.views.Scene().interactor()->AddObserver(
+    vtkCommand::LeftButtonPressEvent, this->Untaken, 0.5F); // not where the hand takes it
   // Right before a frame: its pose is the newest. And before DistanceColours asks for it.
   this->FrameTag =
     this->Of.views.Scene().renderWindow()->AddObserver(vtkCommand::StartEvent, this->Command, 1.0F);
@@ -95,6 +100,7 @@ void GrabTool::End()
   disconnect(&this->Of.plan, &PlanSession::Changed, this, &GrabTool::FollowSoon);
   disconnect(&this->Of.scene, &PlanScene::PropsChanged, this, &GrabTool::FollowSoon);
   this->Of.views.Scene().interactor()->RemoveObserver(this->BeforePress);
+  this->Of.views.Scene().interactor()->RemoveObserver(this->Untaken);
   this->Of.views.Scene().renderWindow()->RemoveObserver(this->FrameTag);
   this->Soon.stop();
   this->Telling.stop();
@@ -148,6 +154,19 @@ void GrabTool::Heard(vtkObject* object, unsigned long event)
   }
   else
     Q_EMIT this->StateChanged(); // it touches, or does not any more
+}
+
+/// A press on a fragment that takes nothing: it turns the view, which is not what was meant.
+void GrabTool::SayWhyNot()
+{
+  if (this->Hand->GetState() != vtkHaspHapticInteractor::Baking)
+    return;
+  const int* at = this->Of.views.Scene().interactor()->GetEventPosition();
+  const auto touched = this->Of.scene.PlaceAt(at[0], at[1]);
+  if (touched && this->Known.contains(touched->object))
+    this->Of.Say(tr("What is felt is still being prepared (%1 %): take the fragment in hand when "
+                    "that is done.")
+                   .arg(int(100.0 * this->Hand->GetProgress())));
 }
 
 vtkHaspHapticInteractor* GrabTool::Haptic() const

@@ -72,11 +72,12 @@ private:
   void Follow();
   double Spacing() const;
   void Heard(vtkObject* object, unsigned long event);
+  void SayWhyNot();
   std::vector<PlanId> Held() const;
 
   Planner& Of;
   VtkFaults Faults;
-  vtkNew<vtkCallbackCommand> Command, BeforePress;
+  vtkNew<vtkCallbackCommand> Command, BeforePress, Untaken;
   vtkSmartPointer<vtkHaspHapticInteractor> Hand;
   vtkSmartPointer<vtkHaspReductionSession> Session;  ///< null: it is not in hand
   std::map<PlanId, vtkWeakPointer<vtkProp3D>> Known; ///< that the session has

@@ -16,7 +16,8 @@ void FrameView::SeePress()
   this->PressSeen = true;
 }
 
-/// Before VTK hears of it. Who asks for the depth under a press finds a frame of its pixels.
+/// Before VTK hears of it. Who asks for the depth under a press finds a frame of its pixels, and of
+/// what is there by now.
 void FrameView::MouseComes(const QMouseEvent& event)
 {
   this->At = event.pos();
@@ -25,7 +26,7 @@ void FrameView::MouseComes(const QMouseEvent& event)
   if (press && !this->IsHeld())
   {
     this->Moving();
-    if (this->IsStale())
+    if (this->IsStale() || this->Coming.isActive())
       this->Frame();
   }
   if (event.type() != QEvent::MouseButtonRelease)

@@ -189,6 +189,8 @@ bool HapticInput::Press(int button)
 {
   const bool taken = this->Takes(button == Middle ? -1 : button);
   this->Give(button, taken);
+  if (taken && this->pressed)
+    this->pressed();
   return taken;
 }
 

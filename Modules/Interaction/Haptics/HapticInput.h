@@ -51,6 +51,8 @@ public:
   /// Asked at each press, move, notch of the wheel and key: is it the tool's? At this pixel; button
   /// 0, 1, or -1 for all else. None: all of it is the device's.
   std::function<bool(int button, int x, int y)> takes;
+  /// Called when the device has been told of a press that is the tool's.
+  std::function<void()> pressed;
 
   double wheelMm = 2.0;                        ///< of the device, a notch or a key
   double turnRadPerPixel = 0.01;               ///< of a middle drag

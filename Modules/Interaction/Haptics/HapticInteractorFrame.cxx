@@ -45,7 +45,7 @@ bool vtkHaspHapticInteractor::Update()
   {
     this->FollowProps();
     this->SendControl();
-    this->FollowButtons();
+    this->FollowButtons(self.loop->GetSnapshot().buttons);
     moved = self.grab.Follow(self.loop);
     this->YieldToSnap();
     self.faulty = false;
@@ -138,10 +138,9 @@ bool vtkHaspHapticInteractor::PointAt(int x, int y)
   return self.loop->SetControl(control);
 }
 
-void vtkHaspHapticInteractor::FollowButtons()
+void vtkHaspHapticInteractor::FollowButtons(std::uint32_t now)
 {
   Internals& self = *this->Self;
-  const std::uint32_t now = self.loop->GetSnapshot().buttons;
   const std::uint32_t before = std::exchange(self.buttons, now);
   static constexpr unsigned long As[3][2] = { { vtkCommand::LeftButtonReleaseEvent,
                                                 vtkCommand::LeftButtonPressEvent },

@@ -42,7 +42,11 @@ vtkHaspHapticInteractor::vtkHaspHapticInteractor() : Self(std::make_unique<Inter
       if (event == vtkCommand::ModifiedEvent)
         haptic->BeginTimer();
       else if (data != nullptr && *static_cast<int*>(data) == haptic->Self->timerId)
+      {
+        // A style takes any timer for its own, and repeats the last step of a drag.
+        haptic->Self->timer->AbortFlagOn();
         haptic->Frame();
+      }
     });
 }
 
@@ -54,8 +58,6 @@ vtkHaspHapticInteractor::~vtkHaspHapticInteractor()
 
 void vtkHaspHapticInteractor::Frame()
 {
-  // A style takes any timer for its own, and repeats the last step of a drag.
-  this->Self->timer->AbortFlagOn();
   if (this->Update() && this->Self->interactor)
     this->Self->interactor->Render();
 }
@@ -174,13 +176,18 @@ bool vtkHaspHapticInteractor::UseMouse()
     return false;
   self.input.takes = [this, feed](int button, int x, int y)
   {
+    const bool grabs = button >= 0 && button == this->GrabButton;
+    if (grabs) // what no frame has seen let go since its last press goes first
+      this->FollowButtons(this->Self->buttons & ~(1U << button));
     if (this->Self->grab.Tool() >= 0)
       return true;
-    if (button < 0 || button != this->GrabButton || !this->PointAt(x, y))
+    if (!grabs || !this->PointAt(x, y))
       return false;
     feed->MoveTo({}); // whatever way it has gone, its workspace does not end
     return true;
   };
+  // Not at the next frame: until then the pointer goes on, and props may become others.
+  self.input.pressed = [this] { this->Frame(); };
   self.input.Follow(window->GetInteractor(), self.renderer, feed);
   return true;
 }

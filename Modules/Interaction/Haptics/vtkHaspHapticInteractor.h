@@ -6,8 +6,9 @@
 #include "vtkHaspInteractionHapticsModule.h" // for export macro
 #include "vtkObject.h"
 
-#include <memory> // for Internals
-#include <vector> // for groups
+#include <cstdint> // for buttons
+#include <memory>  // for Internals
+#include <vector>  // for groups
 
 class vtkHaspHapticLoop;
 class vtkImageData;
@@ -214,7 +215,7 @@ private:
   void operator=(const vtkHaspHapticInteractor&) = delete;
 
   void SendControl();
-  void FollowButtons();
+  void FollowButtons(std::uint32_t now);
   void FollowProps();
   void FollowContact();
   void YieldToSnap();

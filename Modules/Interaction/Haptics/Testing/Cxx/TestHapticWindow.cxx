@@ -114,10 +114,14 @@ struct Mouse : Frames
   }
   void Say(unsigned long event, const glm::dvec2& mm)
   {
+    this->SayWithoutFrame(event, mm);
+    this->haptic->Update();
+  }
+  void SayWithoutFrame(unsigned long event, const glm::dvec2& mm)
+  {
     this->interactor->SetEventInformation(
       static_cast<int>(100 + 2 * mm.x), static_cast<int>(100 + 2 * mm.y));
     this->interactor->InvokeEvent(event);
-    this->haptic->Update();
   }
 
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
@@ -170,6 +174,29 @@ TEST(HapticWindow, APressTakesWhatIsSeenThere)
     EXPECT_EQ(mouse.haptic->GetHeldTool(), -1);
     EXPECT_EQ(styled.times, 0) << "the camera stays";
   }
+}
+
+// On a busy machine many events come between two frames.
+TEST(HapticWindow, APressTakesWhateverComesBeforeTheNextFrame)
+{
+  Mouse mouse;
+  mouse.SayWithoutFrame(vtkCommand::LeftButtonPressEvent, { 2, 0 });
+  mouse.SayWithoutFrame(vtkCommand::MouseMoveEvent, { 2, 0 });
+  mouse.SayWithoutFrame(vtkCommand::MouseMoveEvent, { 42, 0 }); // out of reach of what was meant
+  mouse.haptic->Update();
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), mouse.tools[1]);
+  mouse.UntilTicks(mouse.haptic->GetLoop()->GetSnapshot().ticks + 500);
+  mouse.window->Render();
+  const Count released(mouse.haptic, vtkHaspHapticInteractor::ReleaseEvent);
+  mouse.SayWithoutFrame(vtkCommand::LeftButtonReleaseEvent, { 42, 0 });
+  mouse.SayWithoutFrame(vtkCommand::LeftButtonPressEvent, { -4, 0 }); // another one
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), mouse.tools[0]);
+  EXPECT_EQ(released.times, 1);
+  mouse.UntilTicks(mouse.haptic->GetLoop()->GetSnapshot().ticks + 20);
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), mouse.tools[0]);
+  mouse.SayWithoutFrame(vtkCommand::LeftButtonReleaseEvent, { -4, 0 });
+  mouse.SayWithoutFrame(vtkCommand::LeftButtonPressEvent, { 0, -40 }); // nothing: the camera's
+  EXPECT_EQ(mouse.haptic->GetHeldTool(), -1);
 }
 
 // Frames cost; those in which nothing moves are not asked for, whatever could be drawn.
