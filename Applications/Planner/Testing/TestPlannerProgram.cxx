@@ -1,6 +1,7 @@
 // bin/hasp-planner as a program: how it starts, rests and ends, and what it leaves alone.
 #include "PlannerDesk.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -48,6 +49,17 @@ TEST_F(PlannerProgram, RestsWithoutAFrameAndWithoutASocket)
   const timespec span{ 2, 0 }; // nothing happens: that is what is tried
   nanosleep(&span, nullptr);
   EXPECT_EQ(planner->State("frames"), before);
+}
+
+/// What judges sessions (OfflinePlanner.cxx) judges: a socket that the user asks for would end one.
+TEST_F(PlannerProgram, EndsWhereASocketIsOpenedThatNoSessionMayHave)
+{
+  if (!HASP_OFFLINE)
+    GTEST_SKIP() << "sockets cannot be forbidden on this system";
+  const auto planner = this->Open();
+  planner->Menu({ "menu.view", "view.stereo.settings" });
+  planner->Choose("stereo.head", 2); // opentrack, on a port
+  EXPECT_EQ(planner->ClickToEnd("stereo.ok"), 128 + SIGSYS);
 }
 
 TEST_F(PlannerProgram, EachStepSaysWhatItStillNeedsAndNoneIsShut)
