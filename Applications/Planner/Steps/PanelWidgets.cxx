@@ -34,9 +34,12 @@ QCheckBox* AddCheckBox(QBoxLayout* layout, const char* name, const QString& text
 
 void PutInTabOrder(QWidget* place, QWidget* made)
 {
+  QWidget* row = made; // what it came with is as new
+  while (row->parentWidget() != place)
+    row = row->parentWidget();
   QWidget* last = place; // of those in it, which may be none that Tab comes to
   for (QWidget* next = place->nextInFocusChain(); next != place; next = next->nextInFocusChain())
-    if (place->isAncestorOf(next) && next != made && !made->isAncestorOf(next))
+    if (place->isAncestorOf(next) && next != row && !row->isAncestorOf(next))
       last = next;
   while (last->focusPolicy() == Qt::NoFocus)
     last = last->previousInFocusChain();

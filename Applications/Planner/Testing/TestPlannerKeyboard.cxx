@@ -169,35 +169,6 @@ TEST_P(PlannerLetters, AreGivenOnceInTheTour)
 INSTANTIATE_TEST_SUITE_P(Of, PlannerLetters, testing::Values("en", "sv"),
   [](const auto& language) { return std::string(language.param); });
 
-using PlannerTabOrder = PhantomDesk;
-
-/// What has the keyboard after that, by Tab.
-std::string After(PlannerProcess& planner, const std::string& name)
-{
-  for (int tab = 0; tab < MostTabs && planner.Layout()["focus"] != name; ++tab)
-    planner.Key("Tab");
-  EXPECT_EQ(planner.Layout()["focus"], name);
-  planner.Key("Tab");
-  return planner.Layout().value("focus", std::string());
-}
-
-TEST_F(PlannerTabOrder, BoxesOfObjectsStandWhereTheyAreSeen)
-{
-  const auto planner = this->OpenPlan();
-  planner->Click("step.guide");
-  planner->ClickId("objects", 8);
-  planner->ClickRow("guide.pages", 2);
-  EXPECT_EQ(After(*planner, "guide.pages"), "guide.cut.3");
-  EXPECT_EQ(After(*planner, "guide.cut.3"), "guide.cut.4");
-}
-
-TEST_F(PlannerTabOrder, LeavesTheTableOfResources)
-{
-  const auto planner = this->OpenPlan();
-  planner->Menu({ "menu.view", "view.dock.use" });
-  EXPECT_NE(After(*planner, "use"), "use");
-}
-
 using PlannerMenuKeys = PlannerDesk;
 
 TEST_F(PlannerMenuKeys, AltAndItsLetterOpenEachMenuAndNoLetterIsInItTwice)

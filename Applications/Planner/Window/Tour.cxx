@@ -52,6 +52,7 @@ Tour::Tour(PlannerWindow& window, Sample sample)
   row->addWidget(this->Words, 1);
   row->addWidget(this->NextButton);
   row->addWidget(leave);
+  this->Marker->setObjectName("tour.marker");
   this->Marker->setStyleSheet("border: 3px solid #f0b429; background: transparent;");
   this->Marker->setAttribute(Qt::WA_TransparentForMouseEvents);
   connect(this->NextButton, &QPushButton::clicked, this, [this] { this->Go(this->Now + 1); });

@@ -2,6 +2,7 @@
 #include "Window/Tour.h"
 
 #include <algorithm>
+#include <set>
 
 namespace hasp
 {
@@ -19,10 +20,24 @@ std::function<bool(const Plan&)> AtLeast(std::vector<T> Plan::*objects, std::siz
   return [objects, count](const Plan& plan) { return (plan.*objects).size() >= count; };
 }
 
+/// Of two pieces: with strokes of one alone nothing falls apart.
 bool HasStrokes(const Plan& plan)
 {
-  return std::any_of(plan.segmentations.begin(), plan.segmentations.end(),
-    [](const PlanSegmentation& one) { return one.recipe.steps.size() >= 2; });
+  std::set<int> labels;
+  for (const PlanSegmentation& one : plan.segmentations)
+    for (const SegmentationStep& step : one.recipe.steps)
+      if (const auto* split = std::get_if<SplitStep>(&step))
+        for (const BrushStroke& stroke : split->strokes)
+          labels.insert(stroke.label);
+  return labels.size() >= 2;
+}
+
+/// Of the bone and three pieces.
+bool HasResected(const Plan& plan)
+{
+  return plan.fragments.size() >= 4 &&
+         std::any_of(plan.fragments.begin(), plan.fragments.end(),
+           [](const PlanFragment& one) { return one.state == FragmentState::Resected; });
 }
 
 TourStop Begin()
@@ -84,9 +99,9 @@ std::vector<TourStop> MandibleTour()
         "a piece to where it belongs; with Snap-to-fit it is drawn to "
         "its place. Or let all be put together: Find how they fit.")),
     Stop("plate", "plate.new plate.kind",
-      QT_TRANSLATE_NOOP(
-        "hasp::Tour", "Press New, then touch the bone along the plate's way over the fracture."),
-      AtLeast(&Plan::plates, 1)),
+      QT_TRANSLATE_NOOP("hasp::Tour",
+        "Press New, then touch the bone along the plate's way over the fracture. "
+        "Press Next when its line is right.")),
     Check(), Export() };
 }
 
@@ -99,7 +114,7 @@ std::vector<TourStop> FibulaTour()
       AtLeast(&Plan::cuts, 2)),
     Stop("cut", "cut.pieces",
       QT_TRANSLATE_NOOP("hasp::Tour", "Keep the pieces, and resect the one in the middle."),
-      AtLeast(&Plan::fragments, 4)),
+      HasResected),
     Stop("plate", "transplant.new plate.kind",
       QT_TRANSLATE_NOOP("hasp::Tour",
         "Choose Transplants and press New; touch the places of the new jaw's line, and "
