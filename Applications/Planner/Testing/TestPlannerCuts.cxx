@@ -108,4 +108,36 @@ TEST(CutPanel, TwoCutsLeaveThreePiecesAndTheMiddleIsResected)
   EXPECT_EQ(list->count(), 0);
 }
 
+/// Only those, whichever was touched first, and each where it was touched.
+TEST(CutPanel, TheTouchedPiecesAreKeptAndNoOther)
+{
+  StepsDesk desk(ScanOfBar());
+  CutPanel panel(desk.planner);
+  desk.Show(&panel);
+  desk.CutBar(-8.0);
+  desk.planner.scene.Select(desk.CutBar(8.0));
+  const std::size_t steps = desk.Steps();
+  const PlanId bar = desk.Now().fragments[0].id;
+  desk.Press("cut.seeds");
+  desk.Touch(Front(20.0));
+  desk.Touch(Front(-20.0));
+  EXPECT_EQ(desk.Steps(), steps); // not yet
+  desk.Press("cut.keep");
+  desk.Settle();
+  EXPECT_EQ(desk.Steps(), steps + 1) << desk.said.toStdString();
+  ASSERT_EQ(desk.Now().fragments.size(), 3U);
+  for (const std::size_t n : { 1U, 2U })
+  {
+    const PlanFragment& piece = desk.Now().fragments[n];
+    const auto& source = std::get<PieceSource>(piece.source);
+    EXPECT_EQ(source.fragment, bar);
+    EXPECT_NEAR(source.seed.x, n == 1 ? 20.0 : -20.0, ClickMm);
+    EXPECT_EQ(piece.state, FragmentState::Kept);
+  }
+  desk.Press("cut.pieces"); // what was not touched is what is missing
+  desk.Settle();
+  ASSERT_EQ(desk.Now().fragments.size(), 4U) << desk.said.toStdString();
+  EXPECT_LT(std::abs(std::get<PieceSource>(desk.Now().fragments[3].source).seed.x), 7.5);
+}
+
 } // namespace
