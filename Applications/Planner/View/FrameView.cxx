@@ -6,7 +6,6 @@
 #include "QVTKInteractor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"

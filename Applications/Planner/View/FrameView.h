@@ -1,4 +1,6 @@
 #pragma once
+#include "View/QtRenderWindow.h"
+
 #include "vtkNew.h"
 
 #include <QElapsedTimer>
@@ -14,7 +16,6 @@
 #include <glm/vec3.hpp>
 
 class QPainter;
-class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace hasp
@@ -102,7 +103,7 @@ private:
   bool Tell(QEvent* event); ///< VTK, and Qt
   void SeePress();
 
-  vtkNew<vtkGenericOpenGLRenderWindow> Target;
+  vtkNew<QtRenderWindow> Target;
   vtkNew<vtkRenderer> Scene;
   ViewMarks* Marks;
   std::vector<unsigned long> Observers; ///< of the interactor

@@ -2,6 +2,7 @@ hasp_add_planner_part(Views
   SOURCES
     View/FrameView.cxx View/FrameView.h View/FrameViewEvents.cxx
     View/OrientationCube.cxx View/OrientationCube.h
+    View/QtRenderWindow.cxx View/QtRenderWindow.h
     View/SceneStyle.cxx View/SceneStyle.h
     View/SceneView.cxx View/SceneView.h
     View/SliceAxis.cxx View/SliceAxis.h

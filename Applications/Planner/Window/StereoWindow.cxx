@@ -2,9 +2,9 @@
 
 #include "Devices/HeadPose.h"
 #include "StereoView.h"
+#include "View/QtRenderWindow.h"
 #include "View/SceneView.h"
 
-#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
@@ -37,7 +37,7 @@ StereoWindowWidget::StereoWindowWidget(
   this->Shown->setAttribute(Qt::WA_TransparentForMouseEvents); // its interactor moves nothing
   this->Shown->setFocusPolicy(Qt::NoFocus);                    // nor has it VTK's keys
   this->setMouseTracking(true);
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<QtRenderWindow> window;
   this->Shown->setRenderWindow(window.Get());
   HeadPose rest;
   rest.position = RoomHead(choices).position;
