@@ -59,9 +59,7 @@ void LandmarkTool::End()
 QString LandmarkTool::Hint() const
 {
   return this->For.hint + QStringLiteral(" ") +
-         tr(
-           "Drag a place to move it; Delete removes it, Insert takes the crosshair's place, Escape "
-           "ends.");
+         tr("Drag: move it, Delete: remove it, Insert: at the crosshair, Esc: back.");
 }
 
 void LandmarkTool::SetPurpose(const LandmarkPurpose& purpose)
