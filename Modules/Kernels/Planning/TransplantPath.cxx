@@ -6,7 +6,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -142,6 +144,36 @@ std::vector<glm::dvec3> PathWithOneLess(std::vector<glm::dvec3> path)
       least = n;
   path.erase(path.begin() + std::ptrdiff_t(least));
   return path;
+}
+
+PlanId StumpOf(const Plan& plan, const PlanCut& cut, const PlanCut& other)
+{
+  const auto side = [&](const glm::dvec3& place)
+  { return glm::dot(place - cut.blade.point, cut.blade.normal); };
+  PlanId nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlanFragment& fragment : plan.fragments)
+  {
+    const auto* piece = std::get_if<PieceSource>(&fragment.source);
+    if (!piece || fragment.state != FragmentState::Kept ||
+        side(piece->seed) * side(other.blade.point) >= 0.0)
+      continue;
+    if (const double away = glm::distance(piece->seed, cut.blade.point); away < least)
+      least = away, nearest = fragment.id;
+  }
+  return nearest;
+}
+
+std::optional<glm::dvec3> AcrossPath(
+  std::span<const glm::dvec3> path, std::size_t place, const glm::dvec3& direction)
+{
+  const glm::dvec3 line =
+    path[std::min(place + 1, path.size() - 1)] - path[place == 0 ? 0 : place - 1];
+  const glm::dvec3 along = glm::normalize(line), unit = glm::normalize(direction),
+                   across = unit - glm::dot(unit, along) * along;
+  if (!(glm::length(across) > 0.5))
+    return std::nullopt;
+  return glm::normalize(across);
 }
 
 glm::dvec3 LateralTowards(std::span<const glm::dvec3> axis, const glm::dvec3& place)

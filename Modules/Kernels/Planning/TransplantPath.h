@@ -1,6 +1,7 @@
 #pragma once
 #include "Planning/Plan.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,15 @@ PlanTransplant AlongPath(const Plan& plan, PlanTransplant transplant,
 std::vector<glm::dvec3> PathWithOneMore(std::vector<glm::dvec3> path);
 std::vector<glm::dvec3> PathWithOneLess(std::vector<glm::dvec3> path);
 inline constexpr std::size_t MostPathPlaces = 6;
+
+/// The stump that a cut leaves: of the pieces that are kept beyond its blade, as the other cut sees
+/// it, the one whose seed is nearest to the blade's middle; 0: there is none.
+PlanId StumpOf(const Plan& plan, const PlanCut& cut, const PlanCut& other);
+
+/// Upright on the line of a path at one of its places, as near to `direction` as that can be: unit.
+/// Nothing where `direction` is within 30 degrees of the line, as on a face that was sawn.
+std::optional<glm::dvec3> AcrossPath(
+  std::span<const glm::dvec3> path, std::size_t place, const glm::dvec3& direction);
 
 /// The side of a donor bone that a touched place is on: unit, from the axis to it, upright on the
 /// piece of the axis that is nearest. Throws std::invalid_argument: fewer than two places, a place

@@ -145,6 +145,36 @@ TEST(TransplantPath, OneMoreHalvesTheLongestLegAndOneLessTakesTheStraightest)
   EXPECT_EQ(hasp::PathWithOneLess(straight), straight);
 }
 
+// The seed of the long stump is far from its cut, that of the other one near.
+TEST(TransplantPath, AStumpIsWhatIsKeptBeyondItsCut)
+{
+  hasp::Plan plan = Jaw();
+  std::get<hasp::PieceSource>(plan.fragments[1].source).seed = { -200, 0, 0 };
+  EXPECT_EQ(hasp::StumpOf(plan, plan.cuts[0], plan.cuts[1]), 5U);
+  EXPECT_EQ(hasp::StumpOf(plan, plan.cuts[1], plan.cuts[0]), 6U);
+  plan.cuts[0].blade.normal *= -1.0; // whichever way the blade looks
+  EXPECT_EQ(hasp::StumpOf(plan, plan.cuts[0], plan.cuts[1]), 5U);
+  plan.fragments[1].state = hasp::FragmentState::Resected;
+  EXPECT_EQ(hasp::StumpOf(plan, plan.cuts[0], plan.cuts[1]), 0U);
+}
+
+TEST(TransplantPath, AcrossIsUprightOnTheLineAndNothingAlongIt)
+{
+  const auto across = [](std::size_t place, const dvec3& direction)
+  { return hasp::AcrossPath(Path, place, direction); };
+  const dvec3 leg = glm::normalize(Path[1] - Path[0]), whole = glm::normalize(Path[2] - Path[0]);
+  for (const dvec3& direction : { dvec3(0, -3, 0), dvec3(0.2, -1, 0.3) })
+  {
+    ASSERT_TRUE(across(0, direction));
+    EXPECT_NEAR(glm::dot(*across(0, direction), leg), 0.0, RoundingMm);
+    EXPECT_NEAR(glm::length(*across(0, direction)), 1.0, RoundingMm);
+    EXPECT_NEAR(glm::dot(*across(1, direction), whole), 0.0, RoundingMm);
+  }
+  EXPECT_LT(glm::distance(*across(2, { 0, -3, 0 }), dvec3(0, -1, 0)), RoundingMm);
+  EXPECT_FALSE(across(0, leg));
+  EXPECT_FALSE(across(1, -whole));
+}
+
 TEST(TransplantPath, TheLateralSideIsUprightOnTheAxis)
 {
   const std::vector<dvec3> axis{ { 0, 0, -100 }, { 0, 0, 0 }, { 0, 20, 100 } };
