@@ -117,11 +117,12 @@ QString Decimal(double value, int digits)
 
 QString CalledInReport(const ReportNaming& of, PlanId object)
 {
-  QString text = QString::fromStdString(CalledObject(of.plan, object));
+  const std::string called = CalledObject(of.plan, object);
+  QString text = QString::fromStdString(called);
   ForEachPlanObject(of.plan,
     [&](const auto& is)
     {
-      if (of.names && is.id == object && !is.name.empty())
+      if (of.names && is.id == object && !is.name.empty() && is.name != called)
         text += " (" + QString::fromStdString(is.name) + ")";
     });
   return text;

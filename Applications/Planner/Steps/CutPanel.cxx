@@ -98,8 +98,7 @@ void CutPanel::Leave()
 
 void CutPanel::AddBone(const TouchedPlace& place)
 {
-  PlanFragment bone = FragmentFromTouch(this->Of, place);
-  bone.id = this->Of.plan.NewId();
+  const PlanFragment bone = FragmentFromTouch(this->Of, place);
   if (this->Of.plan.Do(AddObject<PlanFragment>{ bone }))
     this->Of.scene.Select(bone.id);
 }
@@ -145,11 +144,7 @@ void CutPanel::PlaceBlade()
   TouchedPlace looked = places[0]; // cuts lie in the scan
   looked.normal = this->Seen;
   if (!this->Draft.IsShown())
-  {
-    PlanCut fresh;
-    fresh.name = tr("cut %1").arg(plan.cuts.size() + 1).toStdString();
-    this->Draft.Begin(fresh);
-  }
+    this->Draft.Begin({});
   PlanCut& cut = this->Draft.Typed();
   if (this->Draft.IsNew())
     cut.fragments = FragmentsOf(plan, places);
@@ -167,8 +162,7 @@ void CutPanel::PlaceBlade()
     return this->Fault->Say(tr("That is a surface: only bone of scans can be cut."));
   if (this->Draft.IsNew() && cut.fragments.empty())
   {
-    PlanFragment bone = FragmentFromTouch(this->Of, places[0]);
-    bone.id = this->Of.plan.NewId();
+    const PlanFragment bone = FragmentFromTouch(this->Of, places[0]);
     cut.fragments = { bone.id };
     before = { AddObject<PlanFragment>{ bone } };
   }

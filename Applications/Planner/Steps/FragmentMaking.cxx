@@ -4,6 +4,7 @@
 #include "Planning/PlanLists.h"
 #include "Steps/LabelFindings.h"
 #include "Steps/LabelMaps.h"
+#include "Steps/ObjectNames.h"
 #include "Tools/StrokeEdits.h"
 #include "vtkHaspVolumeView.h"
 
@@ -146,7 +147,7 @@ std::vector<PlanEdit> FragmentsOfLabels(const Plan& plan, PlanId firstId, PlanId
       continue;
     PlanFragment fragment;
     fragment.id = firstId++;
-    fragment.name = entry.name;
+    fragment.name = ObjectNames::OfFragment(fragment.id, entry.value, entry.name);
     fragment.colour = entry.colour;
     LabelSource source{ segmentation, entry.value };
     source.isovalue = bone ? bone->lowest : source.isovalue;
@@ -186,8 +187,7 @@ bool AddBoneAt(Planner& planner, const glm::dvec3& place)
   }
   PlanFragment bone;
   bone.id = planner.plan.NewId();
-  bone.name =
-    FragmentMaking::tr("bone %1").arg(planner.plan.Now().fragments.size() + 1).toStdString();
+  bone.name = ObjectNames::Of<PlanFragment>(bone.id);
   bone.colour = UnnamedLabel(std::uint16_t(2 + planner.plan.Now().fragments.size())).colour;
   bone.source = ComponentSource{ planner.scene.ShownVolume(), planner.scene.Isovalue(), place,
     FragmentSpacing(scan->passport.geometry.spacing) };

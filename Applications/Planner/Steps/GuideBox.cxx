@@ -74,7 +74,6 @@ PlanGuide GuideBox::Fresh()
 {
   const Plan& plan = this->Of.plan.Now();
   PlanGuide guide;
-  guide.name = tr("guide %1").arg(plan.guides.size() + 1).toStdString();
   guide.cuts = IdsOf(plan.cuts); // a guide is there for its cuts
   return guide;
 }

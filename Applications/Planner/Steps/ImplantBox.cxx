@@ -97,7 +97,6 @@ void ImplantBox::AddDirections()
 PlanImplant ImplantBox::Fresh()
 {
   PlanImplant implant;
-  implant.name = tr("implant %1").arg(this->Of.plan.Now().implants.size() + 1).toStdString();
   implant.volume = this->Of.scene.ShownVolume();
   implant.recipe.isovalue = this->Of.scene.Isovalue();
   return implant;

@@ -1,5 +1,7 @@
 #include "Steps/ImportEdits.h"
 
+#include "Steps/ObjectNames.h"
+
 #include <algorithm>
 #include <filesystem>
 
@@ -36,7 +38,7 @@ std::vector<PlanEdit> FragmentEdits(PlanId firstId, const LabelMapFragments& map
   {
     PlanFragment fragment;
     fragment.id = id++;
-    fragment.name = entry.name;
+    fragment.name = ObjectNames::OfFragment(fragment.id, entry.value, entry.name);
     fragment.colour = entry.colour;
     fragment.source = LabelSource{ segmentation, entry.value, map.isovalue, map.spacingMm };
     edits.push_back(AddObject<PlanFragment>{ std::move(fragment) });
@@ -44,8 +46,8 @@ std::vector<PlanEdit> FragmentEdits(PlanId firstId, const LabelMapFragments& map
   return edits;
 }
 
-std::vector<PlanEdit> SurfaceEdits(const Plan& plan, PlanId firstId, const std::string& hash,
-  const QString& name, double thicknessMm)
+std::vector<PlanEdit> SurfaceEdits(
+  const Plan& plan, PlanId firstId, const std::string& hash, double thicknessMm)
 {
   const auto known = std::find_if(plan.surfaces.begin(), plan.surfaces.end(),
     [&](const PlanSurface& surface) { return surface.hash == hash; });
@@ -53,10 +55,11 @@ std::vector<PlanEdit> SurfaceEdits(const Plan& plan, PlanId firstId, const std::
   const PlanId surface = known == plan.surfaces.end() ? id++ : known->id;
   std::vector<PlanEdit> edits;
   if (known == plan.surfaces.end())
-    edits.push_back(AddObject<PlanSurface>{ { surface, name.toStdString(), hash } });
+    edits.push_back(
+      AddObject<PlanSurface>{ { surface, ObjectNames::Of<PlanSurface>(surface), hash } });
   PlanFragment fragment;
   fragment.id = id;
-  fragment.name = name.toStdString();
+  fragment.name = ObjectNames::Of<PlanFragment>(id);
   fragment.source = SurfaceSource{ surface, thicknessMm };
   edits.push_back(AddObject<PlanFragment>{ std::move(fragment) });
   return edits;

@@ -2,8 +2,6 @@
 #include "Grid/LabelTable.h"
 #include "Planning/PlanEdits.h"
 
-#include <QString>
-
 #include <string>
 #include <vector>
 
@@ -33,7 +31,7 @@ std::vector<PlanEdit> FragmentEdits(PlanId firstId, const LabelMapFragments& map
 
 /// Adds the surface of that hash, unless the plan has it, and a fragment that is it.
 /// thicknessMm: 0 of a closed one.
-std::vector<PlanEdit> SurfaceEdits(const Plan& plan, PlanId firstId, const std::string& hash,
-  const QString& name, double thicknessMm);
+std::vector<PlanEdit> SurfaceEdits(
+  const Plan& plan, PlanId firstId, const std::string& hash, double thicknessMm);
 
 } // namespace hasp

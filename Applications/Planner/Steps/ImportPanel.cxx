@@ -6,7 +6,9 @@
 #include "Steps/ImportEdits.h"
 #include "Steps/ImportRemedies.h"
 #include "Steps/MissingInputs.h"
+#include "Steps/ObjectNames.h"
 #include "Steps/PanelWidgets.h"
+#include "Steps/PassportBrowser.h"
 #include "Steps/PassportPage.h"
 #include "Steps/SurfaceShelf.h"
 #include "vtkHaspVolumeView.h"
@@ -17,7 +19,6 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
-#include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include <memory>
@@ -56,9 +57,7 @@ void ImportPanel::Build()
   layout->addWidget(this->Remedies);
   connect(this->Remedies, &ImportRemedies::TryAgain, this, [this] { this->Read(this->Path); });
 
-  this->Page = new QTextBrowser;
-  this->Page->setObjectName("import.passport");
-  this->Page->setAccessibleName(tr("What is known of what was imported"));
+  this->Page = new PassportBrowser(this->Of);
   layout->addWidget(this->Page, 1);
 
   auto* form = new QFormLayout;
@@ -115,8 +114,8 @@ void ImportPanel::OpenPlan(const QString& folder)
     this->openPlan(folder);
   else if (this->Of.plan.IsModified())
     this->Of.SayFault(tr("This plan has changes that are not saved: save it, then open another."));
-  else if (this->Of.plan.Open(folder.toStdString()))
-    this->Page->clear();
+  else
+    this->Of.plan.Open(folder.toStdString());
 }
 
 void ImportPanel::Read(const QString& path)
@@ -150,7 +149,7 @@ void ImportPanel::Take(Imported& imported)
 {
   if (const auto* refused = std::get_if<RefusedScan>(&imported))
   {
-    this->Page->setHtml(PassportPage::Of(refused->passport));
+    this->Page->SetAbove(PassportPage::Of(refused->passport));
     this->Remedies->Offer(refused->passport);
     this->Of.SayFault(PassportPage::FaultText(refused->passport.faults.front().text));
     return;
@@ -159,7 +158,7 @@ void ImportPanel::Take(Imported& imported)
   if (const auto* refused = std::get_if<RefusedFile>(&imported))
   {
     const QString text = PassportPage::FaultText(refused->text);
-    this->Page->setHtml(PassportPage::OfFault(text));
+    this->Page->SetAbove(PassportPage::OfFault(text));
     this->Of.SayFault(text);
   }
   else if (auto* scan = std::get_if<ImportedScan>(&imported))
@@ -173,7 +172,6 @@ void ImportPanel::Take(Imported& imported)
 void ImportPanel::TakeScan(ImportedScan& imported)
 {
   const std::string hash = imported.scan.passport.hash;
-  this->Page->setHtml(PassportPage::Of(imported.scan.passport));
   this->Of.scans.Put(std::move(imported.scan)); // first: what follows the plan finds it
   const Plan& plan = this->Of.plan.Now();
   PlanId id = VolumeOfHash(plan, hash);
@@ -182,19 +180,19 @@ void ImportPanel::TakeScan(ImportedScan& imported)
   else
   {
     id = this->Of.plan.NewId();
-    const QString name = tr("scan %1").arg(plan.volumes.size() + 1);
-    if (!this->Of.plan.Do(AddObject<PlanVolume>{ { id, name.toStdString(), hash } }))
+    if (!this->Of.plan.Do(AddObject<PlanVolume>{ { id, ObjectNames::Of<PlanVolume>(id), hash } }))
     {
       this->Of.scans.KeepOnly(this->Of.plan.Now());
       return;
     }
   }
   this->Of.scene.SetShownVolume(id);
+  this->Page->SetAbove({});
 }
 
 void ImportPanel::TakeLabels(const ImportedLabels& labels)
 {
-  this->Page->setHtml(PassportPage::Of(labels.passport));
+  this->Page->SetAbove(PassportPage::Of(labels.passport));
   const Plan& plan = this->Of.plan.Now();
   const ShelfScan* scan = this->Of.scans.OfVolume(plan, labels.volume);
   if (!scan)
@@ -217,12 +215,11 @@ void ImportPanel::TakeLabels(const ImportedLabels& labels)
 
 void ImportPanel::TakeSurface(const ImportedSurface& surface)
 {
-  this->Page->setHtml(PassportPage::Of(surface.passport, surface.check));
+  this->Page->SetAbove(PassportPage::Of(surface.passport, surface.check));
   const double thicknessMm = surface.check.Closed() ? 0.0 : this->Thickness->value();
   SurfaceShelf::Of(this->Of).Put(surface.hash, surface.mesh);
-  const QString name = tr("surface %1").arg(this->Of.plan.Now().surfaces.size() + 1);
   this->Of.plan.Do(
-    SurfaceEdits(this->Of.plan.Now(), this->Of.plan.NewId(), surface.hash, name, thicknessMm),
+    SurfaceEdits(this->Of.plan.Now(), this->Of.plan.NewId(), surface.hash, thicknessMm),
     tr("Import a surface"));
 }
 

@@ -6,19 +6,19 @@
 
 class QDoubleSpinBox;
 class QLineEdit;
-class QTextBrowser;
 
 namespace hasp
 {
 
 class ImportRemedies;
+class PassportBrowser;
 
 /// Brings in what a plan is made of: scans (a second one for a donor's bone), label maps of the
 /// scan that is shown, surfaces, and plans. Reads on the WORKER; what is refused changes nothing,
 /// and says why and what to do: another series, or resampling where that mends it.
 ///
-/// Widgets: import.open, import.folder, import.case, import.thickness, import.passport;
-/// ImportRemedies' and MissingInputs'.
+/// Widgets: import.open, import.folder, import.case, import.thickness; ImportRemedies',
+/// MissingInputs' and PassportBrowser's.
 class ImportPanel : public StepPanel
 {
   Q_OBJECT
@@ -48,7 +48,7 @@ private:
   void TakeSurface(const ImportedSurface& surface);
 
   QLineEdit* Case = nullptr;
-  QTextBrowser* Page = nullptr;
+  PassportBrowser* Page = nullptr;
   ImportRemedies* Remedies = nullptr;
   QDoubleSpinBox* Thickness = nullptr;
   QString Path; ///< of what was asked for last: to try again; never shown

@@ -1,6 +1,7 @@
 #include "Steps/LabelList.h"
 
 #include "Grid/LabelTable.h"
+#include "Steps/ObjectNames.h"
 #include "Tools/StrokeEdits.h"
 
 #include <QColorDialog>
@@ -37,8 +38,7 @@ bool IsOf(const std::vector<LabelName>& names, std::uint16_t label)
 LabelName NewName(int label)
 {
   const auto number = std::uint16_t(label);
-  return { number, LabelList::tr("Fragment %1").arg(label).toStdString(),
-    UnnamedLabel(number).colour };
+  return { number, ObjectNames::OfLabel(number), UnnamedLabel(number).colour };
 }
 
 std::vector<LabelName> NewNames()

@@ -58,7 +58,6 @@ PlanMitreGuide MitreBox::Fresh()
 {
   const Plan& plan = this->Of.plan.Now();
   PlanMitreGuide guide;
-  guide.name = tr("saw guide %1").arg(plan.mitreGuides.size() + 1).toStdString();
   guide.transplant = plan.transplants.empty() ? 0 : plan.transplants.back().id;
   return guide;
 }

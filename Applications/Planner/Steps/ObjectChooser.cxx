@@ -20,14 +20,15 @@ constexpr int ButtonMargins = 20; // pixels, both
 
 QString CalledWithName(const Plan& plan, PlanId object)
 {
-  QString called = QString::fromStdString(CalledObject(plan, object));
+  const std::string called = CalledObject(plan, object);
+  std::string name;
   ForEachPlanObject(plan,
     [&](const auto& each)
     {
-      if (each.id == object && !each.name.empty())
-        called += QStringLiteral(": ") + QString::fromStdString(each.name);
+      if (each.id == object && each.name != called)
+        name = each.name;
     });
-  return called;
+  return QString::fromStdString(name.empty() ? called : called + ": " + name);
 }
 
 ObjectChooser::ObjectChooser(

@@ -14,7 +14,7 @@ namespace hasp
 
 struct Planner;
 
-/// "guide 8", or "guide 8: for the chin".
+/// "guide 8", or "guide 8: for the chin". A name that says no more is not said.
 QString CalledWithName(const Plan& plan, PlanId object);
 
 /// Which object of one kind a panel is about; the same that is selected in the scene, where that is

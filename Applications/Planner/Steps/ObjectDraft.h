@@ -1,6 +1,7 @@
 #pragma once
 #include "Planning/PlanEdits.h"
 #include "Planning/PlanLists.h"
+#include "Steps/ObjectNames.h"
 #include "Tools/Planner.h"
 
 #include <QString>
@@ -13,7 +14,7 @@ namespace hasp
 
 /// The object that a form shows: as the plan has it, or with what has been typed and is not in the
 /// plan, because it is not finished or not legal. A new object is one without an id, until the plan
-/// takes it. Threads: RENDER.
+/// takes it; then it has a name, too. Threads: RENDER.
 template <typename T>
 class ObjectDraft
 {
@@ -86,7 +87,11 @@ private:
   {
     T object = this->Object;
     if (object.id == 0)
+    {
       object.id = this->Of.plan.NewId() + PlanId(before);
+      if (object.name.empty())
+        object.name = ObjectNames::Of<T>(object.id);
+    }
     return object;
   }
   PlanEdit EditOf(const T& object) const

@@ -179,9 +179,9 @@ void PiecesBox::Keep(PlanId divided, const std::vector<glm::dvec3>& seeds)
   {
     PlanFragment piece = whole; // it stays where the whole one is
     piece.id = this->Of.plan.NewId() + PlanId(edits.size());
-    piece.name = tr("piece %1 of %2").arg(++number).arg(divided).toStdString();
+    piece.name = tr("piece %1 of fragment %2").arg(piece.id).arg(divided).toStdString();
     piece.source = PieceSource{ divided, seed };
-    piece.colour = ColourOf(number - 1);
+    piece.colour = ColourOf(number++);
     piece.state = FragmentState::Kept;
     piece.locked = false;
     edits.push_back(AddObject<PlanFragment>{ piece });

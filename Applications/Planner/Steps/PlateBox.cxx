@@ -132,7 +132,6 @@ QWidget* PlateBox::ScrewPage()
 PlanPlate PlateBox::Fresh()
 {
   PlanPlate plate;
-  plate.name = tr("plate %1").arg(this->Of.plan.Now().plates.size() + 1).toStdString();
   plate.recipe.isovalue = this->Of.scene.Isovalue();
   return plate;
 }

@@ -4,6 +4,7 @@
 #include "Steps/FragmentTable.h"
 #include "Steps/MoveEdits.h"
 #include "Steps/NudgePad.h"
+#include "Steps/ObjectNames.h"
 #include "Steps/PanelWidgets.h"
 #include "Steps/ReductionProposals.h"
 
@@ -188,7 +189,7 @@ void ReducePanel::Group()
 {
   PlanGroup group;
   group.id = this->Of.plan.NewId();
-  group.name = tr("group %1").arg(this->Of.plan.Now().groups.size() + 1).toStdString();
+  group.name = ObjectNames::Of<PlanGroup>(group.id);
   group.fragments = this->Table->Selected();
   this->Of.plan.Do(AddObject<PlanGroup>{ std::move(group) });
 }
@@ -234,7 +235,7 @@ void ReducePanel::AddMirror()
     }
   PlanMirror mirror;
   mirror.id = this->Of.plan.NewId();
-  mirror.name = tr("mirror image").toStdString();
+  mirror.name = ObjectNames::Of<PlanMirror>(mirror.id);
   mirror.volume = volume;
   mirror.isovalue = this->Of.scene.Isovalue();
   this->Of.plan.Do(AddObject<PlanMirror>{ std::move(mirror) });

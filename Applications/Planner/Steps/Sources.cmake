@@ -24,6 +24,7 @@ hasp_add_planner_part(Steps
     Steps/MoveEdits.cxx Steps/MoveEdits.h
     Steps/NudgePad.cxx Steps/NudgePad.h
     Steps/PanelWidgets.cxx Steps/PanelWidgets.h
+    Steps/PassportBrowser.cxx Steps/PassportBrowser.h
     Steps/PassportPage.cxx Steps/PassportPage.h
     Steps/ReducePanel.cxx Steps/ReducePanel.h
     Steps/ReductionProposals.cxx Steps/ReductionProposals.h
@@ -44,6 +45,7 @@ hasp_add_planner_part(Steps
     Steps/ObjectChecks.cxx Steps/ObjectChecks.h
     Steps/ObjectChooser.cxx Steps/ObjectChooser.h
     Steps/ObjectDraft.h
+    Steps/ObjectNames.cxx Steps/ObjectNames.h
     Steps/PaintedArea.cxx Steps/PaintedArea.h
     Steps/PanelGroup.h
     Steps/PartStatus.cxx Steps/PartStatus.h

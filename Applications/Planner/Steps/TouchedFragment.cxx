@@ -2,9 +2,8 @@
 
 #include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
+#include "Steps/ObjectNames.h"
 #include "Tools/Planner.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -21,10 +20,9 @@ PlanFragment FragmentFromTouch(Planner& planner, const TouchedPlace& place)
   if (const ShelfScan* scan = planner.scans.OfVolume(plan, source.volume))
     source.spacingMm = FragmentSpacing(scan->passport.geometry.spacing);
   PlanFragment fragment;
+  fragment.id = planner.plan.NewId();
+  fragment.name = ObjectNames::Of<PlanFragment>(fragment.id);
   fragment.source = source;
-  fragment.name = QCoreApplication::translate("hasp::TouchedFragment", "bone %1")
-                    .arg(plan.fragments.size() + 1)
-                    .toStdString();
   return fragment;
 }
 

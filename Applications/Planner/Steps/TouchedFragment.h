@@ -10,7 +10,7 @@ namespace hasp
 struct Planner;
 
 /// RENDER. All bone of the scan that is shown which is connected with a touched place, as a
-/// fragment without an id: "bone 3" of the plan. Its isovalue is the one that is shown.
+/// new fragment of the plan. Its isovalue is the one that is shown.
 PlanFragment FragmentFromTouch(Planner& planner, const TouchedPlace& place);
 
 /// The fragments that places were touched on, each once, in that order.

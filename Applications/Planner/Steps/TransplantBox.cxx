@@ -77,7 +77,6 @@ PlanTransplant TransplantBox::Fresh()
 {
   const Plan& plan = this->Of.plan.Now();
   PlanTransplant transplant;
-  transplant.name = tr("transplant %1").arg(plan.transplants.size() + 1).toStdString();
   // The first two cuts are the defect's, and what stays at each is the stump.
   const auto stump = [&](const PlanCut& cut) -> JawFace
   {

@@ -3,6 +3,7 @@
 
 #include "Planning/PlanLists.h"
 #include "Steps/CutPanel.h"
+#include "Steps/ObjectChooser.h"
 
 #include <QDoubleSpinBox>
 #include <QListWidget>
@@ -33,6 +34,9 @@ TEST(CutPanel, TwoTouchesMakeACutAndAThirdTurnsIt)
   ASSERT_EQ(desk.Now().fragments.size(), 1U);
   const PlanCut cut = desk.Now().cuts[0];
   EXPECT_EQ(cut.fragments, std::vector<PlanId>{ desk.Now().fragments[0].id });
+  EXPECT_EQ(desk.Now().fragments[0].name, CalledObject(desk.Now(), cut.fragments[0]));
+  EXPECT_EQ(cut.name, CalledObject(desk.Now(), cut.id));
+  EXPECT_EQ(CalledWithName(desk.Now(), cut.id).toStdString(), cut.name); // once
   EXPECT_GT(std::abs(cut.blade.normal.x), 0.98); // upright on the bar: as one looks
   EXPECT_NEAR(cut.blade.point.x, 2.0, ClickMm);
   desk.Settle();
@@ -95,6 +99,8 @@ TEST(CutPanel, TwoCutsLeaveThreePiecesAndTheMiddleIsResected)
   {
     const auto* piece =
       FindPlanObject<PlanFragment>(desk.Now(), list->item(row)->data(Qt::UserRole).toUInt());
+    EXPECT_EQ(piece->name, "piece " + std::to_string(piece->id) + " of fragment " +
+                             std::to_string(desk.Now().fragments[0].id));
     list->item(row)->setSelected(std::abs(std::get<PieceSource>(piece->source).seed.x) < 7.5);
   }
   desk.Press("cut.resect");

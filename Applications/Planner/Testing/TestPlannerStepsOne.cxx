@@ -1,6 +1,7 @@
 // Import: what becomes of files and folders, and what is said of them.
 #include "StepsOneDesk.h"
 
+#include "Planning/PlanLists.h"
 #include "Steps/ImportPanel.h"
 #include "Steps/ImportRemedies.h"
 #include "Steps/MissingInputs.h"
@@ -108,6 +109,29 @@ TEST(PlannerImport, AScanIsAPassportAnEditAndAShownVolume)
   EXPECT_EQ(desk.planner.scene.ShownVolume(), desk.Now().volumes[1].id);
 }
 
+TEST(PlannerImport, ThePassportIsThatOfTheScanThatIsShownWhereverItComesFrom)
+{
+  const CanaryFolder folder;
+  const QString known = QString::fromUtf8("60 × 32 × 32"), plan = folder.File("case.hasp").c_str();
+  WriteVolume(TwoBalls(2.0), folder.File("scan.mha"));
+  {
+    ImportDesk desk(folder);
+    ASSERT_TRUE(desk.Import(folder.File("scan.mha")));
+    ASSERT_TRUE(desk.planner.plan.SaveAs(plan.toStdString()));
+    ASSERT_TRUE(desk.Import(folder.File("none.mha"))); // is refused, and above it
+    EXPECT_TRUE(desk.Passport().contains("Fault")) << desk.Passport().toStdString();
+    EXPECT_TRUE(desk.Passport().contains(known)) << desk.Passport().toStdString();
+    desk.planner.plan.BeginNew();
+    EXPECT_EQ(desk.Passport(), "");
+  }
+  ImportDesk desk(folder, "other");
+  ASSERT_TRUE(desk.planner.plan.Open(plan.toStdString()));
+  EXPECT_EQ(desk.Passport(), "");
+  desk.planner.scans.Put(ScanShelf::Read(folder.File("scan.mha"), {}, {})); // not by this panel
+  ASSERT_TRUE(desk.Settle());
+  EXPECT_TRUE(desk.Passport().contains(known)) << desk.Passport().toStdString();
+}
+
 TEST(PlannerImport, CancelLeavesThePlanAsItWas)
 {
   const CanaryFolder folder;
@@ -141,6 +165,7 @@ TEST(PlannerImport, LabelsOfTheScanBecomeFragmentsInOneStep)
   ASSERT_EQ(desk.Now().fragments.size(), 2U) << desk.faults.join(' ').toStdString();
   EXPECT_EQ(desk.Steps(), 2U);
   EXPECT_EQ(desk.Now().fragments[0].name, "chin");
+  EXPECT_EQ(desk.Now().fragments[1].name, CalledObject(desk.Now(), desk.Now().fragments[1].id));
   EXPECT_EQ(desk.Now().fragments[0].colour, (std::array<std::uint8_t, 3>{ 9, 8, 7 }));
   for (const PlanFragment& fragment : desk.Now().fragments)
     EXPECT_TRUE(desk.planner.scene.PropOf(fragment.id));

@@ -209,6 +209,24 @@ TEST(PlannerSplit, BoneOfNoStrokeIsLeftOutAndSaidInPlainWords)
   EXPECT_TRUE(desk.planner.scene.PropOf(desk.Now().fragments[2].id));
 }
 
+TEST(PlannerSplit, FragmentsAreCalledByTheirOwnNumbersUnlessTheirLabelsHaveNames)
+{
+  const CanaryFolder folder;
+  SplitDesk desk(folder);
+  auto& list = StepsOneDesk::Find<QListWidget>(desk.panel, "split.label");
+  list.item(1)->setText("chin");
+  ASSERT_TRUE(desk.Settle());
+  desk.panel.Paint().SetLabel(2);
+  ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, 1)));
+  desk.panel.Paint().SetLabel(3);
+  ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, -1)));
+  StepsOneDesk::Click(desk.panel, "split.make");
+  ASSERT_TRUE(desk.Settle());
+  ASSERT_EQ(desk.Now().fragments.size(), 2U);
+  EXPECT_EQ(desk.Now().fragments[0].name, CalledObject(desk.Now(), desk.Now().fragments[0].id));
+  EXPECT_EQ(desk.Now().fragments[1].name, "chin");
+}
+
 TEST(PlannerSplit, AStrokeThatMakesNoFragmentIsAFault)
 {
   const CanaryFolder folder;
@@ -290,6 +308,7 @@ TEST(PlannerSplit, LabelsThatAreAddedAreThePlansOnceThereIsAStroke)
   SplitDesk desk(folder);
   auto& list = StepsOneDesk::Find<QListWidget>(desk.panel, "split.label");
   EXPECT_EQ(list.count(), 2);
+  EXPECT_EQ(list.item(0)->text(), "label 2"); // fragments have numbers of their own
   StepsOneDesk::Click(desk.panel, "split.label.add");
   EXPECT_EQ(list.count(), 3);
   EXPECT_EQ(desk.panel.Paint().Label(), 4); // it is chosen
