@@ -202,6 +202,24 @@ TEST_F(PlannerStereo, EyesSeeWhatTheSettingsSayInMillimetres)
   }
 }
 
+TEST_F(PlannerStereo, TheDeskIsDrawnWithWhatIsShown)
+{
+  const auto planner = this->OpenBalls();
+  const auto drawing = [&]
+  {
+    AskForSettings(*planner);
+    const auto rect = layout::RectOf(planner->Widget("stereo.sketch"));
+    const QImage picture = planner->Hand().Picture().copy(rect[0], rect[1], rect[2], rect[3]);
+    planner->Click("stereo.cancel");
+    return picture;
+  };
+  const QImage shown = drawing();
+  EXPECT_EQ(drawing(), shown);
+  planner->ClickId("objects", 1, 0, 3);
+  planner->Click("objects.show"); // which hides it
+  EXPECT_NE(drawing(), shown);
+}
+
 TEST_F(PlannerStereo, EyesSeeFromWhereATrackedHeadIs)
 {
   const auto planner = this->OpenBalls();

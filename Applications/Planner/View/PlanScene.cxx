@@ -225,6 +225,11 @@ void PlanScene::ShowAll()
   this->Self->of.view.Draw();
 }
 
+vtkBoundingBox PlanScene::Bounds() const
+{
+  return this->Self->layers.Bounds();
+}
+
 void PlanScene::ListResources(ResourceList& list) const
 {
   for (const SceneLayer* layer : this->Self->layers.All())

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+class vtkBoundingBox;
 class vtkImageData;
 class vtkPolyData;
 class vtkProp3D;
@@ -89,7 +90,8 @@ public:
 
   /// A view from a side: 'A', 'P', 'L', 'R', 'S' or 'I', on what is shown.
   void LookFrom(char side);
-  void ShowAll(); ///< as it looks, but all of it
+  void ShowAll();                ///< as it looks, but all of it
+  vtkBoundingBox Bounds() const; ///< around all that is shown, world mm; not valid: nothing is
 
   void ListResources(ResourceList& list) const;
 

@@ -3,6 +3,7 @@
 #include "StereoView.h"
 #include "Window/PlannerWindow.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkNew.h"
@@ -82,6 +83,16 @@ void Select(QComboBox* combo, const std::string& name)
 std::string Selected(const QComboBox* combo)
 {
   return combo->currentData().toString().toStdString();
+}
+
+std::optional<ContentBox> Content(const PlanScene& scene)
+{
+  const vtkBoundingBox box = scene.Bounds();
+  if (!box.IsValid())
+    return std::nullopt;
+  ContentBox content;
+  box.GetBounds(content.bounds.data());
+  return content;
 }
 } // namespace
 
@@ -223,7 +234,7 @@ void StereoSettings::Sketch()
     const vtkNew<vtkRenderer> stand; // for life size moves its camera
     stand->GetActiveCamera()->DeepCopy(scene.Renderer()->GetActiveCamera());
     const StereoView eyes(stand, scene.renderWindow(), this->Choices().stereo);
-    const std::string png = eyes.SketchPng(std::nullopt);
+    const std::string png = eyes.SketchPng(Content(this->Window.Parts().scene));
     QPixmap picture;
     picture.loadFromData(reinterpret_cast<const uchar*>(png.data()), uint(png.size()), "PNG");
     this->Drawing->setPixmap(
