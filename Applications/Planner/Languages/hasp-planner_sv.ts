@@ -3124,8 +3124,8 @@
         <translation>Försökets plan är inte sparad.</translation>
     </message>
     <message>
-        <source>The real CT is not here, and a generated phantom stands in for it. The script Utilities/Scripts/cranium gets it, or Debian&apos;s package invesalius-examples.</source>
-        <translation>Den riktiga datortomografin finns inte här, och ett genererat fantom står i dess ställe. Skriptet Utilities/Scripts/cranium hämtar den, eller Debians paket invesalius-examples.</translation>
+        <source>The real CT is not here, so this is a generated phantom. The CT comes by Utilities/Scripts/cranium, or with Debian&apos;s invesalius-examples.</source>
+        <translation>Den riktiga datortomografin finns inte här, så detta är ett genererat fantom. Utilities/Scripts/cranium hämtar den, eller så kommer den med Debians invesalius-examples.</translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,22 @@ TEST_F(PlannerFirstLook, FramesTheBoneFromTheFront)
   }
 }
 
+TEST_F(PlannerFirstLook, AnEmptyWindowSaysHowToBegin)
+{
+  EXPECT_TRUE(this->Open()->Has("start.hint"));
+  EXPECT_FALSE(this->Import()->Has("start.hint"));
+}
+
+TEST_F(PlannerFirstLook, APhantomInPlaceOfTheSamplesCTSaysSo)
+{
+  setenv("HASP_SAMPLE", "none", 1); // of this process alone
+  const auto planner = this->Open();
+  planner->Menu({ "menu.file", "menu.samples", "file.sample.skull" });
+  const std::string said = planner->State("message");
+  EXPECT_NE(said.find("Utilities/Scripts/cranium"), std::string::npos) << said;
+  EXPECT_FALSE(planner->Has("start.hint"));
+}
+
 TEST_F(PlannerFirstLook, AnIsovalueBetweenAirAndBoneIsProposed)
 {
   const auto planner = this->Import();

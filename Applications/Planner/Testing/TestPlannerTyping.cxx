@@ -37,4 +37,37 @@ TEST_F(PlannerTyping, AToolIsPutAwayWithItsPageAndABladeIsNot)
   EXPECT_FALSE(planner->Widget("cut.place")["checked"]);
 }
 
+/// The list's menu does what its columns do.
+TEST_F(PlannerTyping, AnObjectIsLockedHiddenAndRenamedByItsMenu)
+{
+  const auto planner = this->OpenPlan();
+  const auto choose = [&](const char* action)
+  {
+    planner->ClickId("objects", 5, 0, 3);
+    planner->Click(action);
+  };
+  const auto isChecked = [&](int column)
+  {
+    for (const auto& row : planner->Widget("objects")["rows"])
+      if (row.value("id", 0) == 5 && row["column"] == column)
+        return row["checked"].get<bool>();
+    throw std::runtime_error("no fragment 5");
+  };
+  planner->ClickId("objects", 5);
+  for (const auto& [action, column] : { std::pair("objects.lock", 1), { "objects.show", 0 } })
+  {
+    const bool before = isChecked(column);
+    choose(action);
+    EXPECT_NE(isChecked(column), before) << action;
+    choose(action);
+    EXPECT_EQ(isChecked(column), before) << action;
+  }
+  choose("objects.rename");
+  planner->Key("ctrl+a");
+  planner->Type("ramus");
+  planner->Key("Return");
+  planner->Key("ctrl+s");
+  EXPECT_NE(ReadBytes(this->Plan() + "/plan.json").find("\"ramus\""), std::string::npos);
+}
+
 } // namespace

@@ -1,9 +1,12 @@
 // What ObjectList does with what is chosen.
 #include "Planning/PlanEdits.h"
 #include "Planning/PlanLists.h"
+#include "Steps/MoveEdits.h"
+#include "Steps/ObjectNames.h"
 #include "Tools/Planner.h"
 #include "Window/ObjectList.h"
 
+#include <QAction>
 #include <QColorDialog>
 
 #include <algorithm>
@@ -20,6 +23,53 @@ std::vector<PlanId> FragmentsAmong(const Plan& plan, const std::vector<PlanId>& 
   return fragments;
 }
 } // namespace
+
+void ObjectList::AddActions()
+{
+  const auto add = [this](const QString& text, const char* name, const QKeySequence& key, auto act)
+  {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, act);
+    this->addAction(action);
+  };
+  add(tr("Re&name"), "objects.rename", QKeySequence("F2"), &ObjectList::RenameCurrent);
+  add(tr("S&how, or hide"), "objects.show", {}, &ObjectList::ShowChosen);
+  add(tr("&Lock, or take that back"), "objects.lock", {}, &ObjectList::LockChosen);
+  add(tr("&Remove"), "objects.remove", QKeySequence::Delete, &ObjectList::RemoveChosen);
+  add(tr("&Group"), "objects.group", QKeySequence("Ctrl+G"), &ObjectList::GroupChosen);
+  add(tr("Re&sect, or take that back"), "objects.resect", {}, &ObjectList::ResectChosen);
+  add(tr("&Colour …"), "objects.colour", {}, &ObjectList::ColourChosen);
+}
+
+void ObjectList::RenameCurrent()
+{
+  QTreeWidgetItem* item = this->currentItem();
+  if (item && item->flags().testFlag(Qt::ItemIsEditable))
+    this->editItem(item, Name);
+}
+
+/// All that are hidden are shown; where none is, all are hidden.
+void ObjectList::ShowChosen()
+{
+  const std::vector<PlanId> chosen = this->Chosen();
+  PlanScene& scene = this->Of.scene;
+  const bool all =
+    std::all_of(chosen.begin(), chosen.end(), [&](PlanId id) { return scene.IsVisible(id); });
+  for (const PlanId id : chosen)
+    scene.SetVisible(id, !all);
+}
+
+void ObjectList::LockChosen()
+{
+  const Plan& plan = this->Of.plan.Now();
+  const std::vector<PlanId> fragments = FragmentsAmong(plan, this->Chosen());
+  if (fragments.empty())
+    return this->Of.SayFault(tr("Choose the fragments that shall stay where they are."));
+  this->Of.plan.Do(LockEdits(plan, fragments));
+}
 
 void ObjectList::RemoveChosen()
 {
@@ -40,7 +90,7 @@ void ObjectList::GroupChosen()
     return this->Of.SayFault(tr("Choose the two or more fragments that shall move as one."));
   PlanGroup group;
   group.id = this->Of.plan.NewId();
-  group.name = tr("group").toStdString();
+  group.name = ObjectNames::Of<PlanGroup>(group.id);
   std::sort(fragments.begin(), fragments.end());
   group.fragments = std::move(fragments);
   this->Of.plan.Do(AddObject<PlanGroup>{ std::move(group) });

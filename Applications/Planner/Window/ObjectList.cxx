@@ -5,7 +5,6 @@
 #include "Planning/PlanLists.h"
 #include "Tools/Planner.h"
 
-#include <QAction>
 #include <QHeaderView>
 #include <QPainter>
 #include <QPixmap>
@@ -116,23 +115,6 @@ ObjectList::ObjectList(Planner& planner, QWidget* parent) : QTreeWidget(parent),
   connect(&planner.plan, &PlanSession::PartsChanged, this, &ObjectList::Refresh);
   connect(&planner.scene, &PlanScene::PropsChanged, this, &ObjectList::Refresh);
   this->Refresh();
-}
-
-void ObjectList::AddActions()
-{
-  const auto add = [this](const QString& text, const char* name, const QKeySequence& key, auto act)
-  {
-    auto* action = new QAction(text, this);
-    action->setObjectName(name);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    connect(action, &QAction::triggered, this, act);
-    this->addAction(action);
-  };
-  add(tr("&Remove"), "objects.remove", QKeySequence::Delete, &ObjectList::RemoveChosen);
-  add(tr("&Group"), "objects.group", QKeySequence("Ctrl+G"), &ObjectList::GroupChosen);
-  add(tr("Re&sect, or take that back"), "objects.resect", {}, &ObjectList::ResectChosen);
-  add(tr("&Colour …"), "objects.colour", {}, &ObjectList::ColourChosen);
 }
 
 void ObjectList::Refresh()

@@ -21,7 +21,10 @@ public:
   std::vector<PlanId> Chosen() const;
 
   ///@{
-  /// Actions on what is chosen; each one step.
+  /// Actions on what is chosen, of its menu; each one step. What is shown is no edit.
+  void RenameCurrent(); ///< begins to type its name
+  void ShowChosen();
+  void LockChosen();
   void RemoveChosen();
   void GroupChosen();
   void ResectChosen();

@@ -187,12 +187,20 @@ void PlannerWindow::TrySample(Sample sample)
   this->Of->plan.BeginNew();
   const fs::path folder = this->Of->scans.Folder();
   this->Of->jobs.Add(tr("Making the sample"),
-    [this, sample, folder](const ProgressFunction& progress) -> JobQueue::Finish
+    [this, sample, folder, file = SampleFile()](
+      const ProgressFunction& progress) -> JobQueue::Finish
     {
-      const std::vector<ShelfScan> scans = MakeSample(sample, progress);
+      const std::vector<ShelfScan> scans = MakeSample(sample, file, progress);
       for (const ShelfScan& scan : scans)
         ScanShelf::Keep(folder, scan);
-      return [this, sample, scans] { this->BeginSample(sample, scans); };
+      return [this, sample, scans, stands = sample == Sample::Skull && file.empty()]
+      {
+        this->BeginSample(sample, scans);
+        if (stands)
+          this->Of->Say(
+            tr("The real CT is not here, so this is a generated phantom. The CT comes by "
+               "Utilities/Scripts/cranium, or with Debian's invesalius-examples."));
+      };
     });
 }
 

@@ -188,4 +188,14 @@ void PlannerMenus::AddHelp()
     menu, PlannerWindow::tr("&About"), "help.about", {}, [window] { ShowAboutPage(*window); });
 }
 
+/// A number or a name that is being typed is done, and it is typed on.
+void PlannerWindow::TakeTyped()
+{
+  const QPointer<QWidget> typing = this->focusWidget();
+  if (typing)
+    typing->clearFocus();
+  if (typing && typing->isVisible())
+    typing->setFocus();
+}
+
 } // namespace hasp

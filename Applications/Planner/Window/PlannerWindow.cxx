@@ -15,6 +15,7 @@
 #include "Window/ObjectList.h"
 #include "Window/PanelArea.h"
 #include "Window/PlannerMenus.h"
+#include "Window/StartHint.h"
 #include "Window/UsePanel.h"
 #include "Window/WorkflowBar.h"
 
@@ -52,6 +53,7 @@ PlannerWindow::PlannerWindow(const PlannerFolders& folders, WorkFolder& work)
   this->AddDocks();
   this->AddStatus();
   PlannerMenus(*this).Add();
+  new StartHint(*this->Of);
   connect(&this->Of->plan, &PlanSession::Changed, this, &PlannerWindow::FollowPlan);
   connect(&this->Of->plan, &PlanSession::PartsChanged, this, &PlannerWindow::FollowPlan);
   connect(&this->Of->plan, &PlanSession::SavedChanged, this, &PlannerWindow::FollowPlan);
@@ -225,16 +227,6 @@ void PlannerWindow::FollowScan()
     return;
   this->ShownScan = hash;
   this->Views->SetImage(scan ? scan->image.Get() : nullptr, scan && scan->passport.hounsfield);
-}
-
-/// A number or a name that is being typed is done, and it is typed on.
-void PlannerWindow::TakeTyped()
-{
-  const QPointer<QWidget> typing = this->focusWidget();
-  if (typing)
-    typing->clearFocus();
-  if (typing && typing->isVisible())
-    typing->setFocus();
 }
 
 bool PlannerWindow::IsSettled() const

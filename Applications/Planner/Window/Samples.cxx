@@ -6,6 +6,8 @@
 #include "vtkHaspVolumeView.h"
 #include "vtkImageData.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +16,7 @@ namespace hasp
 {
 namespace
 {
+namespace fs = std::filesystem;
 
 /// Samples that were made here, with the passport that a file of them would have.
 ShelfScan Generated(const GridGeometry& geometry, std::vector<std::int16_t> samples)
@@ -44,19 +47,24 @@ ShelfScan Phantom(PhantomAnatomy anatomy, double spacingMm)
 
 std::string SampleFile()
 {
-  const char* said = std::getenv("HASP_SAMPLE");
-  const std::string file =
-    said && *said ? said : "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
-  std::error_code ignored;
-  return std::filesystem::exists(file, ignored) ? file : std::string();
+  const fs::path program = fs::u8path(QCoreApplication::applicationDirPath().toStdString());
+  std::vector<fs::path> files{ "/usr/share/doc/invesalius-examples/examples/Cranium.inv3",
+    program / "../../.cache/Cranium.inv3", program / "../share/hasp/Cranium.inv3" };
+  if (const char* said = std::getenv("HASP_SAMPLE"); said && *said)
+    files = { said };
+  for (const fs::path& file : files)
+    if (std::error_code ignored; fs::exists(file, ignored))
+      return file.string();
+  return {};
 }
 
-std::vector<ShelfScan> MakeSample(Sample sample, const ProgressFunction& progress)
+std::vector<ShelfScan> MakeSample(
+  Sample sample, const std::string& file, const ProgressFunction& progress)
 {
   switch (sample)
   {
     case Sample::Skull:
-      if (const std::string file = SampleFile(); !file.empty())
+      if (!file.empty())
         return { ScanShelf::Read(file, {}, progress) };
       return { Phantom(PhantomAnatomy::Head, 0.8) };
     case Sample::Mandible:

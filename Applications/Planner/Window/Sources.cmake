@@ -22,6 +22,7 @@ hasp_add_planner_part(Window
     Window/Recovery.cxx Window/Recovery.h
     Window/RunPlanner.cxx Window/RunPlanner.h
     Window/Samples.cxx Window/Samples.h
+    Window/StartHint.cxx Window/StartHint.h
     Window/StereoPage.cxx Window/StereoPage.h
     Window/StereoSettings.cxx Window/StereoSettings.h
     Window/StereoWindow.cxx Window/StereoWindow.h
