@@ -1,6 +1,8 @@
 #include "Output/ReportPictures.h"
 
 #include "Output/ReportScene.h"
+#include "Output/ReportWorlds.h"
+#include "Planning/PlanLists.h"
 
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
@@ -34,9 +36,23 @@ void AddParts(ReportScene& scene, const std::vector<T>& objects, const ReportBod
       scene.Add(part->second, {}, colour);
 }
 
-/// As scanned: all bone, blades, and what is put on there.
-void AddBefore(ReportScene& scene, const Plan& plan, const ReportBodies& bodies)
+/// All bone of a scan of which there are no fragments.
+void AddScan(ReportScene& scene, const ReportWorld& world, const ReportBodies& bodies)
 {
+  if (const auto scan = bodies.scans.find(world.volume); scan != bodies.scans.end())
+    scene.Add(scan->second, {}, BoneColour);
+}
+
+bool HasBefore(const Plan& plan)
+{
+  return !plan.cuts.empty() || !plan.guides.empty() || !plan.mitreGuides.empty();
+}
+
+/// As scanned: all bone, blades, and what is put on there.
+void AddBefore(ReportScene& scene, const ReportWorld& world, const ReportBodies& bodies)
+{
+  const Plan& plan = world.plan;
+  AddScan(scene, world, bodies);
   for (const PlanFragment& fragment : plan.fragments)
     if (const auto body = bodies.fragments.find(fragment.id); body != bodies.fragments.end())
     {
@@ -51,14 +67,14 @@ void AddBefore(ReportScene& scene, const Plan& plan, const ReportBodies& bodies)
 }
 
 /// As planned: bone that is kept, where it goes, and what stays in the patient.
-void AddAfter(ReportScene& scene, const Plan& plan, const ReportBodies& bodies)
+void AddAfter(ReportScene& scene, const ReportWorld& world, const ReportBodies& bodies)
 {
+  const Plan& plan = world.plan;
   for (const PlanFragment& fragment : plan.fragments)
     if (const auto body = bodies.fragments.find(fragment.id);
         body != bodies.fragments.end() && fragment.state == FragmentState::Kept)
       scene.Add(body->second, fragment.scanToPlanned, ColourOf(fragment));
-  if (bodies.scan)
-    scene.Add(bodies.scan, {}, BoneColour);
+  AddScan(scene, world, bodies);
   AddParts(scene, plan.plates, bodies, PlateColour);
   AddParts(scene, plan.implants, bodies, ImplantColour);
   AddParts(scene, plan.transplants, bodies, TransplantColour);
@@ -73,6 +89,16 @@ void Draw(ReportScene& scene, const QString& caption, std::vector<ReportPicture>
   if (!scene.IsEmpty())
     for (const auto& [side, from] : sides)
       pictures.push_back({ caption.arg(from), scene.Draw(side) });
+  scene.Clear();
+}
+
+/// Which scan it is, before where it is seen from: where there are several.
+QString Captioned(const QString& text, const Plan& plan, const ReportWorld& world)
+{
+  if (plan.volumes.size() < 2)
+    return text;
+  const QString scan = QString::fromStdString(CalledObject(plan, world.volume));
+  return text.arg((world.isDonor ? ReportText::tr("%1, the donor's").arg(scan) : scan) + ", %1");
 }
 
 } // namespace
@@ -105,15 +131,22 @@ ReportDrawing DrawReport(const Plan& plan, const ReportBodies& bodies)
   if (!scene.CanDraw())
     return drawing;
   drawing.renderer = scene.Renderer();
-  if (!plan.cuts.empty() || !plan.guides.empty() || !plan.mitreGuides.empty())
+  for (const ReportWorld& world : WorldsOf(plan))
   {
-    AddBefore(scene, plan, bodies);
-    Draw(scene, ReportText::tr("Cuts and guides on the bone as it was scanned, %1."),
-      drawing.pictures);
-    scene.Clear();
+    const bool hasBefore = HasBefore(world.plan);
+    if (hasBefore)
+    {
+      AddBefore(scene, world, bodies);
+      Draw(scene,
+        Captioned(
+          ReportText::tr("Cuts and guides on the bone as it was scanned, %1."), plan, world),
+        drawing.pictures);
+    }
+    if (hasBefore && world.isDonor) // nothing is planned where segments are taken
+      continue;
+    AddAfter(scene, world, bodies);
+    Draw(scene, Captioned(ReportText::tr("As planned, %1."), plan, world), drawing.pictures);
   }
-  AddAfter(scene, plan, bodies);
-  Draw(scene, ReportText::tr("As planned, %1."), drawing.pictures);
   return drawing;
 }
 

@@ -21,7 +21,7 @@ struct ReportBodies
 {
   std::map<PlanId, vtkSmartPointer<vtkPolyData>> fragments; ///< in the scan
   std::map<PlanId, vtkSmartPointer<vtkPolyData>> parts;     ///< where they were made
-  vtkSmartPointer<vtkPolyData> scan; ///< of a plan without fragments; nullptr: none
+  std::map<PlanId, vtkSmartPointer<vtkPolyData>> scans;     ///< all bone, where none is a fragment
 };
 
 /// The isosurface of a fragment's voxels, or of a scan: bone is value >= isovalue. RENDER or
@@ -39,9 +39,10 @@ struct ReportDrawing
 
 /// From the front, the left, the right and above, 800 x 600 pixels each on white: where the plan
 /// has cuts or guides, the bone as it was scanned with the blades and the guides; and the bone as
-/// planned, with plates, implants and transplants. Drawn off-screen, apart from the window, so that
-/// it is the same whatever that shows. The same bytes for the same bodies with the same OpenGL.
-/// Without OpenGL: no pictures. RENDER; some 0.1 s a picture.
+/// planned, with plates, implants and transplants. One scan's world a picture: a donor's has its
+/// own, as scanned alone if guides or cuts are on it. Drawn off-screen, apart from the window, so
+/// that it is the same whatever that shows. The same bytes for the same bodies with the same
+/// OpenGL. Without OpenGL: no pictures. RENDER; some 0.1 s a picture.
 ReportDrawing DrawReport(const Plan& plan, const ReportBodies& bodies);
 
 } // namespace hasp

@@ -12,6 +12,8 @@
 #include "vtkMapper.h"
 #include "vtkProp3D.h"
 
+#include <optional>
+#include <set>
 #include <stdexcept>
 
 namespace hasp
@@ -113,6 +115,42 @@ void AddParts(Planner& planner, ReportBodies& bodies, QStringList& missing)
     }
 }
 
+/// What bone is to a guide, a plate or an implant on a scan; none: nothing is on it.
+std::optional<double> IsovalueOn(const Plan& plan, PlanId volume)
+{
+  for (const PlanGuide& guide : plan.guides)
+    if (guide.bone == volume)
+      return guide.recipe.isovalue;
+  for (const PlanPlate& plate : plan.plates)
+    if (plate.volume == volume)
+      return plate.recipe.isovalue;
+  for (const PlanImplant& implant : plan.implants)
+    if (implant.volume == volume)
+      return implant.recipe.isovalue;
+  return std::nullopt;
+}
+
+/// Of scans without a fragment: those that something is planned on, and the one that is shown where
+/// the plan has no fragments at all.
+void AddScans(const Planner& planner, ReportBodies& bodies)
+{
+  const Plan& plan = planner.plan.Now();
+  std::set<PlanId> divided;
+  for (const PlanFragment& fragment : plan.fragments)
+    divided.insert(VolumeOfFragment(plan, fragment.id));
+  for (const PlanVolume& volume : plan.volumes)
+  {
+    const ShelfScan* scan = planner.scans.OfVolume(plan, volume.id);
+    if (!scan || divided.contains(volume.id))
+      continue;
+    std::optional<double> isovalue = IsovalueOn(plan, volume.id);
+    if (volume.id == planner.scene.ShownVolume() && (isovalue || plan.fragments.empty()))
+      isovalue = planner.scene.Isovalue();
+    if (isovalue)
+      bodies.scans[volume.id] = BoneSurface(scan->image, *isovalue);
+  }
+}
+
 } // namespace
 
 ReportBodies BodiesOf(Planner& planner, QStringList& missing)
@@ -120,9 +158,7 @@ ReportBodies BodiesOf(Planner& planner, QStringList& missing)
   ReportBodies bodies;
   AddFragments(planner, bodies, missing);
   AddParts(planner, bodies, missing);
-  if (planner.plan.Now().fragments.empty())
-    if (vtkImageData* scan = planner.scene.ShownImage())
-      bodies.scan = BoneSurface(scan, planner.scene.Isovalue());
+  AddScans(planner, bodies);
   return bodies;
 }
 

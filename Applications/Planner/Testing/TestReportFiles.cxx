@@ -99,6 +99,69 @@ TEST_F(ReportFiles, PicturesShowTheBoneFromFourSidesBeforeAndAfter)
   EXPECT_TRUE(this->ContentsWithPictures().pictures.empty()) << "of nothing";
 }
 
+TEST_F(ReportFiles, AGuideOnAScanWithoutFragmentsIsSeenOnItsBone)
+{
+  this->document = {};
+  this->Do(AddObject<PlanVolume>{ { 1, "", std::string(64, 'a') } });
+  PlanGuide guide{ 2, "", 1, {}, {}, BodySide::None };
+  guide.recipe.landmarks = { { -4, -20, 0 }, { 4, -20, 0 } };
+  this->Do(AddObject<PlanGuide>{ guide });
+  this->bodies = { {}, { { 2, Ball({ 0, -20, 0 }, 4.0) } }, { { 1, Ball({ 0, 0, 0 }, 20.0) } } };
+  const ReportContents contents = this->ContentsWithPictures();
+  ASSERT_EQ(contents.pictures.size(), 8U);
+  const QImage before = QImage::fromData(contents.pictures[0].png, "PNG");
+  int bone = 0, blue = 0; // which the guide is
+  for (int y = 0; y < before.height(); ++y)
+    for (int x = 0; x < before.width(); ++x)
+    {
+      const QRgb at = before.pixel(x, y);
+      bone += qRed(at) > qBlue(at) + 5 ? 1 : 0;
+      blue += qBlue(at) > qRed(at) + 20 ? 1 : 0;
+    }
+  EXPECT_GT(blue, 1000);
+  EXPECT_GT(bone, 10 * blue);
+}
+
+/// Data/phantom-transplant-edits.json: the jaw's scan 1 with cuts 4 and 5, stumps 6 and 7, chin 8
+/// and transplant 10; the donor's scan 2 with the fibula 9 and mitre guide 11.
+TEST_F(ReportFiles, EachPictureShowsOneScan)
+{
+  this->document = {};
+  const fs::path edits = fs::path(HASP_PLAN_EDITS).parent_path() / "phantom-transplant-edits.json";
+  for (const PlanEdit& edit : ParseEdits(ReadBytes(edits.string())))
+    this->Do(edit);
+  this->bodies = { { { 6, Ball({ -35, -45, -95 }, 10.0) }, { 7, Ball({ 35, -45, -95 }, 10.0) },
+                     { 8, Ball({ -13, -75, -95 }, 8.0) }, { 9, Ball({ 0, 0, -20 }, 40.0) } },
+    { { 10, Ball({ -13, -75, -95 }, 6.0) }, { 11, Ball({ 0, -40, -20 }, 5.0) } }, {} };
+  const ReportBodies all = this->bodies;
+  const auto pictures = [this](std::initializer_list<PlanId> without)
+  {
+    for (const PlanId id : without)
+    {
+      this->bodies.fragments.erase(id);
+      this->bodies.parts.erase(id);
+    }
+    return this->ContentsWithPictures().pictures;
+  };
+  const std::vector<ReportPicture> both = pictures({}), jaw = pictures({ 9, 11 });
+  this->bodies = all;
+  const std::vector<ReportPicture> leg = pictures({ 6, 7, 8, 10 });
+  ASSERT_EQ(jaw.size(), 8U);
+  ASSERT_EQ(leg.size(), 4U);
+  ASSERT_EQ(both.size(), 12U);
+  for (std::size_t n = 0; n < 12; ++n)
+  {
+    const ReportPicture& alone = n < 8 ? jaw[n] : leg[n - 8];
+    EXPECT_TRUE(both[n].png == alone.png) << both[n].caption.toStdString();
+    EXPECT_EQ(both[n].caption, alone.caption);
+  }
+  EXPECT_EQ(
+    both[0].caption, "Cuts and guides on the bone as it was scanned, volume 1, from the front.");
+  EXPECT_EQ(both[4].caption, "As planned, volume 1, from the front.");
+  EXPECT_EQ(both[8].caption,
+    "Cuts and guides on the bone as it was scanned, volume 2, the donor's, from the front.");
+}
+
 TEST_F(ReportFiles, ThePdfHasPagesAndNoDate)
 {
   this->KeepGuide();
