@@ -1,9 +1,51 @@
 #include "Steps/FileQuestion.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace hasp
 {
+namespace
+{
+
+struct Words
+{
+  Q_DECLARE_TR_FUNCTIONS(FileQuestion)
+};
+
+/// Of a name that has it or `besides` or none.
+QString WithEnding(const QString& file, const QString& ending, const QString& besides)
+{
+  if (file.endsWith(ending, Qt::CaseInsensitive))
+    return file;
+  const bool isBeside = !besides.isEmpty() && file.endsWith(besides, Qt::CaseInsensitive);
+  return (isBeside ? file.chopped(besides.size()) : file) + ending;
+}
+
+/// Asks, if it is there.
+bool MayReplace(QWidget* parent, const QString& file)
+{
+  const QFileInfo there(file);
+  if (!there.exists() || there.isDir()) // a folder is refused by whoever writes
+    return true;
+  QMessageBox question(QMessageBox::Warning, Words::tr("Replace the file?"),
+    Words::tr("%1 is there already.").arg(there.fileName()), QMessageBox::NoButton, parent);
+  question.setObjectName("question.replace");
+  question.setTextFormat(Qt::PlainText);
+  QPushButton* replace = question.addButton(Words::tr("&Replace it"), QMessageBox::DestructiveRole);
+  replace->setObjectName("question.replace.yes");
+  QPushButton* other = question.addButton(Words::tr("&Another name"), QMessageBox::RejectRole);
+  other->setObjectName("question.replace.no");
+  question.setDefaultButton(other);
+  question.setEscapeButton(other);
+  question.exec();
+  return question.clickedButton() == replace;
+}
+
+} // namespace
 
 QString AskForFile(QWidget* parent, const QString& title, const QString& filter)
 {
@@ -15,10 +57,23 @@ QString AskForFolder(QWidget* parent, const QString& title)
   return QFileDialog::getExistingDirectory(parent, title);
 }
 
-QString AskForNewFile(
-  QWidget* parent, const QString& title, const QString& name, const QString& filter)
+QString AskForNewFile(QWidget* parent, const QString& title, const QString& name,
+  const QString& filter, const QString& besides)
 {
-  return QFileDialog::getSaveFileName(parent, title, name, filter);
+  const QString ending = '.' + QFileInfo(name).suffix();
+  QFileDialog dialog(parent, title, {}, filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setFileMode(QFileDialog::AnyFile);
+  dialog.setOption(QFileDialog::DontConfirmOverwrite); // it would ask of the name without ending
+  dialog.selectFile(name);
+  while (dialog.exec() == QDialog::Accepted)
+  {
+    const QString file = WithEnding(dialog.selectedFiles().value(0), ending, besides);
+    const QString beside = file.chopped(ending.size()) + besides;
+    if (MayReplace(parent, file) && (besides.isEmpty() || MayReplace(parent, beside)))
+      return file;
+  }
+  return {};
 }
 
 QString AskForNewFolder(QWidget* parent, const QString& title, const QString& name)

@@ -16,9 +16,10 @@ QString AskForFolder(QWidget* parent, const QString& title);
 ///@}
 ///@{
 /// Asks for a file to write, or for a folder that is not there yet or empty. `name`: what is
-/// proposed.
-QString AskForNewFile(
-  QWidget* parent, const QString& title, const QString& name, const QString& filter);
+/// proposed. A file gets its ending, where another name is typed; `besides`: the ending of what is
+/// written beside it. Asks again before one that is there is overwritten.
+QString AskForNewFile(QWidget* parent, const QString& title, const QString& name,
+  const QString& filter, const QString& besides = {});
 QString AskForNewFolder(QWidget* parent, const QString& title, const QString& name);
 ///@}
 
