@@ -118,8 +118,9 @@ void PlanSession::Put(PlanDocument document, fs::path place, PlanDocument saved)
   *this->Kept = std::move(document); // in place: History() is held by others
   this->Saved = std::move(saved);
   this->Place = std::move(place);
-  this->Write(true);
+  this->JournalFails = false; // of this plan it has not been said
   Q_EMIT this->Replaced();
+  this->Write(true); // what it warns of is this plan's
   Q_EMIT this->Changed();
   Q_EMIT this->PartsChanged();
   Q_EMIT this->SavedChanged();

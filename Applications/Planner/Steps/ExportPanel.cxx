@@ -92,6 +92,7 @@ ExportPanel::ExportPanel(Planner& planner, QWidget* parent)
     [this] { ExportAll(this->Of, PathOf(this->Folder->text().trimmed()), this->Format()); });
   connect(this->Reporting, &QPushButton::clicked, this, &ExportPanel::Report);
   connect(this->Folder, &QLineEdit::textChanged, this, &ExportPanel::Refresh);
+  connect(&planner.plan, &PlanSession::Replaced, this->Folder, &QLineEdit::clear);
   connect(&planner.plan, &PlanSession::Changed, this, &ExportPanel::Refresh);
   connect(&planner.plan, &PlanSession::PartsChanged, this, &ExportPanel::Refresh);
   connect(&RedParts::Of(planner), &RedParts::Changed, this, &ExportPanel::Refresh);
@@ -175,13 +176,13 @@ void ExportPanel::ExportOne(PlanId object)
   const QString file =
     AskForNewFile(this, tr("Export %1").arg(name), name, tr("Parts (*.%1)").arg(format));
   if (!file.isEmpty())
-    ExportPart(this->Of, object, PathOf(file.endsWith('.' + format) ? file : file + '.' + format));
+    ExportPart(this->Of, object, PathOf(file));
 }
 
 void ExportPanel::Report()
 {
-  const QString file =
-    AskForNewFile(this, tr("Report of the case"), tr("report.html"), tr("Web pages (*.html)"));
+  const QString file = AskForNewFile(this, tr("Report of the case"), tr("report.html"),
+    tr("Web pages (*.html)"), QStringLiteral(".pdf"));
   if (!file.isEmpty())
     WriteCaseReport(this->Of, PathOf(file), { .names = this->Names->isChecked() });
 }

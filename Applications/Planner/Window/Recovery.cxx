@@ -85,10 +85,13 @@ void OfferRecovery(PlannerWindow& window)
       WorkFolder::Remove(work);
       continue;
     }
-    planner.Say(PlannerWindow::tr("Brought back. Save the plan to keep it.")); // faults follow
+    // As soon as it is there: faults follow.
+    const auto saying = QObject::connect(&planner.plan, &PlanSession::Replaced, &planner,
+      [&planner] { planner.Say(PlannerWindow::tr("Brought back. Save the plan to keep it.")); });
     if (planner.plan.Recover(work, WorkFolder::PlaceOf(work, planner.folders.plans)) &&
         planner.plan.IsJournalled()) // else it is all that there is against another crash
       WorkFolder::Remove(work);
+    QObject::disconnect(saying);
     return; // one plan at a time: others are offered at the next start
   }
 }
