@@ -17,6 +17,7 @@
 #include "Planning/PlanLists.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <exception>
@@ -35,6 +36,13 @@ struct Words
   Q_DECLARE_TR_FUNCTIONS(PartExport)
 };
 
+/// Why, without what "Nothing is written" says already: Files.h says that of itself, too.
+QString ReasonOf(const std::exception& error)
+{
+  static const QRegularExpression said("^cannot write [^:]+: |[;:] nothing was written$");
+  return QString::fromUtf8(error.what()).remove(said);
+}
+
 bool CanWrite(Planner& planner, const std::function<void()>& require)
 {
   try
@@ -44,7 +52,7 @@ bool CanWrite(Planner& planner, const std::function<void()>& require)
   }
   catch (const std::exception& error)
   {
-    planner.SayFault(Words::tr("Nothing is written: %1").arg(QString::fromUtf8(error.what())));
+    planner.SayFault(Words::tr("Nothing is written: %1").arg(ReasonOf(error)));
     return false;
   }
 }

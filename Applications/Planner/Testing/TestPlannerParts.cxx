@@ -103,6 +103,8 @@ TEST_F(PlannerParts, LeaveThePlannerInDateAlone)
   this->Finish();
   const std::string first = ReadBytes(this->Path("first.stl"));
   EXPECT_EQ(first.size() % 50, 84U % 50); // a whole .stl
+  EXPECT_FALSE(ExportPart(*this->planner, 8, file("none/first.stl")));
+  EXPECT_EQ(this->faults.back(), "Nothing is written: its folder does not exist; make it first");
   this->MoveCut(1.0);
   EXPECT_EQ(FactsOf(*this->planner, 8).state, PartState::OutOfDate);
   EXPECT_EQ(

@@ -270,9 +270,17 @@ PlanRebuild::~PlanRebuild() = default;
 RebuiltPart PlanRebuild::Make(PlanId object, const ProgressFunction& progress)
 {
   std::vector<PartInput> inputs = PartInputs(this->Inside->plan, object);
-  const std::string before = CalledObject(this->Inside->plan, object) + ": ";
+  const Plan& plan = this->Inside->plan;
+  const std::string before = CalledObject(plan, object) + ": ";
+  std::string kind = std::string(PlanNoun(plan, object)) + ": "; // as its builder begins
+  std::replace(kind.begin(), kind.end(), '-', ' ');
   RebuiltPart part = SayingErrors([&] { return this->Inside->MakeObject(object, progress); },
-    [&](const std::string& text) { return text.starts_with(before) ? text : before + text; });
+    [&](const std::string& text)
+    {
+      if (text.starts_with(before))
+        return text;
+      return before + (text.starts_with(kind) ? text.substr(kind.size()) : text);
+    });
   part.object = object;
   part.inputs = std::move(inputs);
   part.volumeMm3 = VolumeOf(part.mesh);

@@ -246,7 +246,7 @@ OpenedVolume OpenDicomFolder(const std::filesystem::path& folder,
 {
   std::vector<DicomSlice> files = ListFiles(folder);
   if (files.empty())
-    ThrowFileError(folder, "the folder is empty");
+    ThrowFileError(folder, "it is empty; give the folder that holds the slices");
   {
     DecoderProcess decoder(DecoderProcess::Mode::Scan, files, settings);
     std::vector<DicomSlice> slices;

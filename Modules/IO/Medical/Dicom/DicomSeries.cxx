@@ -63,7 +63,7 @@ Series Group(
   passport.seriesFound = static_cast<int>(series.size());
   if (series.empty() && passport.faults.empty())
     Refuse(folder, passport, FaultKind::Damaged,
-      count == 0 ? "the folder is empty"
+      count == 0 ? "it is empty"
                  : "none of its " + std::to_string(count) + " files is a DICOM image");
   if (series.empty())
     throw ImportError(folder, std::move(passport));

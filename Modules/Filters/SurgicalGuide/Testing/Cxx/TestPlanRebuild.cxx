@@ -245,4 +245,15 @@ TEST(PlanRebuild, WhatIsMissingOrImpossibleIsNamedByIds)
   EXPECT_EQ(Refusal(others, 16).find("guide 16: fragment 14: there is no bone at source.seed"), 0U);
 }
 
+TEST(PlanRebuild, RefusalsSayOnceWhatTheyAreOf)
+{
+  const Bar bar;
+  PlanPlate plate{ 13, "", 1, {}, {} };
+  plate.recipe.landmarks = { { -18, 0, 40 }, { 18, 0, 40 } }; // in the air
+  PlanRebuild rebuild(Apply(BarPlan(), AddObject<PlanPlate>{ plate }), bar.Images());
+  const std::string said = Refusal(rebuild, 13);
+  EXPECT_EQ(said.find("plate 13: "), 0U) << said;
+  EXPECT_EQ(said.find("plate: "), std::string::npos) << said;
+}
+
 } // namespace

@@ -278,7 +278,8 @@ TEST_F(ImportFaults, SeveralSeriesSingleSliceAndNothing)
   std::filesystem::create_directories(this->Folder / "empty");
   p = Inspect(this->Folder / "empty");
   EXPECT_EQ(Kinds(p), std::vector<FaultKind>{ FaultKind::Damaged });
-  EXPECT_EQ(p.faults[0].text, "the folder is empty");
+  EXPECT_EQ(p.faults[0].text, "it is empty; give the folder that holds the slices");
+  this->ExpectRefused(this->Folder / "empty", { "empty: it is empty; give" }); // once
 }
 
 TEST_F(ImportFaults, TooLargeAndCutOff)
