@@ -6,6 +6,7 @@
 #include "Report/ReportRegistry.h"
 #include "Report/ReportText.h"
 #include "Report/ScratchFolder.h"
+#include "ReportPlannerCases.h"
 
 #include <nlohmann/json.hpp>
 
@@ -242,6 +243,8 @@ void ReportPlanner(ReportContext& context)
     return AddAbsent(context.report, std::string("no screen: ") + error.what());
   }
   PlannerRows(context.report).Add(Json::parse(std::ifstream(figures)));
+  if (!context.settings.quick)
+    ReportPlannerCases(context);
 }
 
 } // namespace hasp

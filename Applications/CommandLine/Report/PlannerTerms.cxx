@@ -15,6 +15,9 @@ std::vector<ReportTerm> PlannerTerms()
                       "pixels; share: least pixels along an axis; touching: in contact; tick: of "
                       "the haptic thread" },
     { "planner.idle", "frames drawn while nothing happens" },
+    { "planner.clicks",
+      "presses of buttons of a whole case, from the sample to the exported parts" },
+    { "planner.wait", "of that case: from inputs until all that came of them was done" },
     { "planner.reopened", "growth of memory over plans that are opened again and again" },
   };
 }

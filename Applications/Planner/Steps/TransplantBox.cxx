@@ -77,22 +77,11 @@ PlanTransplant TransplantBox::Fresh()
 {
   const Plan& plan = this->Of.plan.Now();
   PlanTransplant transplant;
-  // The first two cuts are the defect's, and what stays at each is the stump.
-  const auto stump = [&](const PlanCut& cut) -> JawFace
+  if (plan.cuts.size() >= 2) // the first two are the defect's
   {
-    PlanId nearest = 0;
-    double least = 1e30;
-    for (const PlanFragment& fragment : plan.fragments)
-      if (const auto* piece = std::get_if<PieceSource>(&fragment.source);
-          piece && fragment.state == FragmentState::Kept)
-        if (const double away = glm::distance(piece->seed, cut.blade.point); away < least)
-          least = away, nearest = fragment.id;
-    return { cut.id, nearest };
-  };
-  if (plan.cuts.size() >= 2)
-  {
-    transplant.first = stump(plan.cuts[0]);
-    transplant.last = stump(plan.cuts[1]);
+    const PlanCut &first = plan.cuts[0], &last = plan.cuts[1];
+    transplant.first = { first.id, StumpOf(plan, first, last) };
+    transplant.last = { last.id, StumpOf(plan, last, first) };
   }
   return transplant;
 }
@@ -125,7 +114,10 @@ void TransplantBox::LayPath(const std::vector<glm::dvec3>& path)
     return this->ShowFault(QString::fromStdString(error.what()));
   }
   this->Laid = path == this->Path->Points() ? this->Bone().joints : std::vector<TransplantJoint>{};
-  this->Put();
+  if (this->Bone().donor.axis.size() >= 2)
+    return this->Put();
+  this->ShowFault({}); // it lacks its donor yet, which is said below
+  this->Fill();
 }
 
 std::vector<glm::dvec3> TransplantBox::PathNow() const
@@ -135,24 +127,29 @@ std::vector<glm::dvec3> TransplantBox::PathNow() const
                                                     : PathOf(this->Of.plan.Now(), transplant);
 }
 
-/// Places that were touched on the bone's outside go into its middle.
+/// Places that were touched on the bone's outside go into its middle, across the path. One on a
+/// sawn face is in the bone already.
 void TransplantBox::ToTheMiddle()
 {
   const Plan& plan = this->Of.plan.Now();
+  const std::vector<glm::dvec3> path = this->Path->Points();
   std::vector<TouchedPlace> places = this->Path->Places();
-  for (TouchedPlace& place : places)
+  for (std::size_t n = 0; n < places.size() && path.size() >= 2; ++n)
   {
+    TouchedPlace place = places[n];
     const PlanId volume = VolumeOfFragment(plan, place.object);
     const ShelfScan* scan =
       this->Of.scans.OfVolume(plan, volume != 0 ? volume : this->Of.scene.ShownVolume());
-    const glm::dvec3 out = NormalInScan(plan, place);
-    if (!scan || out == glm::dvec3(0.0))
+    const auto across =
+      place.normal == glm::dvec3(0.0) ? std::nullopt : AcrossPath(path, n, place.normal);
+    if (!scan || !across)
       continue;
+    place.normal = *across;
     const double isovalue =
       volume != 0 ? IsovalueOfFragment(plan, place.object) : this->Of.scene.Isovalue();
-    if (const auto middle =
-          MiddleOfBone(ViewImage(scan->image), isovalue, place.inScan, -out, JawMm))
-      place = PlaceOfScan(plan, place.object, *middle);
+    if (const auto middle = MiddleOfBone(
+          ViewImage(scan->image), isovalue, place.inScan, -NormalInScan(plan, place), JawMm))
+      places[n] = PlaceOfScan(plan, place.object, *middle);
   }
   this->Path->SetPlaces(std::move(places));
   this->TakePath();

@@ -46,7 +46,10 @@ void TransplantBox::TakeTips()
   this->Bone().donor.axis = tips;
   this->Tips->PutAway();
   this->Put();
-  this->Resting.start(); // they may be typed number by number
+  const Plan& plan = this->Of.plan.Now();
+  if (VolumeOfFragment(plan, this->Draft.Typed().donor) == this->Of.scene.ShownVolume())
+    this->Of.scene.SetVisible(this->Draft.Id(), false); // it lies in the jaw's world
+  this->Resting.start();                                // they may be typed number by number
 }
 
 void TransplantBox::TakeDonor(PlanId donor)
@@ -129,7 +132,8 @@ void TransplantBox::TakeTissue()
   this->Put();
 }
 
-/// Donor and jaw lie in worlds of their own, one over the other: only one of them is shown.
+/// Donor and jaw lie in worlds of their own, one over the other: only one of them is shown, with
+/// what is planned in it.
 void TransplantBox::LookAt(bool donor)
 {
   const Plan& plan = this->Of.plan.Now();
@@ -143,11 +147,19 @@ void TransplantBox::LookAt(bool donor)
   }
   if (shown == 0)
     return this->Of.SayFault(tr("There is one scan only: import the donor's as a second one."));
+  PlanScene& scene = this->Of.scene;
   for (const PlanFragment& fragment : plan.fragments)
     if (!IsDivided(plan, fragment.id))
-      this->Of.scene.SetVisible(fragment.id, VolumeOfFragment(plan, fragment.id) == shown);
-  this->Of.scene.SetShownVolume(shown);
-  this->Of.scene.ShowAll();
+      scene.SetVisible(fragment.id, VolumeOfFragment(plan, fragment.id) == shown);
+  for (const PlanCut& cut : plan.cuts)
+    if (!cut.fragments.empty())
+      scene.SetVisible(cut.id, VolumeOfFragment(plan, cut.fragments[0]) == shown);
+  for (const PlanTransplant& transplant : plan.transplants)
+    scene.SetVisible(transplant.id, !donor);
+  for (const PlanMitreGuide& guide : plan.mitreGuides)
+    scene.SetVisible(guide.id, donor);
+  scene.SetShownVolume(shown);
+  scene.ShowAll();
 }
 
 } // namespace hasp

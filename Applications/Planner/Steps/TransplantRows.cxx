@@ -201,10 +201,10 @@ void TransplantBox::FillChoices()
   for (int n = 1; n <= segments; ++n)
     this->Segment->addItem(QString::number(n));
   this->Segment->setCurrentIndex(chosen <= segments ? chosen : 0);
-  this->Axis->setText(
-    transplant.transplant.donor.axis.size() > 2
-      ? tr("Its middle line has %1 places.").arg(transplant.transplant.donor.axis.size())
-      : tr("Its middle line is straight, from tip to tip."));
+  const std::size_t axis = transplant.transplant.donor.axis.size();
+  this->Axis->setText(axis < 2   ? QString()
+                      : axis > 2 ? tr("Its middle line has %1 places.").arg(axis)
+                                 : tr("Its middle line is straight, from tip to tip."));
 }
 
 /// What the segments come out as, or why they cannot be cut: before anything is made.

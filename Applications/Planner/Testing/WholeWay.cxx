@@ -63,6 +63,12 @@ void WholeWay::Close(PlannerProcess& planner, const std::string& called)
   planner.CloseWindow();
   EXPECT_EQ(planner.ExitCode(), 0);
   EXPECT_EQ(planner.Output(), "");
+  const auto note = [](const char* key, double figure)
+  { RecordProperty(key, std::to_string(figure)); };
+  note("clicks", double(effort.clicks)); // what hasp report reads
+  note("keys", double(effort.keys));
+  note("wait_s", effort.machineWaitS);
+  note("jobs_s", effort.ofThemBusyS);
   std::cout << called << ": " << effort.clicks << " clicks, " << effort.keys << " keys, "
             << std::fixed << std::setprecision(1) << effort.machineWaitS
             << " s of waiting, of them " << effort.ofThemBusyS << " s for jobs\n";

@@ -19,8 +19,12 @@ QStringList WordsOf(const PlannerWindow& window)
 {
   const Plan& plan = window.Parts().plan.Now();
   QStringList words{ QString::fromStdString(plan.caseLabel) };
-  ForEachPlanObject(
-    plan, [&](const auto& object) { words += QString::fromStdString(object.name); });
+  ForEachPlanObject(plan,
+    [&](const auto& object)
+    {
+      if (object.name != CalledObject(plan, object.id)) // else it is ours
+        words += QString::fromStdString(object.name);
+    });
   words.removeAll(QString());
   return words;
 }
