@@ -66,24 +66,6 @@ TEST(PlannerImport, AFaultyFileIsAFaultAndNoEdit)
   EXPECT_EQ(desk.Now(), Plan{});
 }
 
-TEST(PlannerImport, AFaultGoesWhenItIsTriedAgainAndNoOtherOne)
-{
-  const CanaryFolder folder;
-  WriteVolume(TwoBalls(2.0), folder.File("scan.mha"));
-  ImportDesk desk(folder);
-  int withdrawn = 0;
-  QObject::connect(&desk.planner, &Planner::Withdrawn, &desk.planner, [&] { ++withdrawn; });
-  ASSERT_TRUE(desk.Import(folder.File("none.mha")));
-  ASSERT_EQ(desk.faults.size(), 1);
-  EXPECT_EQ(withdrawn, 0);
-  ASSERT_TRUE(desk.Import(folder.File("scan.mha")));
-  EXPECT_EQ(withdrawn, 1);
-  ASSERT_TRUE(desk.Import(folder.File("none.mha")));
-  desk.planner.SayFault("The disk is full."); // which holds, whatever is imported
-  ASSERT_TRUE(desk.Import(folder.File("scan.mha")));
-  EXPECT_EQ(withdrawn, 1);
-}
-
 TEST(PlannerImport, AScanIsAPassportAnEditAndAShownVolume)
 {
   const CanaryFolder folder;

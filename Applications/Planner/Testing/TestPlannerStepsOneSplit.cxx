@@ -8,7 +8,6 @@
 #include "Tools/StrokeEdits.h"
 #include "View/BlobFile.h"
 #include "vtkHaspOutputFile.h"
-#include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -30,25 +29,15 @@ using namespace hasp::testing;
 
 constexpr double JoinedMm = -4.0; ///< the balls are one bone
 
-constexpr glm::ivec3 Stray(2, 2, 2); ///< a voxel far from the balls
-
-/// With a voxel of bone beside them.
-vtkSmartPointer<vtkImageData> WithStray(const vtkSmartPointer<vtkImageData>& balls)
-{
-  balls->SetScalarComponentFromDouble(Stray.x, Stray.y, Stray.z, 0, 1000.0);
-  return balls;
-}
-
 struct SplitDesk : StepsOneDesk
 {
-  explicit SplitDesk(
-    const CanaryFolder& folder, double gapMm = JoinedMm, vtkImageData* scan = nullptr)
+  explicit SplitDesk(const CanaryFolder& folder, double gapMm = JoinedMm)
     : StepsOneDesk(folder),
       gapMm(gapMm),
       import(this->planner),
       panel(this->planner)
   {
-    WriteVolume(scan ? scan : TwoBalls(gapMm).Get(), folder.File("scan.mha"));
+    WriteVolume(TwoBalls(gapMm), folder.File("scan.mha"));
     this->import.ImportPath(QString::fromStdString(folder.File("scan.mha")));
     this->Settle();
     this->planner.scene.SetIsovalue(226.0);
@@ -181,34 +170,6 @@ TEST(PlannerSplit, ErasedStrokesAreCutWhereTheEraserWas)
   EXPECT_EQ(left[2], ball);
 }
 
-TEST(PlannerSplit, BoneOfNoStrokeIsLeftOutAndSaidInPlainWords)
-{
-  const CanaryFolder folder;
-  SplitDesk desk(folder, JoinedMm, WithStray(TwoBalls(JoinedMm)));
-  desk.panel.Paint().SetLabel(2);
-  ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, 1)));
-  desk.panel.Paint().SetLabel(3);
-  ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, -1)));
-  StepsOneDesk::Click(desk.panel, "split.make");
-  ASSERT_TRUE(desk.Settle());
-  EXPECT_EQ(desk.Now().fragments.size(), 2U);
-  EXPECT_TRUE(desk.faults.isEmpty()) << desk.faults.join(' ').toStdString();
-  ASSERT_FALSE(desk.said.isEmpty());
-  EXPECT_EQ(desk.said.last().toStdString(),
-    "Fragments made: 2. Left out is bone that no stroke is connected to: 1.0 mm³ (voxels: 1).");
-
-  // It is a fragment of its own as soon as it is asked for.
-  desk.panel.Paint().SetLabel(4);
-  ASSERT_TRUE(desk.panel.Paint().PaintAt(
-    ImageGeometry(desk.planner.scene.ShownImage()).IndexToWorld(glm::dvec3(Stray))));
-  StepsOneDesk::Click(desk.panel, "split.make");
-  ASSERT_TRUE(desk.Settle());
-  ASSERT_EQ(desk.Now().fragments.size(), 3U);
-  EXPECT_TRUE(desk.faults.isEmpty()) << desk.faults.join(' ').toStdString();
-  EXPECT_EQ(desk.said.last().toStdString(), "Fragments made: 1.");
-  EXPECT_TRUE(desk.planner.scene.PropOf(desk.Now().fragments[2].id));
-}
-
 TEST(PlannerSplit, FragmentsAreCalledByTheirOwnNumbersUnlessTheirLabelsHaveNames)
 {
   const CanaryFolder folder;
@@ -225,23 +186,6 @@ TEST(PlannerSplit, FragmentsAreCalledByTheirOwnNumbersUnlessTheirLabelsHaveNames
   ASSERT_EQ(desk.Now().fragments.size(), 2U);
   EXPECT_EQ(desk.Now().fragments[0].name, CalledObject(desk.Now(), desk.Now().fragments[0].id));
   EXPECT_EQ(desk.Now().fragments[1].name, "chin");
-}
-
-TEST(PlannerSplit, AStrokeThatMakesNoFragmentIsAFault)
-{
-  const CanaryFolder folder;
-  SplitDesk desk(folder);
-  desk.panel.Paint().SetLabel(2);
-  ASSERT_TRUE(desk.panel.Paint().PaintAt(BallMiddle(JoinedMm, 1)));
-  desk.panel.Paint().SetLabel(3);
-  ASSERT_TRUE(desk.panel.Paint().PaintAt({ 0.0, 0.0, 14.0 })); // in air
-  StepsOneDesk::Click(desk.panel, "split.make");
-  ASSERT_TRUE(desk.Settle());
-  EXPECT_EQ(desk.Now().fragments.size(), 1U);
-  ASSERT_EQ(desk.faults.size(), 1);
-  EXPECT_EQ(desk.faults.last().toStdString(),
-    "Fragments made: 1. Fragment 3 gets no bone: its strokes touch none, or later ones paint over "
-    "them. Strokes that touch no bone: 1.");
 }
 
 TEST(PlannerSplit, FragmentsAreOneStepAndTheirMapIsKept)

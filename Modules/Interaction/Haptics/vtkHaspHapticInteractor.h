@@ -116,6 +116,7 @@ public:
   ///@}
 #endif
   /** The window's mouse, keys and 6-DOF device as the device: HapticInput.h says which does what. A
+   * press takes at once, and not at the next Update: until then the pointer goes on. A
    * press of GrabButton where the last picture shows nothing within GrabReach of a tool is the
    * interactor's style's, and so is its drag. What is seen there is what the depth of the window's
    * last layer says. It has no motors: contact is firmer (0.5 N/mm per mm^2) than where a hand is
