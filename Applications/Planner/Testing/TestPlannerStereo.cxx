@@ -1,75 +1,19 @@
 // The second window for two eyes: what each of them sees there is the geometry of eyes, screen and
 // head that the settings say in millimetres, wherever a tracked head is.
-#include "BallScan.h"
-#include "LayoutEntries.h"
 #include "PlannerDesk.h"
+#include "StereoBalls.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <optional>
 
 namespace
 {
+using namespace stereo;
 
-using Vector = std::array<double, 3>; ///< in the room: right, up, towards the viewer, mm
-
-constexpr std::array<double, 2> ScreenMm{ 320.0, 400.0 }; // of one eye: as its pixels are
 constexpr std::chrono::seconds TooLate(60);
 constexpr double PixelsOff = 0.5; // of the middle of a ball's pixels from that of the ball
-/// Seen from the front, in life size: above and before the screen, below and behind it.
-const BallScan::Place Near{ -20, -60, 40 }, Far{ 20, 60, -40 };
-const std::array<BallScan::Place, 2> Balls{ Near, Far };
-
-/// From the front: the patient's left is at the right, and his face towards the viewer.
-Vector InRoom(const BallScan::Place& lps)
-{
-  return { lps[0], lps[2], -lps[1] };
-}
-
-/// A viewer before the middle of the screen.
-struct Head
-{
-  Vector at{ 0, 0, 600 };
-  double tiltDegrees = 0.0; ///< to his left: the right eye is the higher one
-  double eyesMm = 63.0;
-};
-
-/// Middles of the balls, each of them as the left eye and as the right one sees it, in pixels of
-/// the screen that is theirs, from its upper left.
-using Seen = std::array<std::array<std::array<double, 2>, 2>, 2>; // [eye][ball][x or y]
-
-/// By similar triangles.
-Seen Expected(const Head& head, const layout::Rect& window)
-{
-  const std::array<double, 2> pixels{ window[2] / 2.0, double(window[3]) };
-  const double tilt = head.tiltDegrees * M_PI / 180.0;
-  Seen seen{};
-  for (int eye = 0; eye < 2; ++eye)
-    for (int ball = 0; ball < 2; ++ball)
-    {
-      const double aside = (eye == 0 ? -0.5 : 0.5) * head.eyesMm;
-      const Vector from{ head.at[0] + aside * std::cos(tilt), head.at[1] + aside * std::sin(tilt),
-        head.at[2] };
-      const Vector to = InRoom(Balls[std::size_t(ball)]);
-      const double share = from[2] / (from[2] - to[2]);
-      const double x = from[0] + share * (to[0] - from[0]), y = from[1] + share * (to[1] - from[1]);
-      seen[std::size_t(eye)][std::size_t(ball)] = { (0.5 + x / ScreenMm[0]) * pixels[0],
-        (0.5 - y / ScreenMm[1]) * pixels[1] };
-    }
-  return seen;
-}
-
-double Farthest(const Seen& a, const Seen& b)
-{
-  double most = 0.0;
-  for (const std::size_t n : { 0U, 1U, 2U, 3U })
-    most = std::max({ most, std::abs(a[n / 2][n % 2][0] - b[n / 2][n % 2][0]),
-      std::abs(a[n / 2][n % 2][1] - b[n / 2][n % 2][1]) });
-  return most;
-}
 
 std::string TextOf(const Seen& seen)
 {
@@ -229,6 +173,26 @@ TEST_F(PlannerStereo, EyesSeeFromWhereATrackedHeadIs)
     ExpectSeenFrom(*planner, window, head);
     Close(*planner);
   }
+}
+
+/// Whatever the 3D view shows: here bone that goes with its isovalue, and comes back.
+TEST_F(PlannerStereo, ShowsWhatThe3DViewShows)
+{
+  const auto planner = this->OpenBalls();
+  AskForSettings(*planner);
+  planner->Click("stereo.ok");
+  const auto window = WindowOf(*planner);
+  ExpectSeenFrom(*planner, window, {});
+  const auto setIsovalue = [&](double share) { // the slider lies beside the stereo window
+    planner->ClickAt("split.isovalue.slider", share, 0.5, 2);
+  };
+  setIsovalue(0.995); // above bone
+  const auto start = std::chrono::steady_clock::now();
+  while (Look(*planner, window) && std::chrono::steady_clock::now() - start < TooLate)
+    ;
+  EXPECT_FALSE(Look(*planner, window)) << "bone that is gone is still seen";
+  setIsovalue(0.65);
+  ExpectSeenFrom(*planner, window, {});
 }
 
 /// While a head goes from side to side the pictures are of one head each, wherever it is just then:
