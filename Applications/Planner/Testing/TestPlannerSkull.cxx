@@ -20,7 +20,7 @@ const Shares AlongTheRim{ { 0.451, 0.480 }, { 0.448, 0.444 }, { 0.445, 0.406 }, 
 const Shares ForPins{ { 0.468, 0.462 }, { 0.460, 0.378 } };
 /// Of the left forehead, which is whole.
 const Shares OnPlainBone{ { 0.580, 0.430 }, { 0.582, 0.400 }, { 0.584, 0.370 }, { 0.586, 0.345 } };
-constexpr int MostSteps = 60; // of a case that is planned here
+constexpr std::size_t MostSteps = 60; // of a case that is planned here
 
 /// The numbers before " mm" in a text, in order.
 std::vector<double> MillimetresIn(const std::string& text)
@@ -140,15 +140,21 @@ TEST_F(PlannerSkull, AllThatWasPlannedIsTakenBackToAnEmptyPlanAndDoneAgain)
   ShowBone(*planner);
   PlanGuide(*planner, AlongTheRim);
   PlanPins(*planner);
-  const Json planned = planner->State("plan"), empty = hasp::PlanHash(hasp::Plan{});
-  int steps = 0;
-  for (; planner->State("plan") != empty && steps < MostSteps; ++steps)
+  const Json empty = hasp::PlanHash(hasp::Plan{});
+  std::vector<Json> plans{ planner->State("plan") }; // from the last to the first
+  while (plans.back() != empty && plans.size() <= MostSteps)
+  {
     planner->Key("ctrl+z");
-  EXPECT_EQ(planner->State("plan"), empty);
-  EXPECT_GE(steps, 10); // a scan, places, pins and sizes
-  for (int n = 0; n < steps; ++n)
+    plans.push_back(planner->State("plan"));
+  }
+  EXPECT_EQ(plans.back(), empty);
+  EXPECT_GT(plans.size(), 10U); // a scan, places, pins and sizes
+  const Json planned = plans.front();
+  for (plans.pop_back(); !plans.empty(); plans.pop_back()) // through the same ones
+  {
     planner->Key("ctrl+y");
-  EXPECT_EQ(planner->State("plan"), planned);
+    EXPECT_EQ(planner->State("plan"), plans.back()) << plans.size() - 1 << " from the last";
+  }
   planner->Key("ctrl+y"); // there is no more
   EXPECT_EQ(planner->State("plan"), planned);
   planner->Key("ctrl+z");

@@ -30,11 +30,14 @@ TEST_F(PlannerTyping, AToolIsPutAwayWithItsPageAndABladeIsNot)
   planner->ClickRow("cut.pages", 1);
   planner->ClickRow("cut.pages", 0);
   EXPECT_TRUE(planner->Widget("cut.drag")["checked"]) << "its handles are there on all pages";
-  planner->Click("cut.place");
-  EXPECT_TRUE(planner->Widget("cut.place")["checked"]);
-  planner->ClickRow("cut.pages", 1);
-  planner->ClickRow("cut.pages", 0);
-  EXPECT_FALSE(planner->Widget("cut.place")["checked"]);
+  for (const char* tool : { "cut.place", "cut.bone" }) // for a row of places; for a single one
+  {
+    planner->Click(tool);
+    EXPECT_TRUE(planner->Widget(tool)["checked"]) << tool;
+    planner->ClickRow("cut.pages", 1);
+    planner->ClickRow("cut.pages", 0);
+    EXPECT_FALSE(planner->Widget(tool)["checked"]) << tool;
+  }
 }
 
 /// The list's menu does what its columns do.
