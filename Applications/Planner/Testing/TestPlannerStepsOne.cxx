@@ -1,8 +1,7 @@
 // Import: what becomes of files and folders, and what is said of them.
-#include "StepsOneDesk.h"
+#include "ImportDesk.h"
 
 #include "Planning/PlanLists.h"
-#include "Steps/ImportPanel.h"
 #include "Steps/ImportRemedies.h"
 #include "Steps/MissingInputs.h"
 #include "Steps/SurfaceShelf.h"
@@ -29,25 +28,6 @@ namespace
 
 using namespace hasp;
 using namespace hasp::testing;
-
-struct ImportDesk : StepsOneDesk
-{
-  explicit ImportDesk(const CanaryFolder& folder, const std::string& state = "state")
-    : StepsOneDesk(folder, state),
-      panel(this->planner)
-  {
-  }
-  bool Import(const std::string& path)
-  {
-    this->panel.ImportPath(QString::fromStdString(path));
-    return this->Settle();
-  }
-  QString Passport() { return Find<QTextBrowser>(this->panel, "import.passport").toPlainText(); }
-  /// All that was said, and what the page says.
-  QString AllText() { return this->said.join(' ') + this->faults.join(' ') + this->Passport(); }
-
-  ImportPanel panel;
-};
 
 TEST(PlannerImport, AFaultyFileIsAFaultAndNoEdit)
 {
