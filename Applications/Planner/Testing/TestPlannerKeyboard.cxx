@@ -74,7 +74,8 @@ std::string GivenTwice(PlannerProcess& planner)
 /// Whether it is the plan's, not a sample's.
 bool ListsObjects(PlannerProcess& planner)
 {
-  for (const Json& row : planner.Widget("objects")["rows"])
+  const Json objects = planner.Widget("objects");
+  for (const Json& row : objects["rows"])
     if (row.value("id", 0) == 9)
       return true;
   return false;

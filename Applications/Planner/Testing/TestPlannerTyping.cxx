@@ -51,7 +51,8 @@ TEST_F(PlannerTyping, AnObjectIsLockedHiddenAndRenamedByItsMenu)
   };
   const auto isChecked = [&](int column)
   {
-    for (const auto& row : planner->Widget("objects")["rows"])
+    const auto objects = planner->Widget("objects");
+    for (const auto& row : objects["rows"])
       if (row.value("id", 0) == 5 && row["column"] == column)
         return row["checked"].get<bool>();
     throw std::runtime_error("no fragment 5");
