@@ -88,7 +88,8 @@ void WholeWay::ExpectSameAsRun(
     EXPECT_TRUE(written.at(name) == bytes) << name;
   }
   EXPECT_EQ(written.size(), expected.size());
-  for (const Json& part : Json::parse(written.at("run.json")).at("parts"))
+  const Json report = Json::parse(written.at("run.json"));
+  for (const Json& part : report.at("parts"))
   {
     EXPECT_EQ(part.at("verdict"), "green") << part.at("faults");
     EXPECT_EQ(part.at("certificate").at("verdict"), "holds");
