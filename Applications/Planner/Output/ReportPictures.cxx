@@ -1,7 +1,7 @@
 #include "Output/ReportPictures.h"
 
 #include "Output/ReportScene.h"
-#include "Output/ReportWorlds.h"
+#include "Output/ScanWorlds.h"
 #include "Planning/PlanLists.h"
 
 #include "vtkFlyingEdges3D.h"
@@ -37,7 +37,7 @@ void AddParts(ReportScene& scene, const std::vector<T>& objects, const ReportBod
 }
 
 /// All bone of a scan of which there are no fragments.
-void AddScan(ReportScene& scene, const ReportWorld& world, const ReportBodies& bodies)
+void AddScan(ReportScene& scene, const ScanWorld& world, const ReportBodies& bodies)
 {
   if (const auto scan = bodies.scans.find(world.volume); scan != bodies.scans.end())
     scene.Add(scan->second, {}, BoneColour);
@@ -49,7 +49,7 @@ bool HasBefore(const Plan& plan)
 }
 
 /// As scanned: all bone, blades, and what is put on there.
-void AddBefore(ReportScene& scene, const ReportWorld& world, const ReportBodies& bodies)
+void AddBefore(ReportScene& scene, const ScanWorld& world, const ReportBodies& bodies)
 {
   const Plan& plan = world.plan;
   AddScan(scene, world, bodies);
@@ -67,7 +67,7 @@ void AddBefore(ReportScene& scene, const ReportWorld& world, const ReportBodies&
 }
 
 /// As planned: bone that is kept, where it goes, and what stays in the patient.
-void AddAfter(ReportScene& scene, const ReportWorld& world, const ReportBodies& bodies)
+void AddAfter(ReportScene& scene, const ScanWorld& world, const ReportBodies& bodies)
 {
   const Plan& plan = world.plan;
   for (const PlanFragment& fragment : plan.fragments)
@@ -93,7 +93,7 @@ void Draw(ReportScene& scene, const QString& caption, std::vector<ReportPicture>
 }
 
 /// Which scan it is, before where it is seen from: where there are several.
-QString Captioned(const QString& text, const Plan& plan, const ReportWorld& world)
+QString Captioned(const QString& text, const Plan& plan, const ScanWorld& world)
 {
   if (plan.volumes.size() < 2)
     return text;
@@ -131,7 +131,7 @@ ReportDrawing DrawReport(const Plan& plan, const ReportBodies& bodies)
   if (!scene.CanDraw())
     return drawing;
   drawing.renderer = scene.Renderer();
-  for (const ReportWorld& world : WorldsOf(plan))
+  for (const ScanWorld& world : WorldsOf(plan))
   {
     const bool hasBefore = HasBefore(world.plan);
     if (hasBefore)

@@ -15,7 +15,7 @@ hasp_add_planner_part(Output
     Output/ReportScene.cxx Output/ReportScene.h
     Output/ReportTables.cxx Output/ReportTables.h
     Output/ReportVoxels.cxx Output/ReportVoxels.h
-    Output/ReportWorlds.cxx Output/ReportWorlds.h
+    Output/ScanWorlds.cxx Output/ScanWorlds.h
     Output/StepTimes.cxx Output/StepTimes.h
     Output/StudyFiles.cxx Output/StudyFiles.h
     Output/StudyLog.cxx Output/StudyLog.h

@@ -1,5 +1,6 @@
 // What a transplant's form does on the donor's side.
 #include "Grid/ProgressPart.h"
+#include "Output/ScanWorlds.h"
 #include "PlanFragmentLabels.h"
 #include "PlanProposals.h"
 #include "Planning/TransplantPath.h"
@@ -148,16 +149,9 @@ void TransplantBox::LookAt(bool donor)
   if (shown == 0)
     return this->Of.SayFault(tr("There is one scan only: import the donor's as a second one."));
   PlanScene& scene = this->Of.scene;
-  for (const PlanFragment& fragment : plan.fragments)
-    if (!IsDivided(plan, fragment.id))
-      scene.SetVisible(fragment.id, VolumeOfFragment(plan, fragment.id) == shown);
-  for (const PlanCut& cut : plan.cuts)
-    if (!cut.fragments.empty())
-      scene.SetVisible(cut.id, VolumeOfFragment(plan, cut.fragments[0]) == shown);
-  for (const PlanTransplant& transplant : plan.transplants)
-    scene.SetVisible(transplant.id, !donor);
-  for (const PlanMitreGuide& guide : plan.mitreGuides)
-    scene.SetVisible(guide.id, donor);
+  for (const ScanWorld& world : WorldsOf(plan))
+    for (const PlanId object : SeenIn(world))
+      scene.SetVisible(object, world.volume == shown);
   scene.SetShownVolume(shown);
   scene.ShowAll();
 }

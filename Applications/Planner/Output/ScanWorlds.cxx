@@ -1,4 +1,4 @@
-#include "Output/ReportWorlds.h"
+#include "Output/ScanWorlds.h"
 
 #include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
@@ -75,12 +75,12 @@ private:
 
 } // namespace
 
-std::vector<ReportWorld> WorldsOf(const Plan& plan)
+std::vector<ScanWorld> WorldsOf(const Plan& plan)
 {
   const Places places(plan);
   const auto world = [&](PlanId volume)
   {
-    ReportWorld found{ volume, places.IsDonor(volume), plan };
+    ScanWorld found{ volume, places.IsDonor(volume), plan };
     const auto leave = [&](auto& objects)
     { std::erase_if(objects, [&](const auto& object) { return places(object) != volume; }); };
     leave(found.plan.fragments);
@@ -92,10 +92,30 @@ std::vector<ReportWorld> WorldsOf(const Plan& plan)
     leave(found.plan.mitreGuides);
     return found;
   };
-  std::vector<ReportWorld> worlds;
+  std::vector<ScanWorld> worlds;
   for (const PlanVolume& volume : plan.volumes)
     worlds.push_back(world(volume.id));
   return worlds.empty() ? std::vector{ world(0) } : worlds;
+}
+
+std::vector<PlanId> SeenIn(const ScanWorld& world)
+{
+  const Plan& plan = world.plan;
+  std::vector<PlanId> seen;
+  const auto add = [&](const auto& objects)
+  {
+    for (const auto& object : objects)
+      if (!IsDivided(plan, object.id))
+        seen.push_back(object.id);
+  };
+  add(plan.fragments);
+  add(plan.cuts);
+  add(plan.guides);
+  add(plan.plates);
+  add(plan.implants);
+  add(plan.transplants);
+  add(plan.mitreGuides);
+  return seen;
 }
 
 } // namespace hasp

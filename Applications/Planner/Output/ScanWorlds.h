@@ -7,8 +7,8 @@ namespace hasp
 {
 
 /// What a plan has in the world of one scan. Scans lie one over the other, a donor's over the
-/// jaw's, so that no picture may show two.
-struct ReportWorld
+/// jaw's, so that no view or picture may show two.
+struct ScanWorld
 {
   PlanId volume;        ///< 0: of a plan without scans
   bool isDonor = false; ///< segments are taken there, and none are put there
@@ -16,7 +16,10 @@ struct ReportWorld
 };
 
 /// One for each scan of the plan, in its order. What is of no scan is in the world of the first
-/// that is no donor's. Internal to CaseReport. Any thread.
-std::vector<ReportWorld> WorldsOf(const Plan& plan);
+/// that is no donor's. Any thread.
+std::vector<ScanWorld> WorldsOf(const Plan& plan);
+
+/// What can be seen of one of them: fragments that are not in pieces, cuts, and all that is made.
+std::vector<PlanId> SeenIn(const ScanWorld& world);
 
 } // namespace hasp
