@@ -64,6 +64,13 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
+std::string OutputOfHasp(const std::vector<std::string>& arguments)
+{
+  const HaspRun run = RunHasp(arguments);
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  return run.out;
+}
+
 pid_t StartHasp(
   const std::vector<std::string>& arguments, int errorPipe, const std::string& display)
 {

@@ -20,6 +20,9 @@ struct HaspRun
 HaspRun RunHasp(const std::vector<std::string>& arguments, const std::string& device = {},
   const std::string& display = {});
 
+/// Runs bin/hasp, and expects that it ends well. What it wrote on its standard output.
+std::string OutputOfHasp(const std::vector<std::string>& arguments);
+
 /// Starts bin/hasp, its standard error a pipe's end. To be waited for.
 pid_t StartHasp(
   const std::vector<std::string>& arguments, int errorPipe, const std::string& display = {});

@@ -12,14 +12,9 @@ protected:
     PlannerDesk::SetUp();
     if (this->IsSkipped())
       return;
-    const auto run = [](const std::vector<std::string>& words)
-    {
-      const HaspRun of = RunHasp(words);
-      ASSERT_EQ(of.exitCode, 0) << of.err;
-    };
-    run({ "phantom", "--spacing", "1,1,1", "--quiet", "--output", this->Scan() });
-    run({ "plan", this->Plan(), "--new" });
-    run({ "plan", this->Plan(), "--apply", HASP_PLAN_EDITS });
+    OutputOfHasp({ "phantom", "--spacing", "1,1,1", "--quiet", "--output", this->Scan() });
+    OutputOfHasp({ "plan", this->Plan(), "--new" });
+    OutputOfHasp({ "plan", this->Plan(), "--apply", HASP_PLAN_EDITS });
   }
   std::string Scan() const { return (this->folder / "head.mha").string(); }
   std::string Plan() const { return (this->folder / "case.hasp").string(); }

@@ -62,22 +62,23 @@ void SampleCase::LookFrom(PlannerProcess& planner, const std::string& keys)
 
 void SampleCase::ExpectThereAndBack(PlannerProcess& planner)
 {
-  const Json made = planner.State("plan");
-  const auto pressUntilNothingChanges = [&](const std::string& keys)
+  constexpr std::size_t mostSteps = 200;
+  const auto press = [&](const std::string& keys) -> Json
   {
-    int steps = 0;
-    for (Json before; before != planner.State("plan"); ++steps)
-    {
-      before = planner.State("plan");
-      planner.Key(keys);
-    }
-    return steps - 1;
+    planner.Key(keys);
+    return planner.State("plan");
   };
-  const int undone = pressUntilNothingChanges("ctrl+z");
-  EXPECT_GT(undone, 5);
-  EXPECT_NE(planner.State("plan"), made);
-  EXPECT_EQ(pressUntilNothingChanges("ctrl+y"), undone);
-  EXPECT_EQ(planner.State("plan"), made);
+  std::vector<Json> plans{ planner.State("plan") }; // from the last to the first
+  for (Json before = press("ctrl+z"); before != plans.back(); before = press("ctrl+z"))
+  {
+    plans.push_back(before);
+    ASSERT_LT(plans.size(), mostSteps);
+  }
+  EXPECT_GT(plans.size(), 6U);
+  const Json made = plans.front();
+  for (plans.pop_back(); !plans.empty(); plans.pop_back())
+    EXPECT_EQ(press("ctrl+y"), plans.back()) << plans.size() - 1 << " from the last";
+  EXPECT_EQ(press("ctrl+y"), made) << "there is no more";
 }
 
 std::vector<std::string> SampleCase::Scans() const

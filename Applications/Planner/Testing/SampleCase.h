@@ -24,7 +24,7 @@ protected:
   /// From a side ("alt+1"), with all that is planned in the picture.
   static void LookFrom(PlannerProcess& planner, const std::string& keys);
 
-  /// Undoes all, and does it again: the plan is what it was.
+  /// Undoes all, and does it again: through the same plans.
   static void ExpectThereAndBack(PlannerProcess& planner);
   /// Exports, and compares with what bin/hasp makes of the plan as it was saved.
   void ExpectExportAsRun(PlannerProcess& planner, const std::string& called);

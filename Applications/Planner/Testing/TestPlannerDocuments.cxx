@@ -21,17 +21,12 @@ protected:
     PlannerDesk::SetUp();
     if (this->IsSkipped())
       return;
-    const auto run = [](const std::vector<std::string>& words)
-    {
-      const HaspRun of = RunHasp(words);
-      EXPECT_EQ(of.exitCode, 0) << of.err;
-      return of.out;
-    };
-    run({ "phantom", "--spacing", "3,3,3", "--quiet", "--output", this->Path("head.mha") });
-    const Json passport = Json::parse(run({ "info", this->Path("head.mha"), "--json" }));
+    OutputOfHasp(
+      { "phantom", "--spacing", "3,3,3", "--quiet", "--output", this->Path("head.mha") });
+    const Json passport = Json::parse(OutputOfHasp({ "info", this->Path("head.mha"), "--json" }));
     std::ofstream(this->Path("edits.json")) << Edits(passport.at("passport").at("hash")).dump();
-    run({ "plan", this->Path("jaw.hasp"), "--new" });
-    run({ "plan", this->Path("jaw.hasp"), "--apply", this->Path("edits.json") });
+    OutputOfHasp({ "plan", this->Path("jaw.hasp"), "--new" });
+    OutputOfHasp({ "plan", this->Path("jaw.hasp"), "--apply", this->Path("edits.json") });
   }
   static Json Edits(const std::string& hash)
   {

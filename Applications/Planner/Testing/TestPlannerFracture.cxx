@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <stdexcept>
 
@@ -60,25 +59,6 @@ protected:
     planner.ClickRow("reduce.fragments", row);
     planner.Click("reduce.lock");
   }
-  /// Whether a press takes something. Of some ten on a loaded machine one has taken nothing, and
-  /// why is not known yet: then a user presses again.
-  static bool Press(
-    PlannerProcess& planner, const std::function<bool(const PlannerProcess::Json&)>& takes)
-  {
-    planner.Hand().Press();
-    planner.patienceS = 20.0;
-    bool taken = true;
-    try
-    {
-      planner.WaitUntil("a fragment in hand", takes);
-    }
-    catch (const std::runtime_error&)
-    {
-      taken = false;
-    }
-    planner.patienceS = LongS;
-    return taken;
-  }
   /// The left ramus in hand, pushed at the chin until it is felt.
   static void PushTheRamus(PlannerProcess& planner)
   {
@@ -98,14 +78,8 @@ protected:
     ScreenHand& hand = planner.Hand();
     hand.Move(from[0], from[1]);
     const auto takes = [&](const auto& now) { return says(now, "Free") || says(now, "Touches"); };
-    int presses = 1;
-    for (; !Press(planner, takes); ++presses)
-    {
-      hand.Release();
-      if (presses == 3)
-        throw std::runtime_error("no press takes the ramus in hand");
-    }
-    std::cout << presses << " presses until a fragment was in hand\n";
+    hand.Press();
+    planner.WaitUntil("a fragment in hand", takes);
     for (int x = from[0]; x >= to[0]; --x)
       hand.Move(x, from[1]);
     planner.WaitUntil("contact", [&](const auto& now) { return says(now, "Touches"); });

@@ -190,7 +190,9 @@ TEST_F(PlannerMenuKeys, AltAndItsLetterOpenEachMenuAndNoLetterIsInItTwice)
     for (const Json& widget : planner->Layout()["widgets"])
       if (widget["class"] == "QAction" && widget.contains("mnemonic") &&
           !menus.contains(widget["name"]))
+      {
         EXPECT_EQ(++inMenu[widget["mnemonic"]], 1) << widget["name"];
+      }
     planner->Key("Escape");
     planner->Key("Escape"); // and the bar is left
   }

@@ -25,16 +25,12 @@ protected:
     PlannerDesk::SetUp();
     if (this->IsSkipped())
       return;
-    const auto run = [](const std::vector<std::string>& words)
-    {
-      const HaspRun of = RunHasp(words);
-      ASSERT_EQ(of.exitCode, 0) << of.err;
-    };
-    run({ "fracture", "--fragments", "3", "--shift", "3", "--turn", "0", "--fine", "1.5", "--quiet",
-      "--output", this->Path("case") });
-    run({ "plan", this->Path("jaw.hasp"), "--new" });
-    run({ "plan", this->Path("jaw.hasp"), "--fragments", this->Path("case/fractured_labels.mha"),
-      "--volume", this->Scan(), "--label", "2", "3", "4", "5", "--lock", "2" });
+    OutputOfHasp({ "fracture", "--fragments", "3", "--shift", "3", "--turn", "0", "--fine", "1.5",
+      "--quiet", "--output", this->Path("case") });
+    OutputOfHasp({ "plan", this->Path("jaw.hasp"), "--new" });
+    OutputOfHasp(
+      { "plan", this->Path("jaw.hasp"), "--fragments", this->Path("case/fractured_labels.mha"),
+        "--volume", this->Scan(), "--label", "2", "3", "4", "5", "--lock", "2" });
     fs::create_directories(this->Path("trials/jaw"));
     fs::copy(this->Path("case/truth.json"), this->Path("trials/jaw/truth.json"));
     const Json truth = Json::parse(ReadBytes(this->Path("case/truth.json")));
