@@ -1113,6 +1113,10 @@
         <translation>Det finns inget ben i den: välj ett lägre isovärde.</translation>
     </message>
     <message>
+        <source>No fragment was made.</source>
+        <translation>Inget fragment gjordes.</translation>
+    </message>
+    <message>
         <source>The fragments are as they are painted now.</source>
         <translation>Fragmenten är så som de är målade nu.</translation>
     </message>
@@ -1678,10 +1682,6 @@
 </context>
 <context>
     <name>hasp::LabelFindings</name>
-    <message>
-        <source>label %1</source>
-        <translation>etikett %1</translation>
-    </message>
     <message>
         <source>%1 gets no bone: its strokes touch none, or later ones paint over them.</source>
         <translation>%1 får inget ben: dess penseldrag rör inget, eller senare penseldrag målar över dem.</translation>
@@ -3912,6 +3912,10 @@ helt</translation>
 <context>
     <name>hasp::Tour</name>
     <message>
+        <source>Back</source>
+        <translation>Tillbaka</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt</source>
         <translation>N&amp;ästa</translation>
     </message>
@@ -3968,8 +3972,8 @@ helt</translation>
         <translation>Tryck på Ny, och peka på benet längs plattans väg över frakturen. Tryck på Nästa när dess linje är rätt.</translation>
     </message>
     <message>
-        <source>Touch the jaw in two places for each of two cuts: what is between them will be resected.</source>
-        <translation>Peka på käken på två ställen för vart och ett av två snitt: det som är mellan dem kommer att resekeras.</translation>
+        <source>Touch the jaw in two places for a cut; press New, and do so for a second one. What is between them will be resected.</source>
+        <translation>Peka på käken på två ställen för ett snitt; tryck på Nytt, och gör likadant för ett andra. Det som är mellan dem kommer att resekeras.</translation>
     </message>
     <message>
         <source>Keep the pieces, and resect the one in the middle.</source>

@@ -148,15 +148,47 @@ JobQueue::Result JobQueue::DoJob(const Job& job)
   return result;
 }
 
+/// What was said of it may throw, too: the queue goes on.
 void JobQueue::Deliver(const QString& what, const Result& result, unsigned long long round)
 {
   this->Delivered = what;
+  try
+  {
+    this->Tell(what, result, round);
+  }
+  catch (...)
+  {
+    this->Conclude(what);
+    throw;
+  }
+  this->Conclude(what);
+}
+
+void JobQueue::Tell(const QString& what, const Result& result, unsigned long long round)
+{
   if (round != this->Round || (!result.finish && !result.error))
     Q_EMIT this->GaveUp(what);
   else if (result.error)
     Q_EMIT this->Failed(what, *result.error);
-  else if (const auto fault = FaultOf(result.finish)) // the queue goes on
-    Q_EMIT this->Failed(what, *fault);
+  else
+    this->DoFinish(what, result.finish);
+}
+
+void JobQueue::DoFinish(const QString& what, const Finish& finish)
+{
+  try
+  {
+    if (const auto fault = FaultOf(finish))
+      Q_EMIT this->Failed(what, *fault);
+  }
+  catch (const Cancelled&)
+  {
+    Q_EMIT this->GaveUp(what);
+  }
+}
+
+void JobQueue::Conclude(const QString& what)
+{
   this->Delivered.clear();
   {
     const std::lock_guard<std::mutex> lock(this->Guard);

@@ -65,6 +65,9 @@ private:
   void Run();
   Result DoJob(const Job& job);
   void Deliver(const QString& what, const Result& result, unsigned long long round);
+  void Tell(const QString& what, const Result& result, unsigned long long round);
+  void DoFinish(const QString& what, const Finish& finish);
+  void Conclude(const QString& what);
 
   mutable std::mutex Guard; // of Waiting, Running, Ending
   std::condition_variable Changed;

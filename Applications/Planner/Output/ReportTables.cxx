@@ -1,5 +1,6 @@
 #include "Output/ReportTables.h"
 
+#include "Model/ObjectNames.h"
 #include "Planning/PlanLists.h"
 
 #include <glm/geometric.hpp>
@@ -117,12 +118,11 @@ QString Decimal(double value, int digits)
 
 QString CalledInReport(const ReportNaming& of, PlanId object)
 {
-  const std::string called = CalledObject(of.plan, object);
-  QString text = QString::fromStdString(called);
+  QString text = QString::fromStdString(CalledObject(of.plan, object));
   ForEachPlanObject(of.plan,
     [&](const auto& is)
     {
-      if (of.names && is.id == object && !is.name.empty() && is.name != called)
+      if (of.names && is.id == object && ObjectNames::IsGiven(is))
         text += " (" + QString::fromStdString(is.name) + ")";
     });
   return text;

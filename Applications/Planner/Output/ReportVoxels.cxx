@@ -144,7 +144,7 @@ void AddScans(const Planner& planner, ReportBodies& bodies)
     if (!scan || divided.contains(volume.id))
       continue;
     std::optional<double> isovalue = IsovalueOn(plan, volume.id);
-    if (volume.id == planner.scene.ShownVolume() && (isovalue || plan.fragments.empty()))
+    if (!isovalue && volume.id == planner.scene.ShownVolume() && plan.fragments.empty())
       isovalue = planner.scene.Isovalue();
     if (isovalue)
       bodies.scans[volume.id] = BoneSurface(scan->image, *isovalue);

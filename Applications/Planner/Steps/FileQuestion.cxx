@@ -16,13 +16,13 @@ struct Words
   Q_DECLARE_TR_FUNCTIONS(FileQuestion)
 };
 
-/// Of a name that has it or `besides` or none.
+/// Of a name that has it or `besides`, in whatever case, or none.
 QString WithEnding(const QString& file, const QString& ending, const QString& besides)
 {
-  if (file.endsWith(ending, Qt::CaseInsensitive))
-    return file;
-  const bool isBeside = !besides.isEmpty() && file.endsWith(besides, Qt::CaseInsensitive);
-  return (isBeside ? file.chopped(besides.size()) : file) + ending;
+  for (const QString& has : { ending, besides })
+    if (!has.isEmpty() && file.endsWith(has, Qt::CaseInsensitive))
+      return file.chopped(has.size()) + ending;
+  return file + ending;
 }
 
 /// Asks, if it is there.

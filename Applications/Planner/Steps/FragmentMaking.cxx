@@ -1,10 +1,10 @@
 #include "Steps/FragmentMaking.h"
 
+#include "Model/ObjectNames.h"
 #include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
 #include "Steps/LabelFindings.h"
 #include "Steps/LabelMaps.h"
-#include "Steps/ObjectNames.h"
 #include "Tools/StrokeEdits.h"
 #include "vtkHaspVolumeView.h"
 
@@ -35,13 +35,15 @@ struct MadeLabels
   double voxelMm3 = 0.0;
 };
 
-bool IsFragment(const Plan& plan, PlanId segmentation, std::uint32_t label)
+/// `label`: 0: any.
+bool IsFragment(const Plan& plan, PlanId segmentation, std::uint32_t label = 0)
 {
   return std::any_of(plan.fragments.begin(), plan.fragments.end(),
     [&](const PlanFragment& fragment)
     {
       const auto* source = std::get_if<LabelSource>(&fragment.source);
-      return source && source->segmentation == segmentation && source->label == label;
+      return source && source->segmentation == segmentation &&
+             (label == 0 || source->label == label);
     });
 }
 
@@ -70,12 +72,9 @@ MadeLabels MakeLabels(const PlanSnapshot& snapshot, PlanId id, const ProgressFun
 
 /// What has become of it, and what a planner would look for in vain. A fault where a label that was
 /// painted has become nothing.
-void Tell(Planner& planner, const LabelNotes& notes, std::size_t fragments)
+void Tell(Planner& planner, const QString& made, const LabelNotes& notes)
 {
-  QStringList sentences{ fragments == 0
-                           ? FragmentMaking::tr("The fragments are as they are painted now.")
-                           : FragmentMaking::tr("Fragments made: %1.").arg(fragments) };
-  sentences += notes.faults + notes.others;
+  const QStringList sentences = QStringList{ made } + notes.faults + notes.others;
   const QString text = sentences.join(' ');
   if (notes.faults.isEmpty())
     planner.Say(text);
@@ -104,8 +103,12 @@ void Take(Planner& planner, const MadeLabels& made)
       FragmentMaking::tr("It was painted on meanwhile: make the fragments once more."));
   else if (made.present.empty())
     planner.SayFault(FragmentMaking::tr("There is no bone in it: choose a lower isovalue."));
+  else if (!edits.empty())
+    Tell(planner, FragmentMaking::tr("Fragments made: %1.").arg(edits.size()), notes);
+  else if (IsFragment(plan, made.segmentation))
+    Tell(planner, FragmentMaking::tr("The fragments are as they are painted now."), notes);
   else
-    Tell(planner, notes, edits.size());
+    Tell(planner, FragmentMaking::tr("No fragment was made."), notes);
 }
 
 } // namespace

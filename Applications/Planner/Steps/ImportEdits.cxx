@@ -1,6 +1,6 @@
 #include "Steps/ImportEdits.h"
 
-#include "Steps/ObjectNames.h"
+#include "Model/ObjectNames.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,12 +1,12 @@
 #include "Steps/ImportPanel.h"
 
+#include "Model/ObjectNames.h"
 #include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
 #include "Steps/FileQuestion.h"
 #include "Steps/ImportEdits.h"
 #include "Steps/ImportRemedies.h"
 #include "Steps/MissingInputs.h"
-#include "Steps/ObjectNames.h"
 #include "Steps/PanelWidgets.h"
 #include "Steps/PassportBrowser.h"
 #include "Steps/PassportPage.h"
@@ -56,6 +56,8 @@ void ImportPanel::Build()
   this->Remedies = new ImportRemedies;
   layout->addWidget(this->Remedies);
   connect(this->Remedies, &ImportRemedies::TryAgain, this, [this] { this->Read(this->Path); });
+  // It is another case, and what was refused was of the one before.
+  connect(&this->Of.plan, &PlanSession::Replaced, this->Remedies, &ImportRemedies::Withdraw);
 
   this->Page = new PassportBrowser(this->Of);
   layout->addWidget(this->Page, 1);

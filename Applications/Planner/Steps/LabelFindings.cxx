@@ -1,5 +1,6 @@
 #include "Steps/LabelFindings.h"
 
+#include "Model/ObjectNames.h"
 #include "SegmentationWarnings.h"
 
 #include <QCoreApplication>
@@ -17,21 +18,17 @@ struct LabelFindings
   Q_DECLARE_TR_FUNCTIONS(hasp::LabelFindings)
 };
 
-QString Called(const SegmentationRecipe& recipe, std::uint16_t label)
+QString Called(std::uint16_t label)
 {
-  for (const LabelName& name : recipe.names)
-    if (name.label == label && !name.name.empty())
-      return QString::fromStdString(name.name);
-  return LabelFindings::tr("label %1").arg(label);
+  return QString::fromStdString(ObjectNames::OfLabel(label));
 }
 
-void AddSplit(
-  LabelNotes& notes, const SegmentationRecipe& recipe, const SegmentationFinding& found, double mm3)
+void AddSplit(LabelNotes& notes, const SegmentationFinding& found, double mm3)
 {
   for (const std::uint16_t label : found.withoutSeeds)
     notes.faults << LabelFindings::tr(
       "%1 gets no bone: its strokes touch none, or later ones paint over them.")
-                      .arg(Called(recipe, label));
+                      .arg(Called(label));
   if (found.walk && !found.walk->converged)
     notes.faults << LabelFindings::tr(
       "Sharing out bone did not come to its end: look at where fragments meet.");
@@ -51,10 +48,10 @@ QString WhyNothing(const SegmentationRecipe& recipe, std::size_t number,
 {
   const SegmentationStep& step = recipe.steps[number];
   if (const auto* fill = std::get_if<FillStep>(&step))
-    return LabelFindings::tr("%1 has no cavity to fill.").arg(Called(recipe, fill->label));
+    return LabelFindings::tr("%1 has no cavity to fill.").arg(Called(fill->label));
   if (const auto* close = std::get_if<MorphologyStep>(&step))
     return LabelFindings::tr("Of %1 nothing changes within %2 mm.")
-      .arg(Called(recipe, close->label))
+      .arg(Called(close->label))
       .arg(close->radiusMm);
   if (std::holds_alternative<ComponentsStep>(step))
     return LabelFindings::tr("The bone is one piece.");
@@ -70,7 +67,7 @@ LabelNotes NotesOf(const SegmentationRecipe& recipe,
   LabelNotes notes;
   for (std::size_t n = 0; n < std::min(findings.size(), recipe.steps.size()); ++n)
     if (std::holds_alternative<SplitStep>(recipe.steps[n]))
-      AddSplit(notes, recipe, findings[n], voxelMm3);
+      AddSplit(notes, findings[n], voxelMm3);
     else if (findings[n].changedNothing)
       notes.others << WhyNothing(recipe, n, findings[n], voxelMm3);
   return notes;

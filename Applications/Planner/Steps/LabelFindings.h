@@ -16,8 +16,8 @@ struct LabelNotes
   QStringList others; ///< what was left out, strokes beside bone, steps that change nothing
 };
 
-/// Of the findings, one a step; voxelMm3: of the scan. Labels are called as the recipe names them.
-/// Any thread.
+/// Of the findings, one a step; voxelMm3: of the scan. Labels are called by their numbers: names
+/// are the user's own and are not said. Any thread.
 LabelNotes NotesOf(const SegmentationRecipe& recipe,
   const std::vector<SegmentationFinding>& findings, double voxelMm3);
 

@@ -1,7 +1,7 @@
 #include "Steps/LabelList.h"
 
 #include "Grid/LabelTable.h"
-#include "Steps/ObjectNames.h"
+#include "Model/ObjectNames.h"
 #include "Tools/StrokeEdits.h"
 
 #include <QColorDialog>

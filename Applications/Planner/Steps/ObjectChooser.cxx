@@ -1,5 +1,6 @@
 #include "Steps/ObjectChooser.h"
 
+#include "Model/ObjectNames.h"
 #include "Planning/PlanLists.h"
 #include "Tools/Planner.h"
 
@@ -20,15 +21,14 @@ constexpr int ButtonMargins = 20; // pixels, both
 
 QString CalledWithName(const Plan& plan, PlanId object)
 {
-  const std::string called = CalledObject(plan, object);
-  std::string name;
+  std::string text = CalledObject(plan, object);
   ForEachPlanObject(plan,
     [&](const auto& each)
     {
-      if (each.id == object && each.name != called)
-        name = each.name;
+      if (each.id == object && ObjectNames::IsGiven(each))
+        text += ": " + each.name;
     });
-  return QString::fromStdString(name.empty() ? called : called + ": " + name);
+  return QString::fromStdString(text);
 }
 
 ObjectChooser::ObjectChooser(

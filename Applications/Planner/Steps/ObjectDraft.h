@@ -1,7 +1,7 @@
 #pragma once
+#include "Model/ObjectNames.h"
 #include "Planning/PlanEdits.h"
 #include "Planning/PlanLists.h"
-#include "Steps/ObjectNames.h"
 #include "Tools/Planner.h"
 
 #include <QString>

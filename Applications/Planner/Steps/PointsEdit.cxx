@@ -156,10 +156,19 @@ void PointsEdit::PutAway()
     this->Of.tools.Take(nullptr);
 }
 
+void PointsEdit::showEvent(QShowEvent* event)
+{
+  this->Hand.Show(true);
+  QWidget::showEvent(event);
+}
+
 void PointsEdit::hideEvent(QHideEvent* event)
 {
   if (!event->spontaneous()) // else it is the window that goes out of sight
+  {
     this->PutAway();
+    this->Hand.Show(false);
+  }
   QWidget::hideEvent(event);
 }
 

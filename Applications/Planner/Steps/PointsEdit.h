@@ -18,7 +18,7 @@ struct Planner;
 ///
 /// Widgets: NAME (takes the tool in hand, and puts it away), NAME.list (x, y, z, mm, where the plan
 /// keeps them), NAME.crosshair, NAME.remove, NAME.up, NAME.down.
-/// Threads: RENDER. Cost: a LandmarkTool's.
+/// Threads: RENDER. Cost: a LandmarkTool's that shows, while the list is shown.
 class PointsEdit : public QWidget
 {
   Q_OBJECT
@@ -44,6 +44,7 @@ Q_SIGNALS:
   void Edited(); ///< by hand or by typing
 
 protected:
+  void showEvent(QShowEvent* event) override; ///< its places are seen, in hand or not
   void hideEvent(QHideEvent* event) override; ///< puts it away: another page is turned to
 
 private:

@@ -1,10 +1,10 @@
 #include "Steps/ReducePanel.h"
 
+#include "Model/ObjectNames.h"
 #include "Planning/PlanLists.h"
 #include "Steps/FragmentTable.h"
 #include "Steps/MoveEdits.h"
 #include "Steps/NudgePad.h"
-#include "Steps/ObjectNames.h"
 #include "Steps/PanelWidgets.h"
 #include "Steps/ReductionProposals.h"
 

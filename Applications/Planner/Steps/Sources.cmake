@@ -45,7 +45,6 @@ hasp_add_planner_part(Steps
     Steps/ObjectChecks.cxx Steps/ObjectChecks.h
     Steps/ObjectChooser.cxx Steps/ObjectChooser.h
     Steps/ObjectDraft.h
-    Steps/ObjectNames.cxx Steps/ObjectNames.h
     Steps/PaintedArea.cxx Steps/PaintedArea.h
     Steps/PanelGroup.h
     Steps/PartStatus.cxx Steps/PartStatus.h

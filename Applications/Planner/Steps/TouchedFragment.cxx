@@ -1,8 +1,8 @@
 #include "Steps/TouchedFragment.h"
 
+#include "Model/ObjectNames.h"
 #include "PlanFragmentLabels.h"
 #include "Planning/PlanLists.h"
-#include "Steps/ObjectNames.h"
 #include "Tools/Planner.h"
 
 #include <algorithm>

@@ -47,10 +47,10 @@ void TransplantBox::TakeTips()
   this->Bone().donor.axis = tips;
   this->Tips->PutAway();
   this->Put();
-  const Plan& plan = this->Of.plan.Now();
-  if (VolumeOfFragment(plan, this->Draft.Typed().donor) == this->Of.scene.ShownVolume())
-    this->Of.scene.SetVisible(this->Draft.Id(), false); // it lies in the jaw's world
-  this->Resting.start();                                // they may be typed number by number
+  for (const ScanWorld& world : WorldsOf(this->Of.plan.Now()))
+    if (world.isDonor && world.volume == this->Of.scene.ShownVolume())
+      this->Of.scene.SetVisible(this->Draft.Id(), false); // it lies in the jaw's world
+  this->Resting.start();                                  // they may be typed number by number
 }
 
 void TransplantBox::TakeDonor(PlanId donor)

@@ -151,8 +151,12 @@ bool PlannerProcess::Comes(
 void PlannerProcess::Await(
   const std::string& what, const std::function<bool(const Json&)>& holds, bool counted)
 {
-  if (!this->Comes(this->patienceS, holds, counted))
-    this->Fail((this->IsRunning() ? "this did not come: " : "it ended before this came: ") + what);
+  if (this->Comes(this->patienceS, holds, counted))
+    return;
+  const bool running = this->IsRunning();
+  this->Fail((running ? "this did not come: "
+                      : "it ended with " + std::to_string(this->Code) + " before this came: ") +
+             what);
 }
 
 void PlannerProcess::WaitUntil(

@@ -37,20 +37,28 @@ protected:
     this->Seen["layout " + when] = planner.Layout().dump();
     this->Seen["title " + when] = TitlesOn(this->Screen.Display());
   }
+  /// One more object than before, or why not.
+  static void ExpectTaken(PlannerProcess& planner, const std::function<void()>& import)
+  {
+    const Json before = planner.State("plan");
+    import();
+    EXPECT_NE(planner.State("plan"), before) << planner.State("message");
+  }
   void ImportAll(PlannerProcess& planner)
   {
     const std::string head = this->Head();
-    Import(planner, canary::MakeSurfaces(this->Names()).front().path);
-    planner.Key("ctrl+z"); // an open triangle, of which no part is made
+    const std::string triangle = canary::MakeSurfaces(this->Names()).front().path;
+    ExpectTaken(planner, [&] { Import(planner, triangle); });
+    planner.Key("ctrl+z"); // it is open, and no part is made of it
     const auto slices = canary::MakeDicomFolders(this->Names()).front();
     ASSERT_TRUE(slices.opens);
-    ImportFolder(planner, slices.path);
+    ExpectTaken(planner, [&] { ImportFolder(planner, slices.path); });
     const fs::path broken = this->Names() / (canary::Name() + "-broken.mha");
     canary::WriteTo(broken, "ObjectType = Image\nName = " + canary::Name() + "\n");
     Import(planner, broken);
     EXPECT_NE(planner.State("message"), "") << "it was taken";
     this->Note(planner, "with a fault");
-    Import(planner, head);
+    ExpectTaken(planner, [&] { Import(planner, head); });
   }
   void PlanGuide(PlannerProcess& planner)
   {

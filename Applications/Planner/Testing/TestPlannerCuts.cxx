@@ -1,12 +1,15 @@
 // Cutting as a surgeon does it: by touching bone, pressing buttons and typing.
 #include "StepsDesk.h"
 
+#include "Model/ObjectNames.h"
 #include "Planning/PlanLists.h"
 #include "Steps/CutPanel.h"
 #include "Steps/ObjectChooser.h"
 
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QListWidget>
+#include <QTranslator>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -78,14 +81,50 @@ TEST(CutPanel, NumbersMoveTheBladeAndWhatIsTypedIsKept)
   EXPECT_EQ(desk.Now().cuts[0].blade.widthMm, 33.0);
 }
 
-TEST(CutPanel, TwoCutsLeaveThreePiecesAndTheMiddleIsResected)
+struct OneWordOfSwedish : QTranslator
 {
-  StepsDesk desk(ScanOfBar());
-  CutPanel panel(desk.planner);
-  desk.Show(&panel);
-  desk.CutBar(-8.0);
-  desk.planner.scene.Select(desk.CutBar(8.0));
-  const std::size_t steps = desk.Steps();
+  bool isEmpty() const override { return false; }
+  QString translate(const char*, const char* text, const char*, int) const override
+  {
+    return QString(text) == "cut %1" ? QString("snitt %1") : QString();
+  }
+};
+
+TEST(ObjectChooser, OnlyNamesThatSayMoreAreSaid)
+{
+  OneWordOfSwedish swedish;
+  qApp->installTranslator(&swedish);
+  Plan plan;
+  plan.cuts.resize(1);
+  plan.cuts[0].id = 4;
+  for (const auto& [name, called] :
+    { std::pair("", "cut 4"), std::pair("cut 4", "cut 4"), std::pair("snitt 4", "cut 4"),
+      std::pair("chin", "cut 4: chin"), std::pair("cut 5", "cut 4: cut 5") })
+  {
+    plan.cuts[0].name = name;
+    EXPECT_EQ(CalledWithName(plan, 4).toStdString(), called);
+  }
+  EXPECT_EQ(ObjectNames::Of<PlanCut>(4), "snitt 4");
+}
+
+/// A bar that is cut in two places.
+class TwoCuts : public ::testing::Test
+{
+protected:
+  TwoCuts()
+  {
+    this->desk.Show(&this->panel);
+    this->desk.CutBar(-8.0);
+    this->desk.planner.scene.Select(this->desk.CutBar(8.0));
+    this->steps = this->desk.Steps();
+  }
+  StepsDesk desk{ ScanOfBar() };
+  CutPanel panel{ this->desk.planner };
+  std::size_t steps = 0; ///< that the plan has by then
+};
+
+TEST_F(TwoCuts, LeaveThreePiecesAndTheMiddleIsResected)
+{
   desk.Press("cut.pieces");
   desk.Settle();
   EXPECT_EQ(desk.Steps(), steps + 1);
@@ -115,14 +154,8 @@ TEST(CutPanel, TwoCutsLeaveThreePiecesAndTheMiddleIsResected)
 }
 
 /// Only those, whichever was touched first, and each where it was touched.
-TEST(CutPanel, TheTouchedPiecesAreKeptAndNoOther)
+TEST_F(TwoCuts, LeaveTheTouchedPiecesAndNoOther)
 {
-  StepsDesk desk(ScanOfBar());
-  CutPanel panel(desk.planner);
-  desk.Show(&panel);
-  desk.CutBar(-8.0);
-  desk.planner.scene.Select(desk.CutBar(8.0));
-  const std::size_t steps = desk.Steps();
   const PlanId bar = desk.Now().fragments[0].id;
   desk.Press("cut.seeds");
   desk.Touch(Front(20.0));

@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -85,7 +87,8 @@ protected:
     return QString::fromStdString((this->folder / name).string());
   }
 
-  const fs::path folder = fs::path(::testing::TempDir()) / "export-steps";
+  const fs::path folder =
+    fs::path(::testing::TempDir()) / ("export-steps-" + std::to_string(getpid()));
   StepsDesk desk;
   ExportPanel panel;
 };

@@ -117,6 +117,20 @@ TEST(PlannerMessages, AStrokeThatMakesNoFragmentIsAFault)
   EXPECT_TRUE(desk.faults.last().contains("Strokes that touch no bone: 1."));
 }
 
+TEST(PlannerMessages, StrokesBesideBoneAloneMakeNothingAndThatIsSaid)
+{
+  const CanaryFolder folder;
+  MessagesDesk desk(folder, TwoBalls(JoinedMm));
+  desk.split.Paint().SetLabel(2);
+  ASSERT_TRUE(desk.split.Paint().PaintAt({ 0.0, 0.0, 14.0 })); // in air
+  StepsOneDesk::Click(desk.split, "split.make");
+  ASSERT_TRUE(desk.Settle());
+  EXPECT_TRUE(desk.Now().fragments.empty());
+  ASSERT_EQ(desk.faults.size(), 1);
+  EXPECT_TRUE(desk.faults.last().startsWith("No fragment was made. label 2 gets no bone"))
+    << desk.faults.last().toStdString();
+}
+
 TEST(PlannerMessages, WhatVtkSaysNamesNoFile)
 {
   const CanaryFolder folder;

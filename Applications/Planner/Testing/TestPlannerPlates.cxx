@@ -131,6 +131,8 @@ TEST_F(TransplantSteps, DatasTransplantIsMadeByTouchingAndTyping)
   this->desk.Touch({ 0, 0, 171 });
   ASSERT_EQ(this->desk.Now().transplants.size(), 1U)
     << this->desk.TextOf("transplant.fault").toStdString();
+  EXPECT_FALSE(this->desk.planner.scene.IsVisible(this->desk.Now().transplants[0].id))
+    << "it lies in the jaw's world, and the leg is shown";
   this->desk.Type("transplant.lateral", "0.807391 -0.590017 0");
   this->desk.Type("transplant.between", "5");
   this->desk.views.Wait(

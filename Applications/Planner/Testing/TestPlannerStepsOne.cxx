@@ -216,6 +216,20 @@ TEST(PlannerImport, AMissingScanIsFoundByWhatItHolds)
   EXPECT_FALSE(desk.planner.plan.IsModified()); // where it lies is no part of a plan
 }
 
+/// What was refused is of the case before.
+TEST(PlannerImport, ANewPlanOffersNoRemediesOfTheOldOne)
+{
+  const CanaryFolder folder;
+  ImportDesk desk(folder);
+  auto& remedies = *desk.panel.findChild<ImportRemedies*>();
+  Passport several;
+  several.seriesFound = 3;
+  several.faults = { { FaultKind::MixedSeries, "the folder holds 3 series" } };
+  remedies.Offer(several);
+  desk.planner.plan.BeginNew();
+  EXPECT_TRUE(remedies.isHidden());
+}
+
 TEST(PlannerImport, RemediesAreWhatFaultsAskFor)
 {
   ImportRemedies remedies;

@@ -85,6 +85,21 @@ TEST_F(PlannerTours, GoOnByNextToTheirEndAndDoNothing)
   }
 }
 
+TEST_F(PlannerTours, GoBackAsFarAsToTheirBeginning)
+{
+  const auto planner = this->BeginTour("fibula");
+  for (int stop = 1; stop < 4; ++stop)
+    planner->Click("tour.next");
+  for (std::size_t stop = 3; stop > 0; --stop)
+  {
+    planner->Click("tour.back");
+    ExpectAt(*planner, Fibula, stop);
+  }
+  EXPECT_FALSE(planner->Widget("tour.back").value("enabled", true));
+  planner->Click("tour.next");
+  ExpectAt(*planner, Fibula, 2);
+}
+
 TEST_F(PlannerTours, AreLeftAtAnyStop)
 {
   const auto planner = this->BeginTour("skull");

@@ -42,18 +42,34 @@ LandmarkTool::~LandmarkTool()
 
 void LandmarkTool::Begin()
 {
-  this->Marks = std::make_unique<ToolMarks>(this->Of.views,
-    [this](QPainter& painter, const MarkedView& view) { this->Paint(painter, view); });
+  this->InHand = true;
+  this->SeeToMarks();
   this->Mouse.Watch(this->Of.views);
-  this->Update();
 }
 
 void LandmarkTool::End()
 {
   this->Mouse.Leave();
-  this->Marks.reset();
+  this->InHand = false;
+  this->SeeToMarks();
   if (std::exchange(this->Moved, false))
     Q_EMIT this->Edited();
+}
+
+void LandmarkTool::Show(bool shown)
+{
+  this->Asked = shown;
+  this->SeeToMarks();
+}
+
+void LandmarkTool::SeeToMarks()
+{
+  if (!this->InHand && !this->Asked)
+    this->Marks.reset();
+  else if (!this->Marks)
+    this->Marks = std::make_unique<ToolMarks>(this->Of.views,
+      [this](QPainter& painter, const MarkedView& view) { this->Paint(painter, view); });
+  this->Update();
 }
 
 QString LandmarkTool::Hint() const

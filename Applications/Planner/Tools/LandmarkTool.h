@@ -30,10 +30,11 @@ struct LandmarkPurpose
 /// Places in order, by touching what is shown. A click on bone, or in a slice, is one more; one on
 /// a place chooses it, a drag of a place moves it along the bone, Delete removes the chosen one,
 /// and Insert takes the crosshair's place. Any other drag is the view's. Nobody is told of a place
-/// until the click or drag is over.
+/// until the click or drag is over. Where its places are is seen while it is in hand, and while it
+/// is asked to show them.
 ///
-/// Threads: RENDER. Cost while it is in hand: marks over the views; a pick for each click, and for
-/// each step of a drag. Else nothing but the places.
+/// Threads: RENDER. Cost while it shows: marks over the views; while it is in hand, a pick for each
+/// click, and for each step of a drag. Else nothing but the places.
 class LandmarkTool : public Tool
 {
   Q_OBJECT
@@ -44,6 +45,7 @@ public:
   void Begin() override;
   void End() override;
   QString Hint() const override;
+  void Show(bool shown); ///< its places, when it is not in hand
   void SetPurpose(const LandmarkPurpose& purpose);
   const LandmarkPurpose& Purpose() const { return this->For; }
 
@@ -72,14 +74,16 @@ private:
   bool Key(const QKeyEvent& key);
   void Paint(QPainter& painter, const MarkedView& view) const;
   void Update();
+  void SeeToMarks();
 
   Planner& Of;
   LandmarkPurpose For;
   std::vector<TouchedPlace> All;
   int Chosen = -1;
-  bool Moved = false; ///< the place that is held
+  bool Moved = false;                 ///< the place that is held
+  bool InHand = false, Asked = false; ///< either: it shows
   ViewMouse Mouse;
-  std::unique_ptr<ToolMarks> Marks; ///< while it is in hand
+  std::unique_ptr<ToolMarks> Marks; ///< while it shows
 };
 
 } // namespace hasp

@@ -23,7 +23,12 @@ Planner::Planner(const PlannerFolders& folders, const std::filesystem::path& wor
     scene(plan, scans, jobs, views.Scene())
 {
   connect(&this->plan, &PlanSession::Refused, this, &Planner::SayFault);
-  connect(&this->plan, &PlanSession::Warned, this, &Planner::SayFault);
+  connect(&this->plan, &PlanSession::Warned, this,
+    [this](const QString& text)
+    {
+      this->SayFault(text);
+      this->SaidBy.clear(); // it holds, whatever job is tried again
+    });
   connect(&this->scene, &PlanScene::Refused, this, &Planner::SayFault);
   connect(&this->jobs, &JobQueue::Failed, this,
     [this](const QString& what, const QString& text)

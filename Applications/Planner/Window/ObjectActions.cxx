@@ -1,8 +1,8 @@
 // What ObjectList does with what is chosen.
+#include "Model/ObjectNames.h"
 #include "Planning/PlanEdits.h"
 #include "Planning/PlanLists.h"
 #include "Steps/MoveEdits.h"
-#include "Steps/ObjectNames.h"
 #include "Tools/Planner.h"
 #include "Window/ObjectList.h"
 

@@ -14,6 +14,7 @@
 #include "Window/WindowState.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPointer>
@@ -24,15 +25,21 @@
 
 #include <X11/Xlib.h> // last: it defines words as macros
 
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace hasp
 {
 namespace
 {
+
+constexpr int QuietMs = 1000;
 
 /// What is thrown where an event is handled goes no further: in Qt it would end the program.
 class Application : public QApplication
@@ -61,17 +68,23 @@ public:
   }
 };
 
-/// For what VTK says, on any of its threads.
+/// For what VTK says, on any of its threads. What it says of each frame is told once, until it has
+/// been quiet: else nothing else could be read.
 VtkMessageCapture::Say Teller(Application& application, bool fault)
 {
-  return [&application, fault](const std::string& text)
+  return [&application, fault, last = std::make_shared<std::pair<std::string, QElapsedTimer>>()](
+           const std::string& text)
   {
     std::cerr << "hasp-planner: " + text + "\n"; // at once: it may be the last
     QMetaObject::invokeMethod(
       &application,
-      [&application, fault, text]
+      [&application, fault, last, text]
       {
-        if (application.say)
+        auto& [before, since] = *last;
+        const bool again = text == before && since.isValid() && !since.hasExpired(QuietMs);
+        before = text;
+        since.start();
+        if (application.say && !again)
           application.say(QString::fromStdString(text), fault);
       },
       Qt::QueuedConnection);
@@ -167,6 +180,7 @@ int Show(Application& application, const PlannerOptions& options)
 
 int RunPlanner(int argc, char* argv[])
 {
+  std::signal(SIGPIPE, SIG_IGN); // whoever read what is said here may be gone
   PlannerOptions options;
   int exitCode = 0;
   if (!ReadPlannerOptions(argc, argv, options, exitCode))

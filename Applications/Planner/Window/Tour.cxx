@@ -36,6 +36,7 @@ Tour::Tour(PlannerWindow& window, Sample sample)
     Window(window),
     Stops(TourOf(sample)),
     Words(new QLabel),
+    BackButton(new QPushButton(tr("Back"))),
     NextButton(new QPushButton(tr("Ne&xt"))),
     Marker(new QFrame(&window))
 {
@@ -44,17 +45,20 @@ Tour::Tour(PlannerWindow& window, Sample sample)
   this->setStyleSheet("hasp--Tour { background: #2e4a2e; } QLabel { color: white; }");
   this->Words->setObjectName("tour.text");
   this->Words->setWordWrap(true);
+  this->BackButton->setObjectName("tour.back");
   this->NextButton->setObjectName("tour.next");
   auto* leave = new QPushButton(tr("Leave the tour"));
   leave->setObjectName("tour.leave");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);
   row->addWidget(this->Words, 1);
+  row->addWidget(this->BackButton);
   row->addWidget(this->NextButton);
   row->addWidget(leave);
   this->Marker->setObjectName("tour.marker");
   this->Marker->setStyleSheet("border: 3px solid #f0b429; background: transparent;");
   this->Marker->setAttribute(Qt::WA_TransparentForMouseEvents);
+  connect(this->BackButton, &QPushButton::clicked, this, [this] { this->Go(this->Now - 1); });
   connect(this->NextButton, &QPushButton::clicked, this, [this] { this->Go(this->Now + 1); });
   connect(leave, &QPushButton::clicked, this, &QObject::deleteLater);
   connect(this, &QObject::destroyed, this->Marker, &QObject::deleteLater);
@@ -73,6 +77,7 @@ void Tour::Go(int stop)
   this->Now = stop;
   const TourStop& now = this->Stops[std::size_t(stop)];
   this->Words->setText(tr("%1 of %2: %3").arg(stop + 1).arg(this->Stops.size()).arg(now.text));
+  this->BackButton->setEnabled(stop > 0);
   this->NextButton->setText(stop + 1 == int(this->Stops.size()) ? tr("D&one") : tr("Ne&xt"));
   this->Window.ChooseStep(now.step);
   this->Choose();

@@ -28,7 +28,8 @@ struct TourStop
 
 /// The guided first run: a line below the message bar says what to do next, and the widget for it
 /// is marked, wherever it moves; it goes on by itself when the plan shows that it was done, or by
-/// Next. It can be left at any time, and does nothing to the plan. Threads: RENDER.
+/// Next. Back says again what was said before, and undoes nothing. It can be left at any time, and
+/// does nothing to the plan. Threads: RENDER.
 class Tour : public QFrame
 {
   Q_OBJECT
@@ -48,7 +49,7 @@ private:
   std::vector<TourStop> Stops;
   int Now = -1;
   QLabel* Words;
-  QPushButton* NextButton;
+  QPushButton *BackButton, *NextButton;
   QPointer<QWidget> Marked;
   std::vector<QPointer<QWidget>> Watched; ///< it, and all that it is in
   QFrame* Marker;                         ///< around what is seen of it

@@ -109,8 +109,8 @@ std::vector<TourStop> FibulaTour()
 {
   return { Begin(),
     Stop("cut", "cut.place",
-      QT_TRANSLATE_NOOP("hasp::Tour", "Touch the jaw in two places for each of two cuts: what is "
-                                      "between them will be resected."),
+      QT_TRANSLATE_NOOP("hasp::Tour", "Touch the jaw in two places for a cut; press New, and do so "
+                                      "for a second one. What is between them will be resected."),
       AtLeast(&Plan::cuts, 2)),
     Stop("cut", "cut.pieces",
       QT_TRANSLATE_NOOP("hasp::Tour", "Keep the pieces, and resect the one in the middle."),

@@ -1,5 +1,6 @@
 #include "Window/WindowState.h"
 
+#include "Model/ObjectNames.h"
 #include "Planning/PlanLists.h"
 #include "Window/PlannerWindow.h"
 
@@ -22,9 +23,13 @@ QStringList WordsOf(const PlannerWindow& window)
   ForEachPlanObject(plan,
     [&](const auto& object)
     {
-      if (object.name != CalledObject(plan, object.id)) // else it is ours
+      if (ObjectNames::IsGiven(object))
         words += QString::fromStdString(object.name);
     });
+  for (const PlanSegmentation& segmentation : plan.segmentations)
+    for (const LabelName& label : segmentation.recipe.names)
+      if (ObjectNames::IsGiven(label))
+        words += QString::fromStdString(label.name);
   words.removeAll(QString());
   return words;
 }

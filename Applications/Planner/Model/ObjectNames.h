@@ -22,6 +22,15 @@ public:
     return ObjectNames::Of(PlanListOf<T>().noun, id);
   }
   static std::string Of(const std::string& noun, PlanId id);
+  /// Whether it is called otherwise than new ones are, here or in a file: by words of the user's.
+  template <typename T>
+  static bool IsGiven(const T& object)
+  {
+    const std::string noun = PlanListOf<T>().noun;
+    return !object.name.empty() && object.name != Of(noun, object.id) &&
+           object.name != noun + ' ' + std::to_string(object.id);
+  }
+  static bool IsGiven(const LabelName& label);
   /// Of a label that is painted: it is no fragment yet, whose number would be another.
   static std::string OfLabel(std::uint16_t label);
   /// Of the fragment that a label becomes: the label's name, if it was given one.

@@ -1,4 +1,4 @@
-#include "Steps/ObjectNames.h"
+#include "Model/ObjectNames.h"
 
 #include "Grid/LabelTable.h"
 
@@ -32,11 +32,15 @@ std::string ObjectNames::OfLabel(std::uint16_t label)
   return tr("label %1").arg(label).toStdString();
 }
 
+bool ObjectNames::IsGiven(const LabelName& label)
+{
+  return !label.name.empty() && label.name != OfLabel(label.label) &&
+         (label.label == 1 || label.name != UnnamedLabel(label.label).name);
+}
+
 std::string ObjectNames::OfFragment(PlanId id, std::uint16_t label, const std::string& labelName)
 {
-  const bool isGiven = !labelName.empty() && labelName != OfLabel(label) &&
-                       (label == 1 || labelName != UnnamedLabel(label).name);
-  return isGiven ? labelName : Of<PlanFragment>(id);
+  return IsGiven(LabelName{ label, labelName, {} }) ? labelName : Of<PlanFragment>(id);
 }
 
 } // namespace hasp
