@@ -2,7 +2,6 @@
 #include "ImportDesk.h"
 
 #include "Planning/PlanLists.h"
-#include "Steps/ImportRemedies.h"
 #include "Steps/MissingInputs.h"
 #include "Steps/SurfaceShelf.h"
 #include "vtkHaspLabelFile.h"
@@ -214,44 +213,6 @@ TEST(PlannerImport, AMissingScanIsFoundByWhatItHolds)
   EXPECT_EQ(list.count(), 0);
   EXPECT_TRUE(desk.planner.scene.ShownImage());
   EXPECT_FALSE(desk.planner.plan.IsModified()); // where it lies is no part of a plan
-}
-
-/// What was refused is of the case before.
-TEST(PlannerImport, ANewPlanOffersNoRemediesOfTheOldOne)
-{
-  const CanaryFolder folder;
-  ImportDesk desk(folder);
-  auto& remedies = *desk.panel.findChild<ImportRemedies*>();
-  Passport several;
-  several.seriesFound = 3;
-  several.faults = { { FaultKind::MixedSeries, "the folder holds 3 series" } };
-  remedies.Offer(several);
-  desk.planner.plan.BeginNew();
-  EXPECT_TRUE(remedies.isHidden());
-}
-
-TEST(PlannerImport, RemediesAreWhatFaultsAskFor)
-{
-  ImportRemedies remedies;
-  Passport several;
-  several.seriesFound = 3;
-  several.faults = { { FaultKind::MixedSeries, "the folder holds 3 series" } };
-  remedies.Offer(several);
-  EXPECT_FALSE(remedies.isHidden());
-  StepsOneDesk::Find<QComboBox>(remedies, "import.series").setCurrentIndex(1);
-  EXPECT_EQ(remedies.Settings().series, 2);
-  EXPECT_FALSE(remedies.Settings().resample);
-  Passport tilted;
-  tilted.seriesFound = 3;
-  tilted.faults = { { FaultKind::GantryTilt, "is tilted" } };
-  tilted.faults[0].resamplable = true;
-  remedies.Offer(tilted);
-  EXPECT_EQ(remedies.Settings().series, 2); // the same series, mended
-  EXPECT_TRUE(remedies.Settings().resample);
-  remedies.Withdraw();
-  EXPECT_TRUE(remedies.isHidden());
-  EXPECT_EQ(remedies.Settings().series, 0);
-  EXPECT_FALSE(remedies.Settings().resample);
 }
 
 } // namespace
