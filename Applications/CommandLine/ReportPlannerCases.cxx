@@ -63,7 +63,6 @@ void AddCase(Report& report, const PlannedCase& one, const Json& counted)
   clicks.unit = "count";
   clicks.bars.push_back({ {}, one.mostClicks });
   clicks.data += "; keys besides: " + std::to_string(int(figure("keys")));
-  report.rows.push_back(clicks);
   ReportRow wait = RowOf(one, "wait");
   wait.value = wait.timeS = figure("wait_s");
   wait.unit = "s";
@@ -71,6 +70,7 @@ void AddCase(Report& report, const PlannedCase& one, const Json& counted)
   wait.errorUnit = "mm, most that is planned off the truth";
   wait.bars.push_back({ {}, MostWaitS });
   wait.data += "; for jobs: " + FigureText(figure("jobs_s"), "s");
+  report.rows.push_back(clicks); // both or, where a figure lacks, neither
   report.rows.push_back(wait);
 }
 
@@ -83,7 +83,7 @@ std::string SamplesTest()
   return fs::exists(program, ignored) ? program.string() : std::string();
 }
 
-/// Of a file of GoogleTest's. Throws Json::exception: it is none, or not whole.
+/// Of a file of GoogleTest's. Throws std::exception: it is none, or not whole.
 void AddCounted(Report& report, const PlannedCase& one, const Json& tests)
 {
   std::string why =
@@ -139,7 +139,7 @@ void ReportPlannerCases(ReportContext& context)
     {
       AddCounted(context.report, one, Json::parse(std::ifstream(counted)));
     }
-    catch (const Json::exception&)
+    catch (const std::exception&) // of JSON, or of numbers
     {
       AddAbsent(context.report, one, "what TestPlannerSamples has counted cannot be read");
     }

@@ -1,5 +1,6 @@
 // The step Export: files and their endings, and what another plan leaves of it.
 #include "Output/ReportVoxels.h"
+#include "Output/ScanWorlds.h"
 #include "Planning/PlanEdits.h"
 #include "Steps/ExportPanel.h"
 #include "StepsDesk.h"
@@ -195,6 +196,37 @@ TEST_F(ExportSteps, AReportHasTheBoneOfScansThatNoFragmentIsOf)
   guide.recipe.landmarks = { Front(-10.0), Front(10.0) };
   ASSERT_TRUE(this->desk.planner.plan.Do(AddObject<PlanGuide>{ guide }));
   EXPECT_EQ(scans(), std::vector<PlanId>{ other });
+  const auto points = [&]
+  { return BodiesOf(this->desk.planner, missing).scans.at(other)->GetNumberOfPoints(); };
+  const vtkIdType asItIsMade = points();
+  this->desk.planner.scene.SetShownVolume(other);
+  this->desk.planner.scene.SetIsovalue(900.0);
+  EXPECT_EQ(points(), asItIsMade) << "the guide's bone is that of its own isovalue";
+}
+
+TEST(ScanWorlds, OnlyABoneOfAnotherScanHasAWorldOfItsOwn)
+{
+  Plan plan;
+  plan.volumes = { { 1, "", "" }, { 2, "", "" } };
+  for (const auto& [id, volume] : { std::pair<PlanId, PlanId>(3, 1), { 4, 1 }, { 9, 2 } })
+  {
+    PlanFragment fragment;
+    fragment.id = id;
+    fragment.source = ComponentSource{ volume, 226.0, {}, 0.5 };
+    plan.fragments.push_back(fragment);
+  }
+  plan.transplants.resize(1);
+  plan.transplants[0].id = 11;
+  plan.transplants[0].first.fragment = 3;
+  plan.transplants[0].donor = 9;
+  const std::vector<ScanWorld> two = WorldsOf(plan);
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_FALSE(two[0].isDonor);
+  EXPECT_TRUE(two[1].isDonor);
+  EXPECT_EQ(SeenIn(two[0]), (std::vector<PlanId>{ 3, 4, 11 }));
+  EXPECT_EQ(SeenIn(two[1]), std::vector<PlanId>{ 9 });
+  plan.transplants[0].donor = 4; // in the jaw's own scan
+  EXPECT_FALSE(WorldsOf(plan)[0].isDonor);
 }
 
 } // namespace

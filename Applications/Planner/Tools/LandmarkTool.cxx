@@ -42,33 +42,21 @@ LandmarkTool::~LandmarkTool()
 
 void LandmarkTool::Begin()
 {
-  this->InHand = true;
-  this->SeeToMarks();
   this->Mouse.Watch(this->Of.views);
+  this->Update();
 }
 
 void LandmarkTool::End()
 {
   this->Mouse.Leave();
-  this->InHand = false;
-  this->SeeToMarks();
+  this->Update();
   if (std::exchange(this->Moved, false))
     Q_EMIT this->Edited();
 }
 
 void LandmarkTool::Show(bool shown)
 {
-  this->Asked = shown;
-  this->SeeToMarks();
-}
-
-void LandmarkTool::SeeToMarks()
-{
-  if (!this->InHand && !this->Asked)
-    this->Marks.reset();
-  else if (!this->Marks)
-    this->Marks = std::make_unique<ToolMarks>(this->Of.views,
-      [this](QPainter& painter, const MarkedView& view) { this->Paint(painter, view); });
+  this->Shown = shown;
   this->Update();
 }
 
@@ -243,8 +231,14 @@ void LandmarkTool::Paint(QPainter& painter, const MarkedView& view) const
 
 void LandmarkTool::Update()
 {
-  if (this->Marks)
+  const bool inHand = this->Of.tools.InHand() == this;
+  if (!inHand && (!this->Shown || this->All.empty()))
+    this->Marks.reset();
+  else if (this->Marks)
     this->Marks->Update();
+  else
+    this->Marks = std::make_unique<ToolMarks>(this->Of.views,
+      [this](QPainter& painter, const MarkedView& view) { this->Paint(painter, view); });
 }
 
 } // namespace hasp

@@ -33,8 +33,8 @@ struct LandmarkPurpose
 /// until the click or drag is over. Where its places are is seen while it is in hand, and while it
 /// is asked to show them.
 ///
-/// Threads: RENDER. Cost while it shows: marks over the views; while it is in hand, a pick for each
-/// click, and for each step of a drag. Else nothing but the places.
+/// Threads: RENDER. Cost while it shows places: marks over the views; while it is in hand, a pick
+/// for each click, and for each step of a drag, too. Else nothing but the places.
 class LandmarkTool : public Tool
 {
   Q_OBJECT
@@ -73,17 +73,16 @@ private:
   void Release();
   bool Key(const QKeyEvent& key);
   void Paint(QPainter& painter, const MarkedView& view) const;
-  void Update();
-  void SeeToMarks();
+  void Update(); ///< the marks, which are there while there is something to mark
 
   Planner& Of;
   LandmarkPurpose For;
   std::vector<TouchedPlace> All;
   int Chosen = -1;
-  bool Moved = false;                 ///< the place that is held
-  bool InHand = false, Asked = false; ///< either: it shows
+  bool Moved = false; ///< the place that is held
+  bool Shown = false; ///< also when it is not in hand
   ViewMouse Mouse;
-  std::unique_ptr<ToolMarks> Marks; ///< while it shows
+  std::unique_ptr<ToolMarks> Marks;
 };
 
 } // namespace hasp
