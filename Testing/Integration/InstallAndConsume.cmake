@@ -17,6 +17,14 @@ set(configure -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${WORK}/prefix" -DCMAKE_BUI
   "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix")
+# A window is found in the desktop's menu.
+if (EXISTS "${WORK}/prefix/bin/hasp-planner")
+  foreach (file applications/hasp-planner.desktop icons/hicolor/scalable/apps/hasp-planner.svg)
+    if (NOT EXISTS "${WORK}/prefix/share/${file}")
+      message(FATAL_ERROR "share/${file} is not installed beside bin/hasp-planner")
+    endif ()
+  endforeach ()
+endif ()
 
 run("${CMAKE_COMMAND}" -S "${SOURCE}/Consumer" -B "${WORK}/Consumer" ${configure})
 file(STRINGS "${WORK}/Consumer/CMakeCache.txt" found REGEX "^Hasp_DIR:")
