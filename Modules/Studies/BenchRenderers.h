@@ -1,7 +1,7 @@
 #pragma once
 #include "Haptics/ExplicitCoupling.h"
 #include "Haptics/FieldContact.h"
-#include "Haptics/ForceLimiter.h"
+#include "Realtime/ForceLimiter.h"
 #include "Haptics/VirtualCoupling.h"
 #include "Studies/HapticBench.h"
 

@@ -1,7 +1,7 @@
 #include "Studies/HapticSoak.h"
 #include "Haptics/ContactFriction.h"
 #include "Haptics/FieldContact.h"
-#include "Haptics/ForceLimiter.h"
+#include "Realtime/ForceLimiter.h"
 #include "Haptics/PassivityObserver.h"
 #include "Haptics/VirtualCoupling.h"
 #include "Studies/BenchBodies.h"

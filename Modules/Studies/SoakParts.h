@@ -1,5 +1,5 @@
 #pragma once
-#include "Haptics/ForceLimiter.h"
+#include "Realtime/ForceLimiter.h"
 #include "Haptics/VirtualCoupling.h"
 #include "Studies/CpuSeconds.h"
 #include "Studies/HapticSoak.h"

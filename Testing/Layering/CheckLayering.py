@@ -35,6 +35,8 @@ OUTSIDE = [  # first match wins
     ("seccomp", r"seccomp\.h"),
     ("libusb", r"libusb.*"),
     ("hidapi", r"hidapi.*"),
+    ("umockdev", r"umockdev\.h|gio/.*|glib.*"),
+    ("beast", r"boost/(asio|beast).*"),
     ("gtest", r"g(test|mock)/.*"),
     ("benchmark", r"benchmark/.*"),
     ("std", r"[a-z0-9_]+|stdint\.h"),

@@ -1,7 +1,7 @@
 #pragma once
 #include "Haptics/ContactFriction.h"
 #include "Haptics/CostModel.h"
-#include "Haptics/ForceLimiter.h"
+#include "Realtime/ForceLimiter.h"
 #include "Haptics/HapticScene.h"
 #include "Haptics/PassivityObserver.h"
 #include "Haptics/VirtualCoupling.h"

@@ -1,5 +1,5 @@
 #include "Haptics/PassivityObserver.h"
-#include "Haptics/ForceLimiter.h"
+#include "Realtime/ForceLimiter.h"
 #include "Haptics/VirtualCoupling.h"
 
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "Haptics/ForceLimiter.h"
+#include "Realtime/ForceLimiter.h"
 
 #include <glm/geometric.hpp>
 
