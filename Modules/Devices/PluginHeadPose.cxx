@@ -1,14 +1,7 @@
 #include "Devices/PluginHeadPose.h"
 
 #include "Devices/HeadPosePlugin.h"
-
-#include <dlfcn.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstring>
-#include <filesystem>
-#include <stdexcept>
+#include "Devices/PluginLibrary.h"
 
 namespace hasp
 {
@@ -17,26 +10,8 @@ namespace
 {
 constexpr double MostAgeS = 10.0;
 constexpr std::size_t MostName = 63;
-
-[[noreturn]] void Refuse(const std::string& why)
-{
-  throw std::runtime_error("head pose plugin: " + why);
-}
-
-struct Unload
-{
-  void operator()(void* handle) const { dlclose(handle); }
-};
-
-std::string PrintableName(const char* name)
-{
-  if (!name)
-    return {};
-  std::string text(name, strnlen(name, MostName));
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
+constexpr PluginKind Kind{ "head pose plugin", HASP_HEAD_POSE_PLUGIN_ENTRY, "HeadPosePlugin.h",
+  HASP_HEAD_POSE_PLUGIN_VERSION };
 } // namespace
 
 /// The library, its table and its session, undone in the opposite order.
@@ -44,67 +19,35 @@ class PluginHeadPose::Library
 {
 public:
   Library(const std::string& file, const std::string& settings)
+    : Loaded(Kind, file),
+      Table(this->Loaded.Get<HaspHeadPosePlugin>())
   {
-    std::error_code error;
-    const auto path = std::filesystem::absolute(file, error); // with a slash: dlopen searches not
-    if (error || !std::filesystem::is_regular_file(path, error))
-      Refuse("there is no such file");
-    // dlerror's text names files, so it is not passed on.
-    this->Handle.reset(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
-    if (!this->Handle)
-      Refuse("the file is no shared library that can be loaded here; ldd says whether it is one"
-             " for this machine and which of its own libraries are missing");
-    const auto entry = reinterpret_cast<HaspGetHeadPosePluginFunction>(
-      dlsym(this->Handle.get(), HASP_HEAD_POSE_PLUGIN_ENTRY));
-    if (!entry)
-      Refuse("the library has no function " HASP_HEAD_POSE_PLUGIN_ENTRY
-             "; it is no plugin, or its symbols are hidden");
-    this->Table = entry();
-    this->CheckTable();
-    this->Session = this->Table->open(settings.c_str());
+    if (!this->Table.open || !this->Table.poll || !this->Table.close)
+      this->Loaded.Refuse("the plugin's table lacks open, poll or close");
+    this->Session = this->Table.open(settings.c_str());
     if (!this->Session)
-      Refuse(
+      this->Loaded.Refuse(
         "the plugin could not open its tracker; is it plugged in, and are the settings right?");
   }
-  ~Library()
-  {
-    if (this->Session)
-      this->Table->close(this->Session);
-  }
+  ~Library() { this->Table.close(this->Session); }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 
-  const char* Name() const { return this->Table->name; }
+  const char* Name() const { return this->Table.name; }
   int Poll(double nowS, HaspHeadPoseSample& sample) const
   {
-    return this->Table->poll(this->Session, nowS, &sample);
+    return this->Table.poll(this->Session, nowS, &sample);
   }
 
 private:
-  void CheckTable() const
-  {
-    if (!this->Table)
-      Refuse("the plugin gives no table");
-    // Size and version stand first in every version.
-    if (this->Table->version != HASP_HEAD_POSE_PLUGIN_VERSION)
-      Refuse("the plugin is of version " + std::to_string(this->Table->version) +
-             ", this Hasp loads version " + std::to_string(HASP_HEAD_POSE_PLUGIN_VERSION) +
-             "; compile it with this Hasp's HeadPosePlugin.h");
-    if (this->Table->size < sizeof(HaspHeadPosePlugin))
-      Refuse("the plugin's table has " + std::to_string(this->Table->size) + " bytes, must be " +
-             std::to_string(sizeof(HaspHeadPosePlugin)) + " or more");
-    if (!this->Table->open || !this->Table->poll || !this->Table->close)
-      Refuse("the plugin's table lacks open, poll or close");
-  }
-
-  std::unique_ptr<void, Unload> Handle;
-  const HaspHeadPosePlugin* Table = nullptr;
+  PluginLibrary Loaded;
+  const HaspHeadPosePlugin& Table;
   void* Session = nullptr;
 };
 
 PluginHeadPose::PluginHeadPose(const std::string& file, const std::string& settings)
   : Loaded(std::make_unique<Library>(file, settings)),
-    Tracker(PrintableName(this->Loaded->Name()))
+    Tracker(PrintableText(this->Loaded->Name(), MostName))
 {
 }
 
