@@ -21,6 +21,14 @@ function (hasp_add_devices)
   hasp_add_library_without_vtk(Devices . Devices ${ARGN})
 endfunction ()
 
+# hasp_add_drivers(SOURCES a.cxx … HEADERS a.h … [PUBLIC targets…] [PRIVATE targets…])
+#
+# The second library of that folder: target DeviceDrivers, linked as Hasp::DeviceDrivers, its headers included as
+# "Devices/Drivers/HapticDriver.h".
+function (hasp_add_drivers)
+  hasp_add_library_without_vtk(DeviceDrivers . Devices/Drivers ${ARGN})
+endfunction ()
+
 # hasp_add_studies(SOURCES a.cxx … HEADERS a.h … [PUBLIC targets…] [PRIVATE targets…])
 #
 # Storey 1 too, above Devices: target Studies, linked as Hasp::Studies.
@@ -75,10 +83,12 @@ function (hasp_add_needed_kernels)
     foreach (target IN LISTS targets)
       get_target_property(links ${target} LINK_LIBRARIES)
       foreach (kernel IN LISTS links)
-        if (kernel MATCHES "^Hasp::(Devices|Studies|Kernel(.+))$" AND NOT TARGET ${kernel})
+        if (kernel MATCHES "^Hasp::(Devices|DeviceDrivers|Studies|Kernel(.+))$" AND NOT TARGET ${kernel})
           set(home "Kernels/${CMAKE_MATCH_2}")
           if (kernel MATCHES "^Hasp::(Devices|Studies)$")
             set(home ${CMAKE_MATCH_1})
+          elseif (kernel STREQUAL "Hasp::DeviceDrivers")
+            set(home Devices/Drivers)
           elseif (DEFINED folder_of_${CMAKE_MATCH_2})
             set(home "Kernels/${folder_of_${CMAKE_MATCH_2}}")
           endif ()

@@ -1,0 +1,47 @@
+#include "Devices/Drivers/DeviceTrial.h"
+
+namespace hasp
+{
+
+DeviceTrial::DeviceTrial(HapticDevice& device) : Device(device)
+{
+  this->Loop.Start({ .scheduling = { .fifoPriority = 80, .lock = MemoryLocking::None } },
+    [this](const LoopTick& tick) noexcept { return this->Tick(tick); });
+}
+
+DeviceTrial::~DeviceTrial()
+{
+  this->Loop.Stop();
+  this->Device.Write({});
+}
+
+DeviceSight DeviceTrial::Look() noexcept
+{
+  this->Seen.Update();
+  const DeviceSight* seen = this->Seen.Latest();
+  return seen != nullptr ? *seen : DeviceSight{};
+}
+
+bool DeviceTrial::Tick(const LoopTick& tick) noexcept
+{
+  this->Asked.Update();
+  const ForceTrial* trial = this->Asked.Latest();
+  this->Now.status = this->Device.Read(tick.nowNs, this->Now.sample);
+  const bool pressed = (this->Now.sample.buttons & DeadMansButton) != 0;
+  // A button that was down from the beginning may be stuck: it has to be seen up first.
+  this->SeenUp = this->SeenUp || (TakesForce(this->Now.status) && !pressed);
+  const bool held = TakesForce(this->Now.status) && pressed && this->SeenUp && trial != nullptr;
+  if (held && !this->Held)
+    this->HeldSinceNs = tick.nowNs;
+  this->Held = held;
+  // 1 ns: held now counts, and a time that is 0 would not.
+  const double heldS =
+    held ? 1e-9 * static_cast<double>(1 + NsBetween(this->HeldSinceNs, tick.nowNs)) : 0.0;
+  this->Now.asked = trial != nullptr ? WrenchOf(*trial, heldS) : Wrench{};
+  this->Device.Write(this->Now.asked);
+  ++this->Now.ticks;
+  this->Seen.Write(this->Now);
+  return true;
+}
+
+} // namespace hasp
