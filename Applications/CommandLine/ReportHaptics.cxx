@@ -67,6 +67,8 @@ void ReportHaptics(ReportContext& context)
   TrySteps(context);
   context.progress(0.8, "haptics: coarse phase");
   TryCoarsePhase(context);
+  context.progress(0.9, "haptics: a device's driver");
+  TryDriver(context);
   context.progress(0.0, "haptics: a loop of 1 kHz beside rendering");
   Rendering rendering;
   const double seconds = context.settings.soak ? 600.0 : context.settings.quick ? 2.0 : 30.0;

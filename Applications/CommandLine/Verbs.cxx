@@ -35,6 +35,7 @@ void AddVerbs(CLI::App& app, Session& session)
   AddTransplantVerb(app, session);
   AddFractureVerb(app, session);
 #endif
+  AddDevicesVerb(app, session);
   AddPhantomVerb(app, session);
   AddReportVerb(app, session);
 }

@@ -22,6 +22,7 @@ void AddCellsVerb(CLI::App& app, Session& session);
 void AddRenderVerb(CLI::App& app, Session& session);
 void AddViewVerb(CLI::App& app, Session& session);
 void AddCalibrateVerb(CLI::App& app, Session& session);
+void AddDevicesVerb(CLI::App& app, Session& session);
 void AddPhantomVerb(CLI::App& app, Session& session);
 void AddFractureVerb(CLI::App& app, Session& session);
 void AddSegmentVerb(CLI::App& app, Session& session);

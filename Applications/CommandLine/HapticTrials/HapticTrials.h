@@ -26,4 +26,8 @@ void TrySteps(ReportContext& context);
 /// haptics.coarse.separated, .touching, ...: with and without the coarse phase.
 void TryCoarsePhase(ReportContext& context);
 
+/// haptics.falcon.tick, .delay.in, .delay.out: what a device with a thread of its own costs a tick,
+/// and how many ticks later it is heard and felt; on a model of it in this process.
+void TryDriver(ReportContext& context);
+
 } // namespace hasp

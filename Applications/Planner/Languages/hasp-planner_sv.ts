@@ -337,6 +337,25 @@
     </message>
 </context>
 <context>
+    <name>FileQuestion</name>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Ersätt filen?</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 finns redan.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace it</source>
+        <translation>&amp;Ersätt den</translation>
+    </message>
+    <message>
+        <source>&amp;Another name</source>
+        <translation>&amp;Annat namn</translation>
+    </message>
+</context>
+<context>
     <name>Orientation</name>
     <message>
         <source>R</source>
@@ -367,25 +386,6 @@
         <source>S</source>
         <comment>superior</comment>
         <translation>S</translation>
-    </message>
-</context>
-<context>
-    <name>FileQuestion</name>
-    <message>
-        <source>Replace the file?</source>
-        <translation>Ersätt filen?</translation>
-    </message>
-    <message>
-        <source>%1 is there already.</source>
-        <translation>%1 finns redan.</translation>
-    </message>
-    <message>
-        <source>&amp;Replace it</source>
-        <translation>&amp;Ersätt den</translation>
-    </message>
-    <message>
-        <source>&amp;Another name</source>
-        <translation>&amp;Annat namn</translation>
     </message>
 </context>
 <context>
@@ -888,6 +888,117 @@
     <message>
         <source>Move it by numbers</source>
         <translation>Flytta det med siffror</translation>
+    </message>
+</context>
+<context>
+    <name>hasp::DevicePage</name>
+    <message>
+        <source>&amp;Copy the udev rules</source>
+        <translation>&amp;Kopiera udev-reglerna</translation>
+    </message>
+    <message>
+        <source>Haptic device</source>
+        <translation>Haptisk enhet</translation>
+    </message>
+    <message>
+        <source>Plugged in</source>
+        <translation>Ansluten</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Använd</translation>
+    </message>
+    <message>
+        <source>&amp;Named</source>
+        <translation>Med &amp;namn</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Tillstånd</translation>
+    </message>
+    <message>
+        <source>It says</source>
+        <translation>Den säger</translation>
+    </message>
+    <message>
+        <source>Test of the force</source>
+        <translation>Prov av kraften</translation>
+    </message>
+    <message>
+        <source>&amp;Push along each axis</source>
+        <translation>&amp;Tryck längs varje axel</translation>
+    </message>
+    <message>
+        <source>&amp;Largest force</source>
+        <translation>&amp;Största kraft</translation>
+    </message>
+    <message>
+        <source>Hold the grip, and its first button for as long as you want to feel it: right, left, up, down, towards you, away.</source>
+        <translation>Håll i greppet, och i dess första knapp så länge du vill känna kraften: åt höger, vänster, upp, ner, mot dig, från dig.</translation>
+    </message>
+    <message>
+        <source>Scale of the force</source>
+        <translation>Kraftens skala</translation>
+    </message>
+    <message>
+        <source>Hang a spring scale between grip and table, so that it is pulled when the grip moves towards you. Choose a force, hold the first button and read the scale.</source>
+        <translation>Häng en fjädervåg mellan grepp och bord, så att den dras ut när greppet rör sig mot dig. Välj en kraft, håll i den första knappen och läs av vågen.</translation>
+    </message>
+    <message>
+        <source>Push with %1 N</source>
+        <translation>Tryck med %1 N</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the scale</source>
+        <translation>&amp;Behåll skalan</translation>
+    </message>
+    <message>
+        <source>What pushes, when it is plugged in</source>
+        <translation>Den som trycker, när den är ansluten</translation>
+    </message>
+    <message>
+        <source>None: the mouse</source>
+        <translation>Ingen: musen</translation>
+    </message>
+    <message>
+        <source>%1: can be used</source>
+        <translation>%1: kan användas</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>What is named below</source>
+        <translation>Den som anges nedan</translation>
+    </message>
+    <message>
+        <source>No haptic device and no 6-DOF mouse</source>
+        <translation>Ingen haptisk enhet och ingen 6-DOF-mus</translation>
+    </message>
+    <message>
+        <source>no button</source>
+        <translation>ingen knapp</translation>
+    </message>
+    <message>
+        <source>button %1</source>
+        <translation>knapp %1</translation>
+    </message>
+    <message>
+        <source>No device is used: the mouse moves what is in hand.</source>
+        <translation>Ingen enhet används: musen flyttar det som är i handen.</translation>
+    </message>
+    <message>
+        <source>%1 mm right, %2 up, %3 towards you; %4; pushed with %5 N</source>
+        <translation>%1 mm åt höger, %2 uppåt, %3 mot dig; %4; trycks med %5 N</translation>
+    </message>
+    <message>
+        <source>The readings scatter by %1 N: read them again.</source>
+        <translation>Avläsningarna sprider sig med %1 N: läs av dem igen.</translation>
+    </message>
+    <message>
+        <source>%1 of what is asked for was felt, ± %2 N. It is kept.</source>
+        <translation>%1 av det som begärdes kändes, ± %2 N. Det behålls.</translation>
     </message>
 </context>
 <context>
@@ -1411,6 +1522,29 @@
     <message>
         <source>Guide</source>
         <translation>Sågmall</translation>
+    </message>
+</context>
+<context>
+    <name>hasp::HandDevices</name>
+    <message>
+        <source>The settings of devices are not used: %1</source>
+        <translation>Enheternas inställningar används inte: %1</translation>
+    </message>
+    <message>
+        <source>The haptic device is not used: %1</source>
+        <translation>Den haptiska enheten används inte: %1</translation>
+    </message>
+    <message>
+        <source>%1 moves what is in hand now.</source>
+        <translation>%1 flyttar nu det som är i handen.</translation>
+    </message>
+    <message>
+        <source>%1: %2. The mouse moves what is in hand.</source>
+        <translation>%1: %2. Musen flyttar det som är i handen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3126,6 +3260,14 @@
     <message>
         <source>The real CT is not here, so this is a generated phantom. The CT comes by Utilities/Scripts/cranium, or with Debian&apos;s invesalius-examples.</source>
         <translation>Den riktiga datortomografin finns inte här, så detta är ett genererat fantom. Utilities/Scripts/cranium hämtar den, eller så kommer den med Debians invesalius-examples.</translation>
+    </message>
+    <message>
+        <source>Haptic &amp;device …</source>
+        <translation>Haptisk en&amp;het …</translation>
+    </message>
+    <message>
+        <source>A recorded hand is in the device&apos;s place.</source>
+        <translation>En inspelad hand är i enhetens ställe.</translation>
     </message>
 </context>
 <context>

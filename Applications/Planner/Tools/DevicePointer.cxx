@@ -49,6 +49,13 @@ DevicePointer::DevicePointer(Planner& planner, QObject* parent)
   this->Looking.setInterval(LookMs);
   connect(&this->Looking, &QTimer::timeout, this, &DevicePointer::Look);
   connect(&planner.tools, &ToolBox::Changed, this, &DevicePointer::Follow);
+  connect(&planner, &Planner::DeviceChanged, this,
+    [this]
+    {
+      if (this->IsOn())
+        this->End();
+      this->Follow();
+    });
 }
 
 DevicePointer::~DevicePointer() = default;

@@ -47,6 +47,7 @@ FitTool::FitTool(Planner& planner, QObject* parent)
   this->Command->SetCallback([](vtkObject* object, unsigned long event, void* self, void*)
     { static_cast<FitTool*>(self)->Heard(object, event); });
   this->Telling.setInterval(TellMs);
+  connect(&planner, &Planner::DeviceChanged, this, &FitTool::TakeDevice);
   connect(&this->Telling, &QTimer::timeout, this,
     [this]
     {
@@ -111,10 +112,16 @@ void FitTool::TakeHand()
   this->Lift();
   this->Hand->AddTouchable(this->Bone->Actor());
   this->Hand->AddTool(this->Part->Actor());
-  if (!GiveDevice(*this->Hand, this->Of))
-    this->Hand->UseMouse();
+  this->TakeDevice();
   this->Hand->Start();
   this->Telling.start();
+}
+
+/// The planner's, or else the mouse; what is in hand is let go.
+void FitTool::TakeDevice()
+{
+  if (this->Hand && !GiveDevice(*this->Hand, this->Of))
+    this->Hand->UseMouse();
 }
 
 void FitTool::End()

@@ -75,6 +75,7 @@ Q_SIGNALS:
 private:
   bool IsInHand() const { return this->Hand != nullptr; }
   void TakeHand();
+  void TakeDevice();
   void Cover();
   void Heard(vtkObject* object, unsigned long event);
 

@@ -42,6 +42,7 @@ GrabTool::GrabTool(Planner& planner, QObject* parent)
   this->Soon.setSingleShot(true);
   this->Soon.setInterval(0);
   this->Telling.setInterval(TellMs);
+  connect(&planner, &Planner::DeviceChanged, this, &GrabTool::TakeDevice);
   connect(&this->Soon, &QTimer::timeout, this, &GrabTool::Follow);
   connect(&this->Telling, &QTimer::timeout, this,
     [this]
@@ -68,8 +69,7 @@ void GrabTool::Begin()
   this->Faults.Follow(this->Hand);
   this->Faults.Follow(this->Hand->GetLoop());
   this->Hand->SetRenderer(this->Of.views.Scene().Renderer());
-  if (!GiveDevice(*this->Hand, this->Of))
-    this->Hand->UseMouse();
+  this->TakeDevice();
   this->Hand->SetSnapToFit(this->Snap);
   this->Hand->SetShowForces(this->Forces);
   for (const unsigned long event :
@@ -92,6 +92,13 @@ void GrabTool::Begin()
   connect(&this->Of.scene, &PlanScene::PropsChanged, this, &GrabTool::FollowSoon);
   this->Follow();
   this->Hand->Start();
+}
+
+/// The planner's, or else the mouse; what is in hand is let go.
+void GrabTool::TakeDevice()
+{
+  if (this->Hand && !GiveDevice(*this->Hand, this->Of))
+    this->Hand->UseMouse();
 }
 
 void GrabTool::End()

@@ -70,6 +70,7 @@ Q_SIGNALS:
 private:
   void FollowSoon() { this->Soon.start(); }
   void Follow();
+  void TakeDevice();
   double Spacing() const;
   void Heard(vtkObject* object, unsigned long event);
   void SayWhyNot();

@@ -17,6 +17,7 @@
 namespace hasp
 {
 
+class HandDevices;
 class HapticDevice;
 
 /// Where the planner keeps what is its own (never a patient's): journals, kept scans, the recent
@@ -41,9 +42,10 @@ public:
   ViewGrid& views;
   PlanScene scene; ///< in views.Scene()
   ToolBox tools;
-  /// What moves tools besides the mouse: asked whenever one is taken in hand. None, or null: the
-  /// mouse, and a 6-DOF mouse that the window hears.
+  /// What moves tools besides the mouse: asked whenever one is taken in hand, and after
+  /// DeviceChanged. None, or null: the mouse, and a 6-DOF mouse that the window hears.
   std::function<std::unique_ptr<HapticDevice>()> openDevice;
+  HandDevices* devices = nullptr; ///< whose openDevice is; null: nobody's, or a recorded hand
 
   /// A line to the user, in the message bar until it is closed or another comes; faults stay red.
   void Say(const QString& text) { this->Tell(text, false); }
@@ -53,6 +55,8 @@ Q_SIGNALS:
   void Said(const QString& text, bool fault);
   /// What was said last is out of date: a job has said it, and the same is tried again.
   void Withdrawn();
+  /// openDevice gives another one now, or none any more: what has one is to ask again.
+  void DeviceChanged();
 
 private:
   void Tell(const QString& text, bool fault);

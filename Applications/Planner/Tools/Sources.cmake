@@ -10,6 +10,7 @@ hasp_add_planner_part(Tools
     Tools/PartOnBone.h
     Tools/FitLook.cxx Tools/FitLook.h
     Tools/FitTool.cxx Tools/FitTool.h
+    Tools/HandDevices.cxx Tools/HandDevices.h
     Tools/GrabFollow.cxx Tools/GrabTool.cxx Tools/GrabTool.h
     Tools/LandmarkTool.cxx Tools/LandmarkTool.h
     Tools/MeasureTool.cxx Tools/MeasureTool.h
@@ -23,4 +24,4 @@ hasp_add_planner_part(Tools
     Tools/Touch.cxx Tools/Touch.h
     Tools/ViewMouse.cxx Tools/ViewMouse.h
     Tools/VtkFaults.cxx Tools/VtkFaults.h
-  LIBRARIES HaspPlannerView HaspCommandLineParts)
+  LIBRARIES HaspPlannerView HaspCommandLineParts Hasp::DeviceDrivers)

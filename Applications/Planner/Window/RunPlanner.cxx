@@ -3,6 +3,7 @@
 #include "Model/ErrorText.h"
 #include "Model/WorkFolder.h"
 #include "Output/StudyLog.h"
+#include "Tools/HandDevices.h"
 #include "Tools/RecordedHand.h"
 #include "VtkMessages.h"
 #include "Window/LayoutFile.h"
@@ -137,6 +138,15 @@ void UseRecordedHand(Planner& planner, const std::string& file)
   planner.openDevice = [hand] { return std::make_unique<RecordedHand>(hand); };
 }
 
+HandDevices::Places DevicePlaces()
+{
+  std::error_code none;
+  const auto here = std::filesystem::read_symlink("/proc/self/exe", none);
+  return { .folders = {},
+    .settings = DeviceSettingsFile(),
+    .guard = std::filesystem::path(here).replace_filename("hasp-device-guard") };
+}
+
 int Show(Application& application, const PlannerOptions& options)
 {
   WorkFolder work(options.state);
@@ -151,7 +161,10 @@ int Show(Application& application, const PlannerOptions& options)
     else
       parts->Say(text);
   };
-  if (!options.device.empty())
+  std::optional<HandDevices> devices;
+  if (options.device.empty())
+    devices.emplace(window.Parts(), DevicePlaces());
+  else
     UseRecordedHand(window.Parts(), options.device);
   const auto study = BeginStudy(window, options);
   window.resize(options.size);

@@ -23,6 +23,7 @@ hasp_add_planner_part(Window
     Window/RunPlanner.cxx Window/RunPlanner.h
     Window/Samples.cxx Window/Samples.h
     Window/StartHint.cxx Window/StartHint.h
+    Window/DevicePage.cxx Window/DevicePage.h Window/DevicePageLook.cxx
     Window/StereoPage.cxx Window/StereoPage.h
     Window/StereoSettings.cxx Window/StereoSettings.h
     Window/StereoWindow.cxx Window/StereoWindow.h

@@ -1,0 +1,122 @@
+// What the page of the haptic device shows while it is open, and what it asks of the device.
+#include "Window/DevicePage.h"
+
+#include "Devices/Drivers/DeviceAddress.h"
+
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <glm/geometric.hpp>
+
+#include <stdexcept>
+#include <vector>
+
+namespace hasp
+{
+namespace
+{
+constexpr double MostRmsN =
+  0.3; // a tenth of the largest force: readings that scatter more are none
+
+QString ButtonsText(std::uint32_t buttons)
+{
+  QStringList held;
+  for (int button = 0; button < 32; ++button)
+    if ((buttons >> button & 1U) != 0)
+      held << QString::number(button + 1);
+  return held.isEmpty() ? DevicePage::tr("no button")
+                        : DevicePage::tr("button %1").arg(held.join(", "));
+}
+} // namespace
+
+void DevicePage::Report(const QString& text)
+{
+  this->State->setText(text);
+}
+
+void DevicePage::Look()
+{
+  const DeviceNews news = this->Devices->News();
+  const bool runs = this->Device && news.phase == DevicePhase::Running;
+  const bool pushes = runs && this->Device->Profile().forceAxes > 0;
+  this->Test->setEnabled(pushes);
+  this->Scale->setVisible(this->Device && this->Device->Profile().name == FalconProfile().name);
+  this->Scale->setEnabled(pushes);
+  if (!this->Device)
+  {
+    if (!this->Devices->Address().empty() || this->State->text().isEmpty())
+      this->State->setText(tr("No device is used: the mouse moves what is in hand."));
+    this->Pose->clear();
+    return;
+  }
+  const QString name = QString::fromStdString(this->Device->Profile().name);
+  const QString says = QString::fromStdString(news.advice.empty() ? news.says : news.advice);
+  this->State->setText(tr("%1: %2").arg(name, says));
+  if (!runs)
+    return this->Pose->clear();
+  const DeviceSight seen = this->Trial->Look();
+  const glm::dvec3& at = seen.sample.pose.position;
+  this->Pose->setText(tr("%1 mm right, %2 up, %3 towards you; %4; pushed with %5 N")
+                        .arg(at.x, 0, 'f', 1)
+                        .arg(at.y, 0, 'f', 1)
+                        .arg(at.z, 0, 'f', 1)
+                        .arg(ButtonsText(seen.sample.buttons))
+                        .arg(glm::length(seen.asked.force), 0, 'f', 1));
+}
+
+/// One thing at a time: what was pressed last.
+void DevicePage::Push()
+{
+  auto* pressed = qobject_cast<QPushButton*>(this->sender());
+  const auto raise = [pressed](QPushButton* other)
+  {
+    if (!pressed || pressed == other || !pressed->isChecked())
+      return;
+    const QSignalBlocker quiet(other);
+    other->setChecked(false);
+  };
+  raise(this->Test);
+  for (const Reading& reading : this->Readings)
+    raise(reading.push);
+  if (!this->Trial)
+    return;
+  ForceTrial trial;
+  if (this->Test->isChecked())
+    trial = { .kind = ForceTrial::Kind::Axes, .newton = this->Newton->value() };
+  for (const Reading& reading : this->Readings)
+    if (reading.push->isChecked())
+      trial = { .kind = ForceTrial::Kind::Steady, .newton = reading.newton };
+  this->Trial->Ask(trial);
+}
+
+void DevicePage::Keep()
+{
+  try
+  {
+    std::vector<ScaleReading> readings;
+    for (const Reading& reading : this->Readings)
+      readings.push_back({ reading.newton, reading.read->value() });
+    const ScaleFit fit = FitScale(readings);
+    if (fit.rmsN > MostRmsN)
+      throw std::invalid_argument(tr("The readings scatter by %1 N: read them again.")
+                                    .arg(fit.rmsN, 0, 'f', 2)
+                                    .toStdString());
+    DeviceSettings settings = this->Devices->Settings();
+    settings.falcon.countsPerNm /= fit.share;
+    this->Leave();
+    this->Devices->SetSettings(settings);
+    this->Fit->setText(tr("%1 of what is asked for was felt, ± %2 N. It is kept.")
+                         .arg(fit.share, 0, 'f', 2)
+                         .arg(fit.rmsN, 0, 'f', 2));
+    this->Take();
+  }
+  catch (const std::exception& error)
+  {
+    this->Fit->setText(QString::fromUtf8(error.what()));
+  }
+}
+
+} // namespace hasp
