@@ -157,9 +157,9 @@ void FindSpacenav(const DeviceFolders& folders, std::vector<FoundDevice>& found)
   std::error_code error;
   if (!fs::is_socket(folders.spacenav, error))
     return;
-  FoundDevice device{ .address = "spacenav", .name = "6-DOF mouse of the spacenavd daemon" };
-  if (folders.spacenav != DeviceFolders{}.spacenav)
-    device.address += ":" + folders.spacenav.string();
+  const bool usual = folders.spacenav == DeviceFolders{}.spacenav;
+  FoundDevice device{ .address = usual ? "spacenav" : "spacenav:" + folders.spacenav.string(),
+    .name = "6-DOF mouse of the spacenavd daemon" };
   device.mayOpen = ::access(folders.spacenav.c_str(), R_OK | W_OK) == 0;
   if (!device.mayOpen)
     device.remedy = "its socket is not yours to use; ask whoever set spacenavd up";

@@ -167,9 +167,11 @@ std::optional<FalconAnswer> FalconDriver::Ask(const FalconCommand& command)
   // Where others were waited for, what came may be repetitions: look once more before the next.
   if (others || line.owed != 0)
     line.odd = true;
-  // With an answer there, what did not come in this time does not come; without, it may be late.
-  if (newest || line.owed < 0)
-    line.owed = 0;
+  if (newest && line.owed > 0)
+    newest.reset(); // it may be the answer to one before, and this one's on its way
+  else if (!newest)
+    return newest; // all may come late
+  line.owed = 0;   // what did not come by now is looked for by the next, and then given up
   return newest;
 }
 

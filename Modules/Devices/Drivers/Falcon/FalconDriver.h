@@ -26,9 +26,9 @@ struct FalconSettings
   /// the chip's data sheet (FTDI AN232B-04). Not tried on a device, so it is off.
   bool eventCharacter = false;
   int answerMs = 10; ///< waits so long for an answer, in [1, 18]
-  int mostSilence =
-    50;               ///< so many exchanges without any, one after the other, and it is gone; >= 1
-  int bootTries = 12; ///< FalconBootSettings, >= 1
+  /// So many exchanges without an answer, one after the other, are a DeviceError; >= 1.
+  int mostSilence = 50;
+  int bootTries = 12;         ///< FalconBootSettings, >= 1
   double bootTimeBoxS = 20.0; ///< > 0
 };
 
@@ -53,12 +53,12 @@ struct FalconCounts
 /// is dropped, the device has none.
 ///
 /// One command gets one answer. Commands that were not answered are kept count of, so that a late
-/// answer is not taken for that of the next; after anything odd the line is first emptied. If an
-/// answer is lost for good, the exchange after next is slow once (answerMs).
+/// answer is not taken for that of the next; after anything odd the line is first emptied. So an
+/// answer that is lost for good costs two samples that are not fresh, each after answerMs.
 ///
 /// Throws as HapticDriver; std::invalid_argument if a setting is out of its range or there is no
 /// transport. Threads: as HapticDriver; Counts any. Exchange waits for the bus (1 ms as a rule) and
-/// costs 1 us beside.
+/// costs 2 us beside.
 /// Limits: no part of this was tried on a device. One answer too many that comes by itself between
 /// two exchanges is not seen as such; poses are one exchange old then, until something odd is seen.
 class FalconDriver : public HapticDriver

@@ -209,7 +209,8 @@ TEST(FalconDriver, DamagedAnswersAreNotBelieved)
         ASSERT_LT(glm::distance(sample.pose.position, place), 0.1) << kind << " at " << n;
       }
     }
-    EXPECT_GE(fresh, kind == 5 ? 1'500 : 2'500) << kind;
+    // A lost answer costs two exchanges; a damaged one is lost, and with all five most are.
+    EXPECT_GE(fresh, kind == 5 ? 1'200 : 2'300) << kind;
     faults = {};
     for (int n = 0; n < 5; ++n)
       falcon.Say(glm::dvec3(0.0));

@@ -73,7 +73,7 @@ private:
   void TakeBootByte(std::uint8_t byte);
   void TakePacketByte(std::uint8_t byte);
   void Obey(const FalconCommand& command);
-  void Queue(std::uint8_t byte, std::int64_t delayNs = 0);
+  void Queue(std::uint8_t byte, std::int64_t dueNs);
   bool Happens(double share);
 
   std::vector<std::uint8_t> Image;
@@ -91,6 +91,7 @@ private:
   std::vector<std::uint8_t> Command; ///< as far as it is there
   FalconCommand Last;
   std::uint64_t PacketNumber = 0;
+  std::int64_t LastAnswerNs = 0;
 
   glm::dvec3 PositionMm{ 0.0 };
   std::array<int, 3> Counts{}, ZeroOffset{ 321, -77, 1234 };

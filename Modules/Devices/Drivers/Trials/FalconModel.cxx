@@ -128,11 +128,11 @@ void FalconModel::TakeBootByte(std::uint8_t byte)
     if (this->Heard.size() >= 3 &&
         std::equal(std::rbegin(question), std::rend(question), this->Heard.rbegin()))
       for (const std::uint8_t answer : { 0x0a, 0x44, 0x2c, 0x0d })
-        this->Queue(answer);
+        this->Queue(answer, this->nowNs);
   }
   else if (this->State == Mode::Asked && this->Baud == 0x15 && !this->Dtr && byte == 'A')
   {
-    this->Queue(byte);
+    this->Queue(byte, this->nowNs);
     this->State = Mode::Loading;
   }
   else if (this->State == Mode::Loading)
@@ -140,7 +140,7 @@ void FalconModel::TakeBootByte(std::uint8_t byte)
     const bool wrong =
       static_cast<int>(this->Loaded) == this->faults.wrongEchoAt && this->faults.wrongEchoes > 0;
     this->faults.wrongEchoes -= wrong ? 1 : 0;
-    this->Queue(static_cast<std::uint8_t>(wrong ? byte ^ 0x20 : byte));
+    this->Queue(static_cast<std::uint8_t>(wrong ? byte ^ 0x20 : byte), this->nowNs);
     const bool asImage = byte == this->Image[this->Loaded];
     if (++this->Loaded == this->Image.size())
       this->State = this->faults.deadFirmware ? Mode::Dead : Mode::Running;
@@ -159,23 +159,28 @@ void FalconModel::Obey(const FalconCommand& command)
       answer.counts[i] += this->ZeroOffset[i];
   if (this->Happens(this->faults.lost))
     return;
+  // One after the other: also behind a late one each takes its time on the wire.
+  constexpr std::int64_t apartNs = 300'000;
+  const std::int64_t dueNs =
+    std::max(this->nowNs + this->faults.delayNs, this->LastAnswerNs + apartNs);
+  this->LastAnswerNs = dueNs;
   const auto bytes = Encode(answer);
   if (this->Happens(this->faults.noise))
     for (int i = this->Random() % 40; i >= 0; --i)
-      this->Queue(static_cast<std::uint8_t>(this->Random()), this->faults.delayNs);
+      this->Queue(static_cast<std::uint8_t>(this->Random()), dueNs);
   const std::size_t from = this->Happens(this->faults.shifted) ? this->Random() % bytes.size() : 0;
   const std::size_t length =
     this->Happens(this->faults.cut) ? this->Random() % bytes.size() : bytes.size();
   const bool repeated = this->Happens(this->faults.repeated);
   for (int copy = 0; copy < (repeated ? 3 : 1); ++copy)
     for (std::size_t i = from; i < length; ++i)
-      this->Queue(bytes[i], this->faults.delayNs + (copy == 2 ? 300'000 : 0));
+      this->Queue(bytes[i], copy == 2 ? dueNs + apartNs : dueNs);
 }
 
-void FalconModel::Queue(std::uint8_t byte, std::int64_t delayNs)
+void FalconModel::Queue(std::uint8_t byte, std::int64_t dueNs)
 {
   if (!this->faults.silent)
-    this->Outbox.push_back({ byte, this->nowNs + delayNs });
+    this->Outbox.push_back({ byte, dueNs });
 }
 
 bool FalconModel::Happens(double share)
