@@ -1,8 +1,8 @@
 #pragma once
 #include "Haptics/ExplicitCoupling.h"
 #include "Haptics/FieldContact.h"
-#include "Realtime/ForceLimiter.h"
 #include "Haptics/VirtualCoupling.h"
+#include "Realtime/ForceLimiter.h"
 #include "Studies/HapticBench.h"
 
 #include <functional>

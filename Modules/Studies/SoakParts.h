@@ -1,6 +1,6 @@
 #pragma once
-#include "Realtime/ForceLimiter.h"
 #include "Haptics/VirtualCoupling.h"
+#include "Realtime/ForceLimiter.h"
 #include "Studies/CpuSeconds.h"
 #include "Studies/HapticSoak.h"
 

@@ -102,8 +102,8 @@ Delays MeasureDelays()
     delays.poseErrorMm =
       std::max(delays.poseErrorMm, glm::distance(bench.sample.pose.position, to));
     const auto felt = [&] { return bench.desk.Device().ForceN(CountsPerNm); };
-    delays.forceErrorShare = std::max(
-      delays.forceErrorShare, glm::distance(felt(), Push.force) / glm::length(Push.force));
+    delays.forceErrorShare =
+      std::max(delays.forceErrorShare, glm::distance(felt(), Push.force) / glm::length(Push.force));
     const Wrench other{ -Push.force, {} };
     for (; out < most && glm::distance(felt(), other.force) > nearN; ++out)
       bench.Tick(other);

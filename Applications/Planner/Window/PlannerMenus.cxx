@@ -4,9 +4,9 @@
 #include "Output/CaseReport.h"
 #include "Tools/MeasureTool.h"
 #include "View/SliceView.h"
+#include "Window/DevicePage.h"
 #include "Window/KeysPage.h"
 #include "Window/PlannerWindow.h"
-#include "Window/DevicePage.h"
 #include "Window/StereoPage.h"
 #include "Window/ViewPresets.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 #include "Haptics/ContactFriction.h"
 #include "Haptics/CostModel.h"
-#include "Realtime/ForceLimiter.h"
 #include "Haptics/HapticScene.h"
 #include "Haptics/PassivityObserver.h"
 #include "Haptics/VirtualCoupling.h"
+#include "Realtime/ForceLimiter.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "Haptics/PassivityObserver.h"
-#include "Realtime/ForceLimiter.h"
 #include "Haptics/VirtualCoupling.h"
+#include "Realtime/ForceLimiter.h"
 
 #include <glm/geometric.hpp>
 
