@@ -105,7 +105,7 @@ void Open(const std::string& address, const DeviceSettings& settings, const Choi
     [&session](const std::string& line)
     { (session.json ? std::cerr : std::cout) << line << std::endl; });
   desk.UntilReady(choices.testForce || choices.calibrate);
-  session.result["device"] = address;
+  session.result["driver"] = ParseDeviceAddress(address).driver; // what is behind it may be a path
   session.result["name"] = desk.Profile().name;
   if (choices.testForce && desk.Profile().forceAxes == 0)
     throw Failure(ExitCode::BadInput, "this device has no motors: there is no force to be tested");

@@ -57,6 +57,7 @@ DevicePage::DevicePage(PlannerWindow& window, HandDevices& devices)
     Other(new QLineEdit),
     Found(Line("device.found")),
     Rules(new QPushButton(tr("&Copy the udev rules"))),
+    Refusal(Line("device.refusal")),
     State(Line("device.state")),
     Pose(Line("device.pose"))
 {
@@ -69,6 +70,8 @@ DevicePage::DevicePage(PlannerWindow& window, HandDevices& devices)
   this->BuildChoice();
   form->addRow(tr("&Use"), this->Use);
   form->addRow(tr("&Named"), this->Other);
+  form->addRow(this->Refusal);
+  this->Refusal->hide();
   form->addRow(tr("State"), this->State);
   form->addRow(tr("It says"), this->Pose);
   form->addRow(this->MakeTest());
@@ -195,6 +198,7 @@ void DevicePage::Choose()
   DeviceSettings settings = this->Devices->Settings();
   settings.device = address;
   this->Leave();
+  QString refusal;
   try
   {
     if (!address.empty() && address != "none")
@@ -203,8 +207,10 @@ void DevicePage::Choose()
   }
   catch (const std::exception& error)
   {
-    this->Report(QString::fromUtf8(error.what()));
+    refusal = QString::fromUtf8(error.what());
   }
+  this->Refusal->setText(refusal);
+  this->Refusal->setVisible(!refusal.isEmpty());
   this->Take();
 }
 

@@ -56,13 +56,13 @@ private:
   void Look();
   void Push();
   void Keep();
-  void Report(const QString& text);
 
   QPointer<HandDevices> Devices; ///< null while the window goes
   QComboBox* Use;
   QLineEdit* Other;
   QLabel* Found;
   QPushButton* Rules;
+  QLabel* Refusal; ///< of what was chosen last
   QLabel* State;
   QLabel* Pose;
   QPushButton* Test = nullptr;

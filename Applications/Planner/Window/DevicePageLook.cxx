@@ -32,11 +32,6 @@ QString ButtonsText(std::uint32_t buttons)
 }
 } // namespace
 
-void DevicePage::Report(const QString& text)
-{
-  this->State->setText(text);
-}
-
 void DevicePage::Look()
 {
   const DeviceNews news = this->Devices->News();
@@ -47,8 +42,7 @@ void DevicePage::Look()
   this->Scale->setEnabled(pushes);
   if (!this->Device)
   {
-    if (!this->Devices->Address().empty() || this->State->text().isEmpty())
-      this->State->setText(tr("No device is used: the mouse moves what is in hand."));
+    this->State->setText(tr("No device is used: the mouse moves what is in hand."));
     this->Pose->clear();
     return;
   }
