@@ -1,14 +1,13 @@
 #include "DeviceDesk.h"
 
-#include "Devices/Drivers/CrashGuard.h"
 #include "Devices/Drivers/DeviceList.h"
 #include "Failure.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -21,15 +20,6 @@ namespace
 {
 constexpr std::int64_t LookNs = 100'000'000;
 constexpr double ScaleForcesN[] = { 1.0, 2.0, 3.0 };
-
-std::unique_ptr<HapticDriver> GuardedDriver(
-  const std::string& address, const DeviceSettings& settings)
-{
-  std::error_code none;
-  const auto guard =
-    std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("hasp-device-guard");
-  return std::make_unique<CrashGuard>(MakeDriver(address, settings), guard, address);
-}
 
 std::string ButtonsText(std::uint32_t buttons)
 {
@@ -85,7 +75,8 @@ DeviceDesk::DeviceDesk(const std::string& address, const DeviceSettings& setting
 {
   try
   {
-    this->Device = std::make_unique<DrivenHapticDevice>(GuardedDriver(address, settings));
+    this->Device =
+      std::make_unique<DrivenHapticDevice>(MakeGuardedDriver(address, settings, BesideProgram()));
     this->Trial = std::make_unique<DeviceTrial>(*this->Device);
   }
   catch (const DeviceError& error)
@@ -108,7 +99,11 @@ void DeviceDesk::UntilReady(bool homed)
     if (news.phase == DevicePhase::Searching && !news.says.empty())
       throw Failure(ExitCode::BadInput, news.says);
     if (news.phase == DevicePhase::Running || (news.phase == DevicePhase::Homing && !homed))
+    {
+      if (!news.warning.empty())
+        this->Says(news.warning);
       return;
+    }
     if (!words.empty() && words != said)
       this->Says(said = words);
     clock.SleepUntil(clock.NowNs() + LookNs / 10);

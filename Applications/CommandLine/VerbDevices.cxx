@@ -8,8 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 namespace hasp
 {
@@ -23,6 +25,7 @@ struct Choices
   std::string device, settings, firmware;
   double watchS = 0.0, newton = 1.0;
   bool udevRules = false, testForce = false, calibrate = false;
+  bool Pushes() const { return testForce || calibrate; }
   bool Opens() const { return watchS > 0.0 || testForce || calibrate || !device.empty(); }
 };
 
@@ -104,10 +107,10 @@ void Open(const std::string& address, const DeviceSettings& settings, const Choi
   DeviceDesk desk(address, settings,
     [&session](const std::string& line)
     { (session.json ? std::cerr : std::cout) << line << std::endl; });
-  desk.UntilReady(choices.testForce || choices.calibrate);
+  desk.UntilReady(choices.Pushes());
   session.result["driver"] = ParseDeviceAddress(address).driver; // what is behind it may be a path
   session.result["name"] = desk.Profile().name;
-  if (choices.testForce && desk.Profile().forceAxes == 0)
+  if (choices.Pushes() && desk.Profile().forceAxes == 0)
     throw Failure(ExitCode::BadInput, "this device has no motors: there is no force to be tested");
   if (choices.calibrate)
     return Calibrate(desk, address, settings, choices, session);
@@ -136,7 +139,13 @@ void Run(const Choices& choices, Session& session)
   const std::vector<FoundDevice> found = FindDevices();
   std::string address = choices.device.empty() ? settings.device : choices.device;
   if (address.empty() || address == "none")
-    address = FirstUsable(found);
+  {
+    std::vector<FoundDevice> fit = found;
+    if (choices.Pushes())
+      std::erase_if(fit, [](const FoundDevice& device) { return !device.force; });
+    address = FirstUsable(fit);
+  }
+  address = WithPlace(address, found);
   if (!choices.Opens() || address.empty())
   {
     List(found, session);
@@ -168,8 +177,8 @@ void AddDevicesVerb(CLI::App& app, Session& session)
     ->add_flag("--calibrate", choices->calibrate,
       "Asks for what a spring scale reads, and keeps the scale of a Falcon's force")
     ->excludes(test);
-  verb->add_option("--firmware", choices->firmware,
-    "Your own file of a Falcon's firmware; kept where HASP_FALCON_FIRMWARE says otherwise");
+  verb->add_option(
+    "--firmware", choices->firmware, "Your own file of a Falcon's firmware, for this run");
   verb->add_option("--settings", choices->settings,
     "The .json file of your devices; usually hasp/devices.json in your XDG_CONFIG_HOME");
   verb->add_flag("--udev-rules", choices->udevRules,

@@ -997,8 +997,16 @@
         <translation>Avläsningarna sprider sig med %1 N: läs av dem igen.</translation>
     </message>
     <message>
-        <source>%1 of what is asked for was felt, ± %2 N. It is kept.</source>
-        <translation>%1 av det som begärdes kändes, ± %2 N. Det behålls.</translation>
+        <source>%1 of what is asked for was felt, ± %2 N.</source>
+        <translation>%1 av det som begärdes kändes, ± %2 N.</translation>
+    </message>
+    <message>
+        <source>It is kept.</source>
+        <translation>Det behålls.</translation>
+    </message>
+    <message>
+        <source>It holds until the program ends.</source>
+        <translation>Det gäller tills programmet avslutas.</translation>
     </message>
 </context>
 <context>

@@ -72,11 +72,14 @@ void DevicePointer::Follow()
 
 void DevicePointer::Begin()
 {
+  std::unique_ptr<HapticDevice> device = this->Of.openDevice();
+  if (!device)
+    return;
   this->Hand = vtkSmartPointer<vtkHaspHapticInteractor>::New();
   this->Faults.Follow(this->Hand);
   this->Faults.Follow(this->Hand->GetLoop());
   this->Hand->SetRenderer(this->Of.views.Scene().Renderer());
-  if (!GiveDevice(*this->Hand, this->Of) || !this->Hand->Start())
+  if (!this->Hand->SetDevice(std::move(device)) || !this->Hand->Start())
   {
     this->Hand = nullptr;
     return;

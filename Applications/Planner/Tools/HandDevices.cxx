@@ -1,6 +1,5 @@
 #include "Tools/HandDevices.h"
 
-#include "Devices/Drivers/CrashGuard.h"
 #include "Devices/Drivers/DeviceList.h"
 #include "Devices/Drivers/LentHapticDevice.h"
 #include "Tools/Planner.h"
@@ -82,6 +81,8 @@ void HandDevices::Search()
     return;
   this->Seen = std::move(found);
   this->Refused.clear();
+  if (this->Device && this->OfDevice != this->Address()) // in another socket, or another device
+    this->End();
   if (!this->Device && this->Of.tools.InHand())
     this->Begin();
   Q_EMIT this->FoundChanged();
@@ -92,15 +93,16 @@ std::string HandDevices::Address() const
   if (this->Chosen.device == "none")
     return {};
   if (!this->Chosen.device.empty())
-    return this->Chosen.device;
+    return WithPlace(this->Chosen.device, this->Seen);
   const std::string first = FirstUsable(this->Seen);
   const auto found = std::ranges::find(this->Seen, first, &FoundDevice::address);
   return found != this->Seen.end() && found->force ? first : std::string();
 }
 
-void HandDevices::SetSettings(const DeviceSettings& settings)
+bool HandDevices::SetSettings(const DeviceSettings& settings)
 {
-  if (!this->At.settings.empty())
+  const bool kept = !this->At.settings.empty();
+  if (kept)
     WriteDeviceSettings(this->At.settings, settings);
   this->Chosen = settings;
   this->Refused.clear();
@@ -110,6 +112,7 @@ void HandDevices::SetSettings(const DeviceSettings& settings)
     this->Hold();
   else if (this->Of.tools.InHand())
     this->Begin();
+  return kept;
 }
 
 bool HandDevices::Begin()
@@ -118,12 +121,13 @@ bool HandDevices::Begin()
   if (this->Device)
     return true;
   const std::string address = this->Address();
-  if (address.empty() || address == this->Refused)
+  if (this->Ending || address.empty() || address == this->Refused)
     return false;
   try
   {
     this->Device = std::make_shared<DrivenHapticDevice>(
-      std::make_unique<CrashGuard>(MakeDriver(address, this->Chosen), this->At.guard, address));
+      MakeGuardedDriver(address, this->Chosen, this->At.guard));
+    this->OfDevice = address;
   }
   catch (const std::exception& error)
   {
@@ -141,9 +145,12 @@ void HandDevices::End()
   this->Looking.stop();
   this->Held = false;
   this->Told.clear();
-  const auto last = std::exchange(this->Device, nullptr); // goes when tools have let go of it
+  this->Faulted.clear();
+  this->Device.reset(); // it goes when tools have let go of it, and no other comes before
+  this->Ending = true;
   if (std::exchange(this->Runs, false))
     Q_EMIT this->Of.DeviceChanged();
+  this->Ending = false;
 }
 
 std::unique_ptr<HapticDevice> HandDevices::Lend()
@@ -199,16 +206,27 @@ void HandDevices::Look()
   if (runs != this->Runs)
   {
     this->Runs = runs;
+    this->Faulted = runs ? QString() : says;
     if (runs)
       this->Of.Say(tr("%1 moves what is in hand now.").arg(name));
     else
       this->Of.SayFault(tr("%1: %2. The mouse moves what is in hand.").arg(name, says));
+    if (runs && !news.warning.empty())
+      this->Of.SayFault(tr("%1: %2").arg(name, QString::fromStdString(news.warning)));
     Q_EMIT this->Of.DeviceChanged();
   }
   else if (!runs && !says.isEmpty() && says != this->Told)
-    news.phase == DevicePhase::Searching ? this->Of.SayFault(tr("%1: %2").arg(name, says))
-                                         : this->Of.Say(tr("%1: %2").arg(name, says));
+    this->Say(name, says, news.phase == DevicePhase::Searching);
   this->Told = says;
+}
+
+/// It is tried again every second: what is wrong is said once, and then no more what is tried.
+void HandDevices::Say(const QString& name, const QString& says, bool fault)
+{
+  if (fault && std::exchange(this->Faulted, says) != says)
+    this->Of.SayFault(tr("%1: %2").arg(name, says));
+  else if (!fault && this->Faulted.isEmpty())
+    this->Of.Say(tr("%1: %2").arg(name, says));
 }
 
 } // namespace hasp

@@ -42,10 +42,11 @@ public:
 
   const std::vector<FoundDevice>& Found() const { return this->Seen; }
   const DeviceSettings& Settings() const { return this->Chosen; }
-  /// The device is opened anew, if it is wanted. Throws as WriteDeviceSettings: then nothing has
-  /// changed.
-  void SetSettings(const DeviceSettings& settings);
-  /// Of what is used; empty: the mouse alone.
+  /// The device is opened anew, if it is wanted. False: they hold until the program ends, and are
+  /// not written, for what is in their file is not ours. Throws as WriteDeviceSettings: then
+  /// nothing has changed.
+  bool SetSettings(const DeviceSettings& settings);
+  /// Of what is used, with its place; empty: the mouse alone.
   std::string Address() const;
   /// The device, opened, for somebody who looks at it: tools have the mouse as long as it is held.
   /// Null: there is none, or it cannot be; that is said.
@@ -63,6 +64,7 @@ private:
   void End();
   void Follow();
   void Look();
+  void Say(const QString& name, const QString& says, bool fault);
   void Search();
   void Watch();
 
@@ -73,9 +75,11 @@ private:
   QFileSystemWatcher Watcher;
   QTimer Searching, Looking;
   std::shared_ptr<DrivenHapticDevice> Device;
-  std::string Refused; ///< address that made no driver: said once
-  bool Held = false, Runs = false;
+  std::string OfDevice; ///< its address
+  std::string Refused;  ///< address that made no driver: said once
+  bool Held = false, Runs = false, Ending = false;
   QString Told;    ///< of News, last
+  QString Faulted; ///< what was wrong last: said once
   int IdleFor = 0; ///< ms
 };
 

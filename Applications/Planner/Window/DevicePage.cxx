@@ -15,10 +15,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QVBoxLayout>
+#include <QSignalBlocker>
 
-#include <glm/geometric.hpp>
-
+#include <algorithm>
 #include <stdexcept>
 
 namespace hasp
@@ -86,8 +85,10 @@ DevicePage::DevicePage(PlannerWindow& window, HandDevices& devices)
     [this]
     {
       this->List();
-      if (this->isVisible() && !this->Device)
-        this->Take();
+      if (!this->isVisible())
+        return;
+      this->Leave(); // it may be another one now
+      this->Take();
     });
   connect(this->Rules, &QPushButton::clicked, this,
     [] { QGuiApplication::clipboard()->setText(QString::fromStdString(UdevRules())); });
@@ -163,6 +164,7 @@ QWidget* DevicePage::MakeScale()
 
 void DevicePage::List()
 {
+  const QSignalBlocker quiet(this->Use);
   QStringList lines;
   bool locked = false;
   this->Use->clear();
@@ -175,7 +177,11 @@ void DevicePage::List()
                 ? tr("%1: can be used").arg(name)
                 : tr("%1: %2").arg(name, QString::fromStdString(device.remedy)));
     locked = locked || !device.mayOpen;
-    this->Use->addItem(name, QString::fromStdString(device.address));
+    // Numbers of nodes and sockets change: the first of its kind, as long as there is no second.
+    const std::string kind = ParseDeviceAddress(device.address).driver;
+    const auto others = std::ranges::count_if(this->Devices->Found(),
+      [&](const FoundDevice& other) { return other.address.starts_with(kind); });
+    this->Use->addItem(name, QString::fromStdString(others == 1 ? kind : device.address));
   }
   this->Use->addItem(tr("What is named below"), Named);
   this->Found->setText(
@@ -184,7 +190,8 @@ void DevicePage::List()
   const QString chosen = QString::fromStdString(this->Devices->Settings().device);
   const int listed = this->Use->findData(chosen);
   this->Use->setCurrentIndex(listed >= 0 ? listed : this->Use->count() - 1);
-  this->Other->setText(listed >= 0 ? QString() : chosen);
+  if (!this->Other->isModified()) // somebody is typing
+    this->Other->setText(listed >= 0 ? QString() : chosen);
   this->Other->setEnabled(this->Use->currentData().toString() == Named);
 }
 

@@ -101,16 +101,20 @@ void DevicePage::Keep()
     DeviceSettings settings = this->Devices->Settings();
     settings.falcon.countsPerNm /= fit.share;
     this->Leave();
-    this->Devices->SetSettings(settings);
-    this->Fit->setText(tr("%1 of what is asked for was felt, ± %2 N. It is kept.")
+    const bool kept = this->Devices->SetSettings(settings);
+    for (const Reading& reading : this->Readings)
+      reading.read->setValue(0.0); // they were of the scale before
+    this->Fit->setText(tr("%1 of what is asked for was felt, ± %2 N.")
                          .arg(fit.share, 0, 'f', 2)
-                         .arg(fit.rmsN, 0, 'f', 2));
-    this->Take();
+                         .arg(fit.rmsN, 0, 'f', 2) +
+                       " " + (kept ? tr("It is kept.") : tr("It holds until the program ends.")));
   }
   catch (const std::exception& error)
   {
     this->Fit->setText(QString::fromUtf8(error.what()));
   }
+  this->Leave();
+  this->Take();
 }
 
 } // namespace hasp

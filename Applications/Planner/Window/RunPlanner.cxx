@@ -1,5 +1,6 @@
 #include "Window/RunPlanner.h"
 
+#include "Devices/Drivers/DeviceList.h"
 #include "Model/ErrorText.h"
 #include "Model/WorkFolder.h"
 #include "Output/StudyLog.h"
@@ -140,11 +141,7 @@ void UseRecordedHand(Planner& planner, const std::string& file)
 
 HandDevices::Places DevicePlaces()
 {
-  std::error_code none;
-  const auto here = std::filesystem::read_symlink("/proc/self/exe", none);
-  return { .folders = {},
-    .settings = DeviceSettingsFile(),
-    .guard = std::filesystem::path(here).replace_filename("hasp-device-guard") };
+  return { .folders = {}, .settings = DeviceSettingsFile(), .guard = BesideProgram() };
 }
 
 int Show(Application& application, const PlannerOptions& options)

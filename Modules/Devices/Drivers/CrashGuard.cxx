@@ -20,34 +20,41 @@ namespace hasp
 
 namespace
 {
-constexpr char IsOpen = 'o', IsClosed = 'c';
+constexpr char IsOpen = 'o', IsClosed = 'c', EndOfSettings = '\0';
 constexpr std::int64_t TryAgainNs = 10'000'000;
 
-ssize_t ReadByte(int pipe, char& byte)
+/// False: the pipe has ended.
+bool ReadByte(int pipe, char& byte)
 {
   ssize_t got;
   do
     got = ::read(pipe, &byte, 1);
   while (got < 0 && errno == EINTR);
-  return got;
+  return got == 1;
 }
 
 } // namespace
 
-CrashGuard::CrashGuard(
-  std::unique_ptr<HapticDriver> driver, std::filesystem::path program, const std::string& address)
+CrashGuard::CrashGuard(std::unique_ptr<HapticDriver> driver, std::filesystem::path program,
+  const std::string& address, const std::string& settings)
   : Driver(std::move(driver)),
     Program(std::move(program)),
-    Address(address)
+    Address(address),
+    Settings(settings)
 {
 }
 
 CrashGuard::~CrashGuard()
 {
   this->Close();
+  this->Stop();
+}
+
+void CrashGuard::Stop() noexcept
+{
   if (this->Pipe < 0)
     return;
-  ::close(this->Pipe);
+  ::close(std::exchange(this->Pipe, -1));
   while (::waitpid(this->Child, nullptr, 0) < 0 && errno == EINTR)
   {
   }
@@ -61,6 +68,8 @@ bool CrashGuard::Start()
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+  // What libraries have opened without a word of closing: the device itself, perhaps.
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
   // Not in this program's group: Ctrl+C in a terminal ends all of that. Nor as this thread is,
   // which hears no signals and may be a real-time one.
   posix_spawnattr_t attributes;
@@ -79,19 +88,26 @@ bool CrashGuard::Start()
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
-  if (error == 0)
-    this->Pipe = ends[0];
-  else
+  if (error != 0)
+  {
     ::close(ends[0]);
-  return error == 0;
+    return false;
+  }
+  this->Pipe = ends[0];
+  return this->Tell(this->Settings + EndOfSettings);
 }
 
-void CrashGuard::Tell(char word) noexcept
+/// False: the guard has gone. That is no reason to end this program by SIGPIPE.
+bool CrashGuard::Tell(const std::string& words) noexcept
 {
-  // Where the guard has gone there is nobody to tell, and no reason to end this program.
-  while (::send(this->Pipe, &word, 1, MSG_NOSIGNAL) < 0 && errno == EINTR)
+  for (std::size_t sent = 0; sent < words.size();)
   {
+    const ssize_t now = ::send(this->Pipe, words.data() + sent, words.size() - sent, MSG_NOSIGNAL);
+    if (now < 0 && errno != EINTR)
+      return false;
+    sent += now > 0 ? static_cast<std::size_t>(now) : 0;
   }
+  return true;
 }
 
 void CrashGuard::Open(const DriverOpening& how)
@@ -99,24 +115,34 @@ void CrashGuard::Open(const DriverOpening& how)
   this->Driver->Open(how);
   if (this->Driver->Profile().forceAxes == 0)
     return;
-  if (this->Pipe < 0 && !this->Start())
-    how.says("the program that takes the force away after a crash, hasp-device-guard, cannot be"
-             " started; the device is used without it");
-  if (this->Pipe >= 0)
-    this->Tell(IsOpen);
+  if (this->Pipe >= 0 && this->Tell({ IsOpen }))
+    return;
+  this->Stop(); // it has gone
+  if (!this->Start() || !this->Tell({ IsOpen }))
+    how.warns("the program that takes the force away after a crash, hasp-device-guard, cannot be"
+              " started; the device is used without it");
 }
 
 void CrashGuard::Close() noexcept
 {
   this->Driver->Close();
   if (this->Pipe >= 0)
-    this->Tell(IsClosed);
+    this->Tell({ IsClosed });
+}
+
+std::optional<std::string> ReadGuardedSettings(int pipe)
+{
+  std::string settings;
+  for (char byte = EndOfSettings; ReadByte(pipe, byte); settings += byte)
+    if (byte == EndOfSettings)
+      return settings;
+  return {};
 }
 
 int GuardDevice(int pipe, HapticDriver& driver, double patienceS)
 {
-  char word = IsClosed, last = IsClosed;
-  while (ReadByte(pipe, word) == 1)
+  char last = IsClosed;
+  for (char word = IsClosed; ReadByte(pipe, word);)
     last = word;
   if (last != IsOpen)
     return 0;
@@ -124,24 +150,24 @@ int GuardDevice(int pipe, HapticDriver& driver, double patienceS)
   const std::int64_t untilNs = clock.NowNs() + static_cast<std::int64_t>(patienceS * 1e9);
   for (;;)
   {
+    int code = 1;
     try
     {
-      // A device that has to be set up first has no force.
       driver.Open({ .setUp = false });
       driver.Close();
       return 0;
     }
     catch (const Cancelled&)
     {
-      return 0;
+      code = 0; // one that has to be set up first has no force
     }
     catch (const DeviceError& error)
     {
-      if (error.trouble == DeviceTrouble::Absent)
-        return 0; // without power there is no force
-      if (clock.NowNs() > untilNs)
-        return 1;
+      code = error.trouble == DeviceTrouble::Absent ? 0 : 1; // without power neither
     }
+    // All of that may also be said of one that the dead program still holds.
+    if (clock.NowNs() > untilNs)
+      return code;
     clock.SleepUntil(clock.NowNs() + TryAgainNs);
   }
 }

@@ -1,5 +1,6 @@
 #include "Devices/Drivers/DeviceList.h"
 
+#include "Devices/Drivers/CrashGuard.h"
 #include "Devices/Drivers/DeviceAddress.h"
 #include "Devices/Drivers/Plugin/PluginDriver.h"
 #include "Devices/Drivers/SpaceMouse/SpaceMouseHid.h"
@@ -75,6 +76,24 @@ std::unique_ptr<HapticDriver> MakeDriver(const std::string& address, const Devic
   const std::size_t colon = rest.find(':');
   return std::make_unique<PluginDriver>(
     rest.substr(0, colon), colon == std::string::npos ? std::string() : rest.substr(colon + 1));
+}
+
+std::unique_ptr<HapticDriver> MakeGuardedDriver(
+  const std::string& address, const DeviceSettings& settings, const std::filesystem::path& guard)
+{
+#if HASP_WITH_JSON
+  const std::string text = FormatDeviceSettings(settings);
+#else
+  const std::string text; // there is no file to have them from either
+#endif
+  return std::make_unique<CrashGuard>(MakeDriver(address, settings), guard, address, text);
+}
+
+std::filesystem::path BesideProgram()
+{
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none)
+    .replace_filename("hasp-device-guard");
 }
 
 } // namespace hasp

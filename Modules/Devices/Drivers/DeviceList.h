@@ -14,4 +14,10 @@ namespace hasp
 std::unique_ptr<HapticDriver> MakeDriver(
   const std::string& address, const DeviceSettings& settings = {});
 
+/// The same with a CrashGuard: `guard` is hasp-device-guard, BesideProgram() as a rule.
+std::unique_ptr<HapticDriver> MakeGuardedDriver(
+  const std::string& address, const DeviceSettings& settings, const std::filesystem::path& guard);
+/// hasp-device-guard in the folder of the program that runs.
+std::filesystem::path BesideProgram();
+
 } // namespace hasp

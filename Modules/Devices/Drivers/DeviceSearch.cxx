@@ -185,4 +185,12 @@ std::string FirstUsable(const std::vector<FoundDevice>& found)
   return {};
 }
 
+std::string WithPlace(const std::string& address, const std::vector<FoundDevice>& found)
+{
+  for (const FoundDevice& device : found)
+    if (device.mayOpen && device.driver && device.address.starts_with(address + ":"))
+      return device.address;
+  return address;
+}
+
 } // namespace hasp

@@ -34,6 +34,10 @@ std::vector<FoundDevice> FindDevices(const DeviceFolders& folders = {});
 /// empty: there is none. Any thread.
 std::string FirstUsable(const std::vector<FoundDevice>& found);
 
+/// The same device with its place: "falcon" as "falcon:1-2", the first of its kind that can be
+/// used. As it is if it has a place, or there is none of its kind. Any thread.
+std::string WithPlace(const std::string& address, const std::vector<FoundDevice>& found);
+
 /// Rules for udev that let whoever sits at the machine use these devices: the text of
 /// 60-hasp-devices.rules.
 std::string UdevRules();

@@ -14,7 +14,8 @@ namespace hasp
 
 namespace
 {
-constexpr double UnitWithin = 1e-3; // what a driver's own rounding may leave
+constexpr double UnitWithin = 1e-3;        // what a driver's own rounding may leave
+constexpr std::uint64_t AdviceEvery = 100; // exchanges
 
 const DeviceProfile& ProfileOf(const HapticDriver* driver)
 {
@@ -57,13 +58,13 @@ std::int64_t DeviceSession::Step(std::int64_t nowNs) noexcept
     }
     if (this->Leaving.load(std::memory_order_relaxed))
       return nowNs + this->Settings.retryNs;
-    if (!this->Tried || nowNs >= this->TryNs)
-    {
-      this->Tried = true;
+    // The pause begins when a try has ended, however long that took: it is to be read what it said.
+    if (std::exchange(this->Pausing, false))
       this->TryNs = nowNs + this->Settings.retryNs;
-      this->Open();
-      return nowNs + this->Settings.periodNs;
-    }
+    if (nowNs < this->TryNs)
+      return this->TryNs;
+    this->Open();
+    return nowNs + this->Settings.periodNs;
   }
   catch (const DeviceError& error)
   {
@@ -77,14 +78,20 @@ std::int64_t DeviceSession::Step(std::int64_t nowNs) noexcept
   {
     this->Lose(DeviceTrouble::Protocol, error.what());
   }
-  return this->TryNs;
+  return nowNs + this->Settings.periodNs;
 }
 
 void DeviceSession::Open()
 {
   this->Say(DevicePhase::Opening, "opening the device");
   this->Driver->Open({ .cancelled = [this] { return this->Leaving.load(); },
-    .says = [this](const std::string& what) { this->Say(DevicePhase::Opening, what); } });
+    .says = [this](const std::string& what) { this->Say(DevicePhase::Opening, what); },
+    .warns =
+      [this](const std::string& what)
+    {
+      const std::lock_guard lock(this->Telling);
+      this->Told.warning = what;
+    } });
   this->IsOpen = true;
   const std::lock_guard lock(this->Telling);
   ++this->Told.opened;
@@ -97,7 +104,7 @@ void DeviceSession::Exchange(std::int64_t nowNs)
   const bool ready = TakesForce(this->Last.status);
   const DriverSample said = this->Driver->Exchange(this->Gate.At(nowNs, ready), nowNs);
   DeviceStatus status = said.homed ? DeviceStatus::Ok : DeviceStatus::NotHomed;
-  if (!IsPose(said.pose))
+  if (!said.sane || !IsPose(said.pose))
     status = status | DeviceStatus::Fault;
   else if (said.fresh)
   {
@@ -108,19 +115,21 @@ void DeviceSession::Exchange(std::int64_t nowNs)
   this->Said.Write(this->Last);
   const bool homed = said.homed;
   const std::lock_guard lock(this->Telling);
-  ++this->Told.exchanges;
   this->Told.stale += said.fresh ? 0 : 1;
   const DevicePhase phase = homed ? DevicePhase::Running : DevicePhase::Homing;
-  if (std::exchange(this->Told.phase, phase) == phase)
-    return;
-  this->Told.advice = homed ? std::string() : this->Driver->Advice();
-  this->Told.says = homed ? "the device is running" : "the device has to be homed";
+  const bool isNew = std::exchange(this->Told.phase, phase) != phase;
+  if (isNew)
+    this->Told.says = homed ? "the device is running" : "the device has to be homed";
+  if (isNew || this->Told.exchanges % AdviceEvery == 0)
+    this->Told.advice = this->Driver->Advice();
+  ++this->Told.exchanges;
 }
 
 void DeviceSession::Lose(DeviceTrouble trouble, const std::string& says)
 {
   this->Driver->Close();
   const bool wasOpen = std::exchange(this->IsOpen, false);
+  this->Pausing = true;
   this->Last.status = DeviceStatus::Unplugged;
   this->Said.Write(this->Last);
   this->Gate.At(0, false); // what was wanted of the one that is gone is not the next one's
@@ -129,6 +138,7 @@ void DeviceSession::Lose(DeviceTrouble trouble, const std::string& says)
   this->Told.trouble = trouble;
   this->Told.says = says;
   this->Told.advice.clear();
+  this->Told.warning.clear();
   this->Told.lost += wasOpen ? 1 : 0;
 }
 
@@ -136,7 +146,8 @@ void DeviceSession::Close() noexcept
 {
   this->Driver->Close();
   this->IsOpen = false;
-  this->Tried = false;
+  this->Pausing = false;
+  this->TryNs = 0;
   this->Last.status = DeviceStatus::Unplugged;
   this->Said.Write(this->Last);
   this->Gate.At(0, false);

@@ -34,6 +34,7 @@ struct DeviceNews
   DeviceTrouble trouble = DeviceTrouble::Absent; ///< while searching: of the last try
   std::string says;                              ///< the trouble's sentence, or what goes on
   std::string advice;                            ///< what the user has to do; empty: nothing
+  std::string warning;                           ///< of the last opening; empty: none
   std::uint64_t opened = 0;                      ///< times
   std::uint64_t exchanges = 0, stale = 0;        ///< … of them without anything new
   std::uint64_t lost = 0;                        ///< times that it went while it was open
@@ -87,9 +88,9 @@ private:
   DeviceSessionSettings Settings;
   ForceGate Gate;
   bool IsOpen = false;
-  std::int64_t TryNs = 0;
-  bool Tried = false;
-  Heard Last; ///< the driver's
+  std::int64_t TryNs = 0; ///< not before that
+  bool Pausing = false;   ///< the next Step says until when
+  Heard Last;             ///< the driver's
   std::atomic<bool> Leaving{ false };
   TripleBuffer<Heard> Said;
   TripleBuffer<Wrench> Wanted;

@@ -3,6 +3,11 @@
 namespace hasp
 {
 
+namespace
+{
+constexpr std::int64_t LongestSilenceNs = 20'000'000;
+}
+
 DeviceTrial::DeviceTrial(HapticDevice& device) : Device(device)
 {
   this->Loop.Start({ .scheduling = { .fifoPriority = 80, .lock = MemoryLocking::None } },
@@ -27,10 +32,15 @@ bool DeviceTrial::Tick(const LoopTick& tick) noexcept
   this->Asked.Update();
   const ForceTrial* trial = this->Asked.Latest();
   this->Now.status = this->Device.Read(tick.nowNs, this->Now.sample);
+  if (!Has(this->Now.status, DeviceStatus::Stale))
+    this->HeardNs = tick.nowNs;
+  const bool alive =
+    TakesForce(this->Now.status) && NsBetween(this->HeardNs, tick.nowNs) <= LongestSilenceNs;
   const bool pressed = (this->Now.sample.buttons & DeadMansButton) != 0;
-  // A button that was down from the beginning may be stuck: it has to be seen up first.
-  this->SeenUp = this->SeenUp || (TakesForce(this->Now.status) && !pressed);
-  const bool held = TakesForce(this->Now.status) && pressed && this->SeenUp && trial != nullptr;
+  // A button that was down from the beginning may be stuck, and that of a silent device may be up
+  // by now: it has to be seen up first.
+  this->SeenUp = alive && (this->SeenUp || !pressed);
+  const bool held = alive && pressed && this->SeenUp && trial != nullptr;
   if (held && !this->Held)
     this->HeldSinceNs = tick.nowNs;
   this->Held = held;

@@ -16,8 +16,8 @@ struct DeviceSight
 };
 
 /// Somebody looks at a device and feels it: a loop of 1 kHz that reads it, and writes what a trial
-/// says as long as button 0 is held, if it was seen up before. While it is not held, and at the
-/// end, it writes zero.
+/// says as long as button 0 is held, if it was seen up before. While it is not held, or nothing new
+/// was heard of it for 20 ms, and at the end, it writes zero.
 /// Threads: RENDER, or whoever owns it; the device is the loop's while this is there. Cost: a
 /// thread.
 class DeviceTrial
@@ -41,7 +41,7 @@ private:
   TripleBuffer<DeviceSight> Seen;
   // The loop's
   DeviceSight Now;
-  std::int64_t HeldSinceNs = 0;
+  std::int64_t HeldSinceNs = 0, HeardNs = 0;
   bool Held = false, SeenUp = false;
   LoopThread Loop;
 };

@@ -18,6 +18,8 @@ struct DriverOpening
   bool setUp = true;
   /// What is being done now, for people: "loading the firmware, try 2 of 10".
   std::function<void(const std::string&)> says = [](const std::string&) {};
+  /// What is wrong and does not keep it from being used: a sentence.
+  std::function<void(const std::string&)> warns = [](const std::string&) {};
 };
 
 /// What a device said in one exchange.
@@ -27,6 +29,7 @@ struct DriverSample
   std::uint32_t buttons = 0; ///< bit n: button n is held
   bool fresh = true;         ///< false: nothing new came, this is what was before
   bool homed = true;         ///< false: the pose is not where it is
+  bool sane = true;          ///< false: it says what cannot be, so no pose is known
 };
 
 /// The part of a device that knows how to talk to it, and nothing else: no threads, no safety, no
@@ -60,8 +63,8 @@ public:
   /// is not open.
   virtual void Close() noexcept = 0;
 
-  /// What the user has to do now, a sentence; empty where there is nothing (homing). Same thread as
-  /// Exchange.
+  /// What the user has to do now, a sentence; empty where there is nothing (homing). Asked ten
+  /// times a second, on the thread of Exchange.
   virtual std::string Advice() const { return {}; }
 };
 

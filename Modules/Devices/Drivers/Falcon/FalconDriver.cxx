@@ -199,6 +199,7 @@ void FalconDriver::UpdatePose(const FalconAnswer& answer)
   this->Sample.homed = answer.AllHomed();
   const glm::dvec3 near = this->Jacobian ? this->Sample.pose.position : glm::dvec3(0.0);
   this->Jacobian.reset();
+  this->Sample.sane = true;
   if (!this->Sample.homed)
     return; // counts from an unknown zero are no place
   const glm::dvec3 angles(FalconAngleOfCount(answer.counts[0]),
@@ -211,7 +212,8 @@ void FalconDriver::UpdatePose(const FalconAnswer& answer)
   }
   else
   {
-    this->Sample.fresh = false;
+    // Without a pose there is no force: whoever gates it has to know, or it came back at once.
+    this->Sample.fresh = this->Sample.sane = false;
     this->Add(Refused);
   }
 }

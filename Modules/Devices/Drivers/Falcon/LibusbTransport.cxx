@@ -39,9 +39,9 @@ using Config = std::unique_ptr<libusb_config_descriptor, Call<libusb_free_config
   {
     case LIBUSB_ERROR_ACCESS:
       Refuse(DeviceTrouble::Permission,
-        "it is plugged in, but this account may not use it; let an administrator add the udev rule"
-        " SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\","
-        " TAG+=\"uaccess\", then plug it in again");
+        "it is plugged in, but this account may not use it; let an administrator install the udev "
+        "rule"
+        " that hasp devices --udev-rules prints, then plug it in again");
     case LIBUSB_ERROR_BUSY:
       Refuse(DeviceTrouble::Busy, "another program has it; end that program and try again");
     case LIBUSB_ERROR_NO_DEVICE:

@@ -139,6 +139,8 @@ SixDofNews SpacenavSocket::Take(const Event& event, SixDofState& state)
       return { true, true };
     case 1:
     case 2:
+      if (button >= 32)
+        return {}; // one that is not heard
       if (!heard)
         break;
       this->WrongInARow = 0;

@@ -15,7 +15,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -23,6 +25,21 @@ namespace
 using namespace hasp;
 using hasp::test::ScriptedDevice;
 using hasp::test::ScriptedDriver;
+
+/// Of this process; 0: none.
+pid_t OnlyChild()
+{
+  for (const auto& entry : std::filesystem::directory_iterator("/proc"))
+  {
+    std::ifstream stream(entry.path() / "stat"); // "12 (name) S 11 …": the last is the parent
+    std::string text;
+    std::getline(stream, text);
+    const std::size_t name = text.rfind(')');
+    if (name != std::string::npos && std::atoi(text.c_str() + name + 4) == ::getpid())
+      return std::atoi(text.c_str());
+  }
+  return 0;
+}
 
 /// What a guard does after these words and the pipe's end.
 int Guarded(ScriptedDevice& device, const std::string& words, double patienceS = 0.05)
@@ -76,12 +93,27 @@ TEST(DeviceGuard, TriesForAsLongAsTheOneThatDiedHoldsIt)
   EXPECT_EQ(Guarded(reset, "o"), 0) << "it would have to be set up first";
 }
 
+TEST(DeviceGuard, HearsSettingsFirst)
+{
+  for (const auto& [sent, settings] :
+    { std::pair<std::string, std::optional<std::string>>{ {}, {} }, { "{ half", {} },
+      { std::string("\0o", 2), "" }, { std::string("{}\0oc", 5), "{}" } })
+  {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    ASSERT_EQ(::write(ends[1], sent.data(), sent.size()), ssize_t(sent.size()));
+    ::close(ends[1]);
+    EXPECT_EQ(ReadGuardedSettings(ends[0]), settings);
+    ::close(ends[0]);
+  }
+}
+
 TEST(CrashGuard, WithoutItsProgramTheDeviceIsUsedAndItIsSaid)
 {
   ScriptedDevice device;
   CrashGuard guard(std::make_unique<ScriptedDriver>(device), "/nonexistent/guard", "falcon");
   std::string said;
-  guard.Open({ .says = [&](const std::string& what) { said = what; } });
+  guard.Open({ .warns = [&](const std::string& what) { said = what; } });
   EXPECT_NE(said.find("hasp-device-guard"), std::string::npos);
   guard.Exchange({ { 0, 0, 1 }, {} }, 0);
   EXPECT_TRUE(device.open);
@@ -95,7 +127,7 @@ TEST(CrashGuard, ADeviceWithoutMotorsHasNone)
   device.profile.forceAxes = 0;
   CrashGuard guard(std::make_unique<ScriptedDriver>(device), "/nonexistent/guard", "spacenav");
   std::string said;
-  guard.Open({ .says = [&](const std::string& what) { said = what; } });
+  guard.Open({ .warns = [&](const std::string& what) { said = what; } });
   EXPECT_EQ(said, "");
 }
 
@@ -132,6 +164,7 @@ protected:
       const auto driver = this->Driver();
       driver->Open({});
       driver->Exchange({ { 0, 0, 2 }, {} }, 0);
+      ::signal(signal, SIG_DFL); // a sanitizer's handler would exit
       ::raise(signal);
       ::_exit(0);
     }
@@ -149,6 +182,34 @@ TEST_F(CrashGuardProgram, TakesTheForceAwayAfterEachWayToDie)
     this->PushAndDie(signal);
     this->UntilForceIs("0.000");
   }
+}
+
+// Whatever this program has open, the guard has not: what keeps a device would be kept by it.
+TEST_F(CrashGuardProgram, InheritsNothing)
+{
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0); // not to be closed by exec
+  const auto driver = this->Driver();
+  driver->Open({});
+  ::close(ends[1]);
+  char byte = 0;
+  EXPECT_EQ(::read(ends[0], &byte, 1), 0) << "nobody else can write any more";
+  ::close(ends[0]);
+}
+
+TEST_F(CrashGuardProgram, AGuardThatHasGoneIsStartedAgain)
+{
+  const auto driver = this->Driver();
+  driver->Open({});
+  driver->Close();
+  const pid_t guard = OnlyChild();
+  ASSERT_GT(guard, 0);
+  ASSERT_EQ(::kill(guard, SIGKILL), 0);
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, guard, &ended, WEXITED | WNOWAIT), 0) << "it is its driver's to bury";
+  std::string said;
+  driver->Open({ .warns = [&](const std::string& what) { said = what; } });
+  EXPECT_EQ(said, "");
 }
 
 TEST_F(CrashGuardProgram, IsThereTheWholeTimeAndEndsWithItsProgram)

@@ -110,6 +110,17 @@ TEST_F(DeviceSearch, TakesWhatPushesBeforeWhatDoesNot)
   EXPECT_EQ(FirstUsable({ locked, unbuilt }), "");
 }
 
+TEST_F(DeviceSearch, ANameGetsItsPlace)
+{
+  FoundDevice locked{ .address = "falcon:1-1", .name = "Novint Falcon", .force = true };
+  locked.mayOpen = false;
+  const FoundDevice free{ .address = "falcon:1-2", .name = "Novint Falcon", .force = true };
+  EXPECT_EQ(WithPlace("falcon", { locked, free }), "falcon:1-2");
+  EXPECT_EQ(WithPlace("falcon:1-1", { locked, free }), "falcon:1-1");
+  EXPECT_EQ(WithPlace("falcon", { locked }), "falcon");
+  EXPECT_EQ(WithPlace("inverse3", { locked, free }), "inverse3");
+}
+
 TEST_F(DeviceSearch, SaysTheRuleWhereItMayNotBeOpened)
 {
   this->PlugFalcon("1-1", 1, 2);

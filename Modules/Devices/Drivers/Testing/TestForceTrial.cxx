@@ -144,6 +144,18 @@ TEST(DeviceTrial, ForceIsThereAsLongAsTheButtonIsHeld)
     device.status = DeviceStatus::NotHomed;
     Until(trial, [&](const DeviceSight&) { return device.newton.load() == 0.0; });
     device.status = DeviceStatus::Ok;
+    device.buttons = 0;
+    Until(trial, [](const DeviceSight& seen) { return seen.sample.buttons == 0; });
+    device.buttons = 1;
+    Until(trial, [&](const DeviceSight&) { return device.newton.load() == 1.5; });
+    device.status = DeviceStatus::Stale; // it has fallen silent, its button as it was
+    Until(trial, [&](const DeviceSight&) { return device.newton.load() == 0.0; });
+    device.status = DeviceStatus::Ok;
+    Until(trial, [](const DeviceSight& seen) { return seen.status == DeviceStatus::Ok; });
+    EXPECT_EQ(device.newton.load(), 0.0) << "until the button was seen up again";
+    device.buttons = 0;
+    Until(trial, [](const DeviceSight& seen) { return seen.sample.buttons == 0; });
+    device.buttons = 1;
     Until(trial, [&](const DeviceSight&) { return device.newton.load() == 1.5; });
     device.buttons = 2; // another one
     Until(trial, [&](const DeviceSight&) { return device.newton.load() == 0.0; });
