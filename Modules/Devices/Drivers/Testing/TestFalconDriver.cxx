@@ -167,6 +167,7 @@ TEST(FalconDriver, CountsThatNoPoseHasAreRefused)
   {
     const auto sample = falcon.Say({ 0, 0, 5 });
     EXPECT_FALSE(sample.fresh);
+    EXPECT_FALSE(sample.sane);
     EXPECT_EQ(sample.pose.position, good.pose.position);
     if (n > 0)
     {
@@ -175,7 +176,8 @@ TEST(FalconDriver, CountsThatNoPoseHasAreRefused)
   }
   EXPECT_EQ(falcon.driver.Counts().refused, 100u);
   falcon.model->MoveTo({ -20, 5, 10 });
-  EXPECT_TRUE(falcon.Say({ 0, 0, 5 }).fresh);
+  const auto back = falcon.Say({ 0, 0, 5 });
+  EXPECT_TRUE(back.fresh && back.sane);
   falcon.Say({ 0, 0, 5 });
   EXPECT_NEAR(falcon.model->ForceN(5'000.0).z, 5.0, RoundingN);
 }
