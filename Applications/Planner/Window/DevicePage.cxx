@@ -64,6 +64,7 @@ DevicePage::DevicePage(PlannerWindow& window, HandDevices& devices)
   this->setWindowTitle(tr("Haptic device"));
   this->Rules->setObjectName("device.rules");
   auto* form = new QFormLayout(this);
+  form->setSizeConstraint(QLayout::SetFixedSize); // as large as what is shown
   form->addRow(tr("Plugged in"), this->Found);
   form->addRow(this->Rules);
   this->BuildChoice();
