@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -16,12 +17,16 @@ namespace
 {
 constexpr double UnitWithin = 1e-3;        // what a driver's own rounding may leave
 constexpr std::uint64_t AdviceEvery = 100; // exchanges
+constexpr int MostDelayTicks = 16;         // that a profile may have
 
-const DeviceProfile& ProfileOf(const HapticDriver* driver)
+DeviceProfile ProfileOf(const HapticDriver* driver)
 {
   if (!driver)
     throw std::invalid_argument("haptic device: there is no driver");
-  return driver->Profile();
+  DeviceProfile profile = driver->Profile();
+  ValidateDeviceProfile(profile);
+  profile.delayTicks = std::min(profile.delayTicks + DeviceSession::HandOverTicks, MostDelayTicks);
+  return profile;
 }
 
 bool IsPose(const RigidPose& pose) noexcept
@@ -33,8 +38,9 @@ bool IsPose(const RigidPose& pose) noexcept
 DeviceSession::DeviceSession(
   std::unique_ptr<HapticDriver> driver, const DeviceSessionSettings& settings)
   : Driver(std::move(driver)),
+    Is(ProfileOf(this->Driver.get())),
     Settings(settings),
-    Gate(ProfileOf(this->Driver.get()), settings.gate)
+    Gate(this->Is, settings.gate)
 {
   CheckRange("haptic device", "periodNs", static_cast<double>(settings.periodNs), 1e5, 1e8);
   CheckRange("haptic device", "retryNs", static_cast<double>(settings.retryNs), 1e6, 6e10);

@@ -58,7 +58,10 @@ public:
   DeviceSession(const DeviceSession&) = delete;
   DeviceSession& operator=(const DeviceSession&) = delete;
 
-  const DeviceProfile& Profile() const noexcept { return this->Driver->Profile(); }
+  /// The driver's, with HandOverTicks more of delay: what a stable coupling is chosen from.
+  const DeviceProfile& Profile() const noexcept { return this->Is; }
+  /// From HAPTIC to the driver and back, the worst: `hasp report haptics`, haptics.falcon.delay.
+  static constexpr int HandOverTicks = 2;
 
   /// One exchange, or a try to open it. Returns when the next one is due.
   std::int64_t Step(std::int64_t nowNs) noexcept;
@@ -85,6 +88,7 @@ private:
   void Say(DevicePhase phase, const std::string& says, const std::string& advice = {});
 
   std::unique_ptr<HapticDriver> Driver;
+  DeviceProfile Is;
   DeviceSessionSettings Settings;
   ForceGate Gate;
   bool IsOpen = false;

@@ -55,6 +55,18 @@ TEST(DeviceSession, WhatCannotBeIsRefused)
   EXPECT_THROW(DeviceSession(std::make_unique<ScriptedDriver>(device)), std::invalid_argument);
 }
 
+TEST(DeviceSession, ItsProfileCountsTheHandOver)
+{
+  ScriptedDevice device;
+  const auto ticks = [&](int own)
+  {
+    device.profile.delayTicks = own;
+    return DeviceSession(std::make_unique<ScriptedDriver>(device)).Profile().delayTicks;
+  };
+  EXPECT_EQ(ticks(2), 4);
+  EXPECT_EQ(ticks(16), 16);
+}
+
 TEST(DeviceSession, OpensAndHandsOnWhatIsSaid)
 {
   Bench bench;
