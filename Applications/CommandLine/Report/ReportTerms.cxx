@@ -113,10 +113,7 @@ std::vector<ReportTerm> HapticTerms()
       "100,000" },
     { "haptics.snap",
       "Snap-to-fit: ms of a whole tick (@: points, else 5000), and ripple of the force held" },
-    { "haptics.falcon",
-      "a device with hardware, as a model of it in this process: what its driver's thread leaves "
-      "of "
-      "the tick's cost, and after how many ticks at most a move is read and a force is done" },
+    { "haptics.falcon", "a model of a device: what its driver leaves of a tick; ticks of delay" },
     { "haptics.coarse",
       "a tick with the coarse phase, which leaves out points that are far; separated, near, "
       "touching, pressed: ever nearer; inside: a body on itself, where nothing is far and it can "

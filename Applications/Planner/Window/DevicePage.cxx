@@ -15,9 +15,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QSignalBlocker>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace hasp
@@ -25,7 +23,6 @@ namespace hasp
 namespace
 {
 constexpr int LookMs = 100;
-const QString Named = QStringLiteral("?"); // of the combo: what the line below says
 
 QLabel* Line(const char* name)
 {
@@ -163,45 +160,13 @@ QWidget* DevicePage::MakeScale()
   return this->Scale;
 }
 
-void DevicePage::List()
-{
-  const QSignalBlocker quiet(this->Use);
-  QStringList lines;
-  bool locked = false;
-  this->Use->clear();
-  this->Use->addItem(tr("What pushes, when it is plugged in"), QString());
-  this->Use->addItem(tr("None: the mouse"), QString("none"));
-  for (const FoundDevice& device : this->Devices->Found())
-  {
-    const QString name = QString::fromStdString(device.name);
-    lines << (device.remedy.empty()
-                ? tr("%1: can be used").arg(name)
-                : tr("%1: %2").arg(name, QString::fromStdString(device.remedy)));
-    locked = locked || !device.mayOpen;
-    // Numbers of nodes and sockets change: the first of its kind, as long as there is no second.
-    const std::string kind = ParseDeviceAddress(device.address).driver;
-    const auto others = std::ranges::count_if(this->Devices->Found(),
-      [&](const FoundDevice& other) { return other.address.starts_with(kind); });
-    this->Use->addItem(name, QString::fromStdString(others == 1 ? kind : device.address));
-  }
-  this->Use->addItem(tr("What is named below"), Named);
-  this->Found->setText(
-    lines.isEmpty() ? tr("No haptic device and no 6-DOF mouse") : lines.join("\n"));
-  this->Rules->setVisible(locked);
-  const QString chosen = QString::fromStdString(this->Devices->Settings().device);
-  const int listed = this->Use->findData(chosen);
-  this->Use->setCurrentIndex(listed >= 0 ? listed : this->Use->count() - 1);
-  if (!this->Other->isModified()) // somebody is typing
-    this->Other->setText(listed >= 0 ? QString() : chosen);
-  this->Other->setEnabled(this->Use->currentData().toString() == Named);
-}
-
 void DevicePage::Choose()
 {
   const QString use = this->Use->currentData().toString();
-  this->Other->setEnabled(use == Named);
-  const std::string address = (use == Named ? this->Other->text() : use).toStdString();
-  if (use == Named && address.empty())
+  this->Other->setEnabled(use == QLatin1String(Named));
+  const std::string address =
+    (use == QLatin1String(Named) ? this->Other->text() : use).toStdString();
+  if (use == QLatin1String(Named) && address.empty())
     return this->Other->setFocus();
   DeviceSettings settings = this->Devices->Settings();
   settings.device = address;

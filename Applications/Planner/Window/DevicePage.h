@@ -40,6 +40,8 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
+  /// Of the choice: what the line below it says.
+  static constexpr const char* Named = "?";
   struct Reading
   {
     double newton;

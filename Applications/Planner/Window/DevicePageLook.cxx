@@ -3,14 +3,17 @@
 
 #include "Devices/Drivers/DeviceAddress.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -31,6 +34,39 @@ QString ButtonsText(std::uint32_t buttons)
                         : DevicePage::tr("button %1").arg(held.join(", "));
 }
 } // namespace
+
+void DevicePage::List()
+{
+  const QSignalBlocker quiet(this->Use);
+  QStringList lines;
+  bool locked = false;
+  this->Use->clear();
+  this->Use->addItem(tr("What pushes, when it is plugged in"), QString());
+  this->Use->addItem(tr("None: the mouse"), QString("none"));
+  for (const FoundDevice& device : this->Devices->Found())
+  {
+    const QString name = QString::fromStdString(device.name);
+    lines << (device.remedy.empty()
+                ? tr("%1: can be used").arg(name)
+                : tr("%1: %2").arg(name, QString::fromStdString(device.remedy)));
+    locked = locked || !device.mayOpen;
+    // Numbers of nodes and sockets change: the first of its kind, as long as there is no second.
+    const std::string kind = ParseDeviceAddress(device.address).driver;
+    const auto others = std::ranges::count_if(this->Devices->Found(),
+      [&](const FoundDevice& other) { return other.address.starts_with(kind); });
+    this->Use->addItem(name, QString::fromStdString(others == 1 ? kind : device.address));
+  }
+  this->Use->addItem(tr("What is named below"), QString(Named));
+  this->Found->setText(
+    lines.isEmpty() ? tr("No haptic device and no 6-DOF mouse") : lines.join("\n"));
+  this->Rules->setVisible(locked);
+  const QString chosen = QString::fromStdString(this->Devices->Settings().device);
+  const int listed = this->Use->findData(chosen);
+  this->Use->setCurrentIndex(listed >= 0 ? listed : this->Use->count() - 1);
+  if (!this->Other->isModified()) // somebody is typing
+    this->Other->setText(listed >= 0 ? QString() : chosen);
+  this->Other->setEnabled(this->Use->currentData().toString() == QLatin1String(Named));
+}
 
 void DevicePage::Look()
 {
