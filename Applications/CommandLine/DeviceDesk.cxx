@@ -18,8 +18,9 @@ namespace hasp
 
 namespace
 {
-constexpr std::int64_t LookNs = 100'000'000;
+constexpr std::int64_t LookNs = 100'000'000, LongestWaitNs = 120'000'000'000;
 constexpr double ScaleForcesN[] = { 1.0, 2.0, 3.0 };
+constexpr double MostReadN = 1000.0; // no spring scale of a table reads more
 
 std::string ButtonsText(std::uint32_t buttons)
 {
@@ -50,7 +51,7 @@ std::optional<double> ReadNumber(std::istream& in, std::ostream& out)
       return {};
     std::istringstream words(line);
     double number = 0.0;
-    if (words >> number && (words >> std::ws).eof() && std::isfinite(number) && number > 0.0)
+    if (words >> number && (words >> std::ws).eof() && number > 0.0 && number < MostReadN)
       return number;
     out << "  a number of newtons above 0, or nothing to leave this one out: " << std::flush;
   }
@@ -63,9 +64,11 @@ std::string SightLine(const DeviceSight& seen)
   if (const char* wrong = StatusText(seen.status))
     return wrong;
   const glm::dvec3& at = seen.sample.pose.position;
-  char text[160];
-  std::snprintf(text, sizeof text, "x %.1f y %.1f z %.1f mm, buttons %s, force %.1f N", at.x, at.y,
-    at.z, ButtonsText(seen.sample.buttons).c_str(), glm::length(seen.asked.force));
+  const glm::dvec3 push = seen.asked.force + 0.0; // no "-0.0"
+  char text[200];
+  std::snprintf(text, sizeof text,
+    "x %.1f y %.1f z %.1f mm, buttons %s, force x %.1f y %.1f z %.1f N", at.x, at.y, at.z,
+    ButtonsText(seen.sample.buttons).c_str(), push.x, push.y, push.z);
   return text;
 }
 
@@ -91,6 +94,7 @@ DeviceDesk::~DeviceDesk() = default;
 void DeviceDesk::UntilReady(bool homed)
 {
   MonotonicClock clock;
+  const std::int64_t untilNs = clock.NowNs() + LongestWaitNs;
   std::string said;
   for (;;)
   {
@@ -102,10 +106,15 @@ void DeviceDesk::UntilReady(bool homed)
     {
       if (!news.warning.empty())
         this->Says(news.warning);
+      while (this->Trial->Look().status == DeviceStatus::Unplugged && clock.NowNs() < untilNs)
+        clock.SleepUntil(clock.NowNs() + LookNs / 10); // until the loop has seen it, too
       return;
     }
     if (!words.empty() && words != said)
       this->Says(said = words);
+    if (clock.NowNs() > untilNs)
+      throw Failure(
+        ExitCode::BadInput, "two minutes are over, and the device does not run: " + words);
     clock.SleepUntil(clock.NowNs() + LookNs / 10);
   }
 }
@@ -127,7 +136,27 @@ void DeviceDesk::Watch(double seconds, const ForceTrial& trial)
       this->Says(said = line);
     clock.SleepUntil(std::min(nowNs + LookNs, untilNs));
   }
+  if (const DeviceNews news = this->Device->News(); news.phase == DevicePhase::Searching)
+    throw Failure(ExitCode::BadInput, news.says);
+  if (trial.kind != ForceTrial::Kind::None && this->Trial->Look().givenN == 0.0)
+    throw Failure(ExitCode::FailedCheck,
+      "no force was given: the device's first button was not held,"
+      " or it was down from the beginning; let go of it first");
   this->Trial->Ask({});
+}
+
+/// Until the button is held and all of the force is there.
+void DeviceDesk::UntilGiven(double newton)
+{
+  MonotonicClock clock;
+  const std::int64_t untilNs = clock.NowNs() + LongestWaitNs;
+  while (this->Trial->Look().givenN < newton - 1e-9)
+  {
+    if (clock.NowNs() > untilNs)
+      throw Failure(ExitCode::WrongUse, "the device's first button was not held within two minutes;"
+                                        " nothing was kept");
+    clock.SleepUntil(clock.NowNs() + LookNs / 10);
+  }
 }
 
 ScaleFit DeviceDesk::MeasureScale(std::istream& in, std::ostream& out)
@@ -138,7 +167,9 @@ ScaleFit DeviceDesk::MeasureScale(std::istream& in, std::ostream& out)
   for (const double newton : ScaleForcesN)
   {
     this->Trial->Ask({ .kind = ForceTrial::Kind::Steady, .newton = newton });
-    out << "  " << newton << " N is asked for; the scale reads, in newton: " << std::flush;
+    out << "  Hold the button: " << newton << " N … " << std::flush;
+    this->UntilGiven(newton);
+    out << "the scale reads, in newton: " << std::flush;
     if (const auto read = ReadNumber(in, out))
       readings.push_back({ newton, *read });
   }

@@ -25,9 +25,11 @@ public:
   const DeviceProfile& Profile() const noexcept { return this->Device->Profile(); }
 
   /// Waits until it runs, or, unless it has to be `homed`, until it is open.
-  /// Throws Failure with the device's own sentence as soon as it cannot be opened.
+  /// Throws Failure with the device's own sentence as soon as it cannot be opened, and after two
+  /// minutes of waiting for hands.
   void UntilReady(bool homed);
   /// Its pose, buttons and force for so long, a line whenever they change, ten times a second.
+  /// Throws Failure if it is not there at the end.
   void Watch(double seconds, const ForceTrial& trial);
   /// Asks for forces along z, and `in` for what a spring scale reads; `out` says what to do.
   ScaleFit MeasureScale(std::istream& in, std::ostream& out);
@@ -36,12 +38,14 @@ public:
   DeviceNews News() const { return this->Device->News(); }
 
 private:
+  void UntilGiven(double newton);
+
   std::function<void(const std::string&)> Says;
   std::unique_ptr<DrivenHapticDevice> Device;
   std::unique_ptr<DeviceTrial> Trial;
 };
 
-/// "x 1.2 y 3.4 z 5.6 mm, buttons 1, force 0.5 N", or what is wrong with it.
+/// "x 1.2 y 3.4 z 5.6 mm, buttons 1, force x 0.5 y 0.0 z 0.0 N", or what is wrong with it.
 std::string SightLine(const DeviceSight& seen);
 
 } // namespace hasp

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <vector>
@@ -24,7 +25,7 @@ struct Choices
 {
   std::string device, settings, firmware;
   double watchS = 0.0, newton = 1.0;
-  bool udevRules = false, testForce = false, calibrate = false;
+  bool udevRules = false, testForce = false, calibrate = false, settingsNamed = false;
   bool Pushes() const { return testForce || calibrate; }
   bool Opens() const { return watchS > 0.0 || testForce || calibrate || !device.empty(); }
 };
@@ -33,10 +34,16 @@ DeviceSettings SettingsOf(const Choices& choices)
 {
   try
   {
+    if (choices.settingsNamed && !choices.calibrate && !std::filesystem::exists(choices.settings))
+      throw Failure(ExitCode::BadInput, "--settings: there is no such file");
     DeviceSettings settings = ReadDeviceSettings(choices.settings);
     if (!choices.firmware.empty())
       settings.falcon.firmware = choices.firmware;
     return settings;
+  }
+  catch (const Failure&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {
@@ -122,6 +129,10 @@ void Open(const std::string& address, const DeviceSettings& settings, const Choi
   desk.Watch(watchS, { .kind = choices.testForce ? ForceTrial::Kind::Axes : ForceTrial::Kind::None,
                        .newton = choices.newton });
   const DeviceNews news = desk.News();
+  const DeviceSample seen = desk.Look().sample;
+  const glm::dvec3& at = seen.pose.position;
+  session.result["position_mm"] = { at.x, at.y, at.z };
+  session.result["buttons"] = seen.buttons;
   session.result["homed"] = news.phase == DevicePhase::Running;
   session.result["exchanges"] = news.exchanges;
   session.result["stale"] = news.stale;
@@ -151,6 +162,10 @@ void Run(const Choices& choices, Session& session)
     List(found, session);
     if (found.empty())
       SayNone(session);
+    if (!settings.device.empty() && !session.json)
+      std::cout << "Your settings name one: "
+                << (settings.device == "none" ? "none" : ParseDeviceAddress(settings.device).driver)
+                << "\n";
     return;
   }
   Open(address, settings, choices, session);
@@ -179,7 +194,7 @@ void AddDevicesVerb(CLI::App& app, Session& session)
     ->excludes(test);
   verb->add_option(
     "--firmware", choices->firmware, "Your own file of a Falcon's firmware, for this run");
-  verb->add_option("--settings", choices->settings,
+  CLI::Option* file = verb->add_option("--settings", choices->settings,
     "The .json file of your devices; usually hasp/devices.json in your XDG_CONFIG_HOME");
   verb->add_flag("--udev-rules", choices->udevRules,
     "Prints the rules that let whoever sits at this machine use these devices");
@@ -192,7 +207,11 @@ void AddDevicesVerb(CLI::App& app, Session& session)
                "Exit codes: 0 done, or there is no device; 1 wrong use, 2 the device cannot be "
                "used, 3 the readings\nof a calibration do not agree.");
   verb->callback(
-    [&session, choices] { session.run = [&session, choices] { Run(*choices, session); }; });
+    [&session, choices, file]
+    {
+      choices->settingsNamed = file->count() > 0;
+      session.run = [&session, choices] { Run(*choices, session); };
+    });
 }
 
 } // namespace hasp

@@ -75,7 +75,8 @@ TEST_F(HaspDevices, WatchesANamedOne)
 {
   const HaspRun run = Run({ "--device", Box, "--watch", "0.5" });
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_NE(run.out.find("x 0.0 y 0.0 z 0.0 mm, buttons none, force 0.0 N"), std::string::npos)
+  EXPECT_NE(run.out.find("x 0.0 y 0.0 z 0.0 mm, buttons none, force x 0.0 y 0.0 z 0.0 N"),
+    std::string::npos)
     << run.out;
   const HaspRun json = Run({ "--device", Box, "--json" });
   ASSERT_EQ(json.exitCode, 0) << json.err;
@@ -90,22 +91,34 @@ TEST_F(HaspDevices, WatchesANamedOne)
 TEST_F(HaspDevices, DoesNotPushWhereTheButtonWasNeverUp)
 {
   const HaspRun run = Run({ "--device", Box + ":held", "--test-force", "--watch", "0.8" });
+  ExpectFailure(run, 3, "let go of it first");
+  EXPECT_NE(run.out.find("buttons 0, force x 0.0 y 0.0 z 0.0 N"), std::string::npos) << run.out;
+}
+
+TEST_F(HaspDevices, PushesWhileAHandHoldsTheButton)
+{
+  const HaspRun run = Run({ "--device", Box + ":hand", "--test-force", "--watch", "2" });
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_NE(run.out.find("buttons 0, force 0.0 N"), std::string::npos) << run.out;
-  EXPECT_EQ(run.out.find("force 0.1"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("force x 0."), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("buttons 0, force x"), std::string::npos) << run.out;
 }
 
 TEST_F(HaspDevices, FindsHowMuchOfAForceIsFelt)
 {
-  const HaspRun run = this->Typed({ "--device", Box, "--calibrate", "--json" }, "0.8\n1.6\n2.4\n");
+  const HaspRun run =
+    this->Typed({ "--device", Box + ":hand", "--calibrate", "--json" }, "0.8\n1.6\n2.4\n");
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_NEAR(Json::parse(run.out).at("share").get<double>(), 0.8, 1e-12);
   EXPECT_NE(run.err.find("spring scale"), std::string::npos) << run.err;
 
-  ExpectFailure(this->Typed({ "--device", Box, "--calibrate" }, "0.8\n"), 1, "ended before");
-  ExpectFailure(this->Typed({ "--device", Box, "--calibrate" }, "1\nx\n-2\n2\n\n"), 2, "3 times");
-  ExpectFailure(this->Typed({ "--device", Box, "--calibrate" }, "2.5\n1\n3\n"), 3, "scatter");
-  ExpectFailure(this->Typed({ "--device", Box, "--calibrate" }, "100\n200\n300\n"), 2, "newton");
+  ExpectFailure(
+    this->Typed({ "--device", Box + ":hand", "--calibrate" }, "0.8\n"), 1, "ended before");
+  ExpectFailure(
+    this->Typed({ "--device", Box + ":hand", "--calibrate" }, "1\nx\n-2\n2\n\n"), 2, "3 times");
+  ExpectFailure(
+    this->Typed({ "--device", Box + ":hand", "--calibrate" }, "2.5\n1\n3\n"), 3, "scatter");
+  ExpectFailure(
+    this->Typed({ "--device", Box + ":hand", "--calibrate" }, "1e9\n100\n200\n300\n"), 2, "newton");
 }
 
 TEST_F(HaspDevices, SaysWhatIsWrongAndWhatToDo)
@@ -113,6 +126,7 @@ TEST_F(HaspDevices, SaysWhatIsWrongAndWhatToDo)
   ExpectFailure(Run({ "--device", "toaster" }), 1, "a device is named falcon");
   ExpectFailure(Run({ "--device", "plugin:" + this->Path("none.so") }), 1, "no such file");
   ExpectFailure(Run({ "--device", "spacenav:" + this->Path("none.sock") }), 2, "spacenavd");
+  ExpectFailure(Run({ "--settings", this->Path("none.json") }), 2, "no such file");
   ExpectFailure(Run({ "--watch", "0" }), 1, "--watch");
   ExpectFailure(Run({ "--newton", "1" }), 1, "--test-force");
   ExpectFailure(Run({ "--test-force", "--newton", "4" }), 1, "--newton");

@@ -1008,6 +1008,10 @@
         <source>It holds until the program ends.</source>
         <translation>Det gäller tills programmet avslutas.</translation>
     </message>
+    <message>
+        <source>%1 N was not felt yet: choose it, and hold the first button while you read the scale.</source>
+        <translation>%1 N har inte känts ännu: välj den, och håll i den första knappen medan du läser av vågen.</translation>
+    </message>
 </context>
 <context>
     <name>hasp::DistanceColours</name>

@@ -148,7 +148,7 @@ QWidget* DevicePage::MakeScale()
     auto* read = NewtonBox("", 0.0, 50.0, 0.0);
     read->setObjectName(QString("device.read.%1").arg(n + 1));
     read->setDecimals(2);
-    this->Readings[n] = { newton, push, read };
+    this->Readings[n] = { newton, push, read, false };
     form->addRow(push, read);
     connect(push, &QPushButton::toggled, this, &DevicePage::Push);
   }

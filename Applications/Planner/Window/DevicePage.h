@@ -47,6 +47,7 @@ private:
     double newton;
     QPushButton* push;
     QDoubleSpinBox* read;
+    bool given = false; ///< the button was held, and all of the force was there
   };
   void BuildChoice();
   QWidget* MakeTest();

@@ -88,6 +88,9 @@ void DevicePage::Look()
   if (!runs)
     return this->Pose->clear();
   const DeviceSight seen = this->Trial->Look();
+  for (Reading& reading : this->Readings)
+    reading.given =
+      reading.given || (reading.push->isChecked() && seen.givenN >= reading.newton - 1e-9);
   const glm::dvec3& at = seen.sample.pose.position;
   this->Pose->setText(tr("%1 mm right, %2 up, %3 towards you; %4; pushed with %5 N")
                         .arg(at.x, 0, 'f', 1)
@@ -128,7 +131,14 @@ void DevicePage::Keep()
   {
     std::vector<ScaleReading> readings;
     for (const Reading& reading : this->Readings)
+    {
+      if (!reading.given)
+        throw std::invalid_argument(tr(
+          "%1 N was not felt yet: choose it, and hold the first button while you read the scale.")
+                                      .arg(reading.newton)
+                                      .toStdString());
       readings.push_back({ reading.newton, reading.read->value() });
+    }
     const ScaleFit fit = FitScale(readings);
     if (fit.rmsN > MostRmsN)
       throw std::invalid_argument(tr("The readings scatter by %1 N: read them again.")
@@ -138,8 +148,11 @@ void DevicePage::Keep()
     settings.falcon.countsPerNm /= fit.share;
     this->Leave();
     const bool kept = this->Devices->SetSettings(settings);
-    for (const Reading& reading : this->Readings)
-      reading.read->setValue(0.0); // they were of the scale before
+    for (Reading& reading : this->Readings) // they were of the scale before
+    {
+      reading.read->setValue(0.0);
+      reading.given = false;
+    }
     this->Fit->setText(tr("%1 of what is asked for was felt, ± %2 N.")
                          .arg(fit.share, 0, 'f', 2)
                          .arg(fit.rmsN, 0, 'f', 2) +

@@ -1,5 +1,9 @@
 #include "Devices/Drivers/DeviceTrial.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
 namespace hasp
 {
 
@@ -29,7 +33,8 @@ DeviceSight DeviceTrial::Look() noexcept
 
 bool DeviceTrial::Tick(const LoopTick& tick) noexcept
 {
-  this->Asked.Update();
+  if (this->Asked.Update())
+    this->Now.givenN = 0.0;
   const ForceTrial* trial = this->Asked.Latest();
   this->Now.status = this->Device.Read(tick.nowNs, this->Now.sample);
   if (!Has(this->Now.status, DeviceStatus::Stale))
@@ -48,6 +53,7 @@ bool DeviceTrial::Tick(const LoopTick& tick) noexcept
   const double heldS =
     held ? 1e-9 * static_cast<double>(1 + NsBetween(this->HeldSinceNs, tick.nowNs)) : 0.0;
   this->Now.asked = trial != nullptr ? WrenchOf(*trial, heldS) : Wrench{};
+  this->Now.givenN = std::max(this->Now.givenN, glm::length(this->Now.asked.force));
   this->Device.Write(this->Now.asked);
   ++this->Now.ticks;
   this->Seen.Write(this->Now);

@@ -11,7 +11,8 @@ struct DeviceSight
 {
   DeviceSample sample{};
   DeviceStatus status = DeviceStatus::Unplugged;
-  Wrench asked{}; ///< of the trial
+  Wrench asked{};      ///< of the trial
+  double givenN = 0.0; ///< the largest force that was asked of the device since the last Ask
   std::uint64_t ticks = 0;
 };
 

@@ -61,8 +61,9 @@
    Threads: Describe comes before all else. Open, Exchange, Advice and Close come from one thread at
    a time, which is no thread of yours; about 1000 exchanges a second. An exchange may wait for the
    device, 20 ms at most; do not sleep where the SDK has newer data. Throw no C++ exceptions.
-   Your code runs inside Hasp: it may do all that the user may. A crash of yours ends Hasp, and the
-   motors are then left to the device's own watchdog.
+   Your code runs inside Hasp: it may do all that the user may. A crash of yours ends Hasp. After
+   that, and after any other sudden end, another process (hasp-device-guard) opens and closes your
+   device, so that it is left without force: open must work right then.
 
    How SDKs fit (from what is public about them; none was at hand here):
 

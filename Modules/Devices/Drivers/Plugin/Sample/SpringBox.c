@@ -6,8 +6,8 @@
    pushes it. Pushed with F it comes to rest F / Stiffness from the middle: 10 mm for 1 N. Each
    exchange is one millisecond of its time, however long it took.
 
-   There is one box: while a session has it, another finds it busy. Settings: "" or "held", which
-   holds its button down. */
+   There is one box: while a session has it, another finds it busy. Settings: "", "held", which
+   holds its button down, or "hand", which presses it after a third of a second. */
 #include "HapticDevicePlugin.h"
 
 #include <math.h>
@@ -23,7 +23,8 @@ static const double Peak = 3.0;      /* N */
 typedef struct Box
 {
   int open;
-  int held;
+  int heldFrom; /* exchanges; -1: never */
+  int exchanges;
   double positionMm[3];
   double speedMmPerS[3];
 } Box;
@@ -40,7 +41,7 @@ double SpringBoxMotorsN[3];
 static int Describe(const char* settings, HaspHapticProfile* p)
 {
   int a;
-  if (settings[0] != '\0' && strcmp(settings, "held") != 0)
+  if (settings[0] != '\0' && strcmp(settings, "held") != 0 && strcmp(settings, "hand") != 0)
     return HASP_HAPTIC_NOT_UNDERSTOOD;
   p->poseAxes = 3;
   p->forceAxes = 3;
@@ -65,7 +66,7 @@ static void* Open(const char* settings, int* trouble)
   }
   memset(&box, 0, sizeof box);
   box.open = 1;
-  box.held = strcmp(settings, "held") == 0;
+  box.heldFrom = strcmp(settings, "held") == 0 ? 0 : strcmp(settings, "hand") == 0 ? 300 : -1;
   return &box;
 }
 
@@ -94,7 +95,9 @@ static int Exchange(void* session, const HaspHapticWrench* wrench, HaspHapticSam
   memcpy(SpringBoxMotorsN, wrench->forceN, sizeof SpringBoxMotorsN);
   Move(b);
   memcpy(sample->positionMm, b->positionMm, sizeof b->positionMm);
-  sample->buttons = b->held ? 1u : 0u;
+  sample->buttons = b->heldFrom >= 0 && b->exchanges >= b->heldFrom ? 1u : 0u;
+  if (b->exchanges < b->heldFrom)
+    ++b->exchanges;
   return HASP_HAPTIC_GIVEN;
 }
 
