@@ -23,7 +23,7 @@ constexpr double MostRmsShare = 0.1; // of the largest force: readings that scat
 
 struct Choices
 {
-  std::string device, settings, firmware;
+  std::string device{}, settings{}, firmware{};
   double watchS = 0.0, newton = 1.0;
   bool udevRules = false, testForce = false, calibrate = false, settingsNamed = false;
   bool Pushes() const { return testForce || calibrate; }

@@ -56,11 +56,11 @@ TEST_F(HaspDevices, SaysWhatIsPluggedInAndEndsWell)
   EXPECT_EQ(json.exitCode, 0);
   const Json found = Json::parse(json.out).at("devices");
   EXPECT_TRUE(found.is_array());
-  if (found.empty())
-    EXPECT_NE(run.out.find("Hasp works with the mouse alone"), std::string::npos) << run.out;
+  if (!found.empty())
+    GTEST_SKIP() << "this machine has a device";
+  EXPECT_NE(run.out.find("Hasp works with the mouse alone"), std::string::npos) << run.out;
   for (const char* more : { "--test-force", "--calibrate" })
-    if (found.empty())
-      EXPECT_EQ(Run({ more }).exitCode, 0) << "where there is none that is said, and no failure";
+    EXPECT_EQ(Run({ more }).exitCode, 0) << "where there is none that is said, and no failure";
 }
 
 TEST_F(HaspDevices, PrintsTheRulesThatAreInstalled)

@@ -14,7 +14,7 @@ namespace hasp
 struct FalconSettings
 {
   /// Path of the firmware's file; empty: as FalconFirmwareFile (FalconBoot.h).
-  std::string firmware;
+  std::string firmware{};
   /// Motor numbers for one newton metre at an arm, in (0, 100,000]. The true scale is NOT public.
   /// libnifalcon sends 10,000, and nobody wrote down a force that was measured. Half of that, so
   /// that what is felt is rather less than what is said: at 5,000 1 N along z is 126 a motor, and
