@@ -7,7 +7,7 @@
 # and that must fail. Where umockdev was not found there are none, and it is said.
 find_package(PkgConfig QUIET)
 if (PKG_CONFIG_FOUND)
-  pkg_check_modules(UMOCKDEV QUIET IMPORTED_TARGET umockdev-1.0)
+  pkg_check_modules(UMOCKDEV QUIET IMPORTED_TARGET GLOBAL umockdev-1.0)
 endif ()
 
 function (hasp_add_umockdev_tests name)
@@ -17,14 +17,6 @@ function (hasp_add_umockdev_tests name)
   elseif (NOT UMOCKDEV_FOUND OR CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread") # two preloads, each to be the first
     message(STATUS "Hasp: no ${name} tests; they take umockdev (libumockdev-dev), and not the thread sanitizer")
     return()
-  endif ()
-  # As umockdev-wrapper does it. A sanitizer's library has to come before umockdev's: in a sanitized build it is
-  # preloaded, too; else the sanitized variant has it inside.
-  set(preload libumockdev-preload.so.0)
-  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
-    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
-      OUTPUT_VARIABLE asan OUTPUT_STRIP_TRAILING_WHITESPACE)
-    string(PREPEND preload "${asan}:")
   endif ()
   add_executable(Test${name} ${arg_SOURCES})
   target_link_libraries(Test${name} PRIVATE Hasp::DeviceDrivers GTest::gtest PkgConfig::UMOCKDEV)
@@ -45,5 +37,17 @@ function (hasp_add_umockdev_tests name)
     target_include_directories(${program} PRIVATE Trials)
   endforeach ()
   set_target_properties(${programs} PROPERTIES UNITY_BUILD OFF)
-  set_tests_properties(${tests} PROPERTIES LABELS "kernel;device" TIMEOUT 600 ENVIRONMENT "LD_PRELOAD=${preload}")
+  hasp_preload_umockdev("kernel;device" ${tests})
+endfunction ()
+
+# hasp_preload_umockdev("labels" tests…): as umockdev-wrapper does it. A sanitizer's library has to come before
+# umockdev's: in a sanitized build it is preloaded, too; else a sanitized variant has it inside.
+function (hasp_preload_umockdev labels)
+  set(preload libumockdev-preload.so.0)
+  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
+      OUTPUT_VARIABLE asan OUTPUT_STRIP_TRAILING_WHITESPACE)
+    string(PREPEND preload "${asan}:")
+  endif ()
+  set_tests_properties(${ARGN} PROPERTIES LABELS "${labels}" TIMEOUT 600 ENVIRONMENT "LD_PRELOAD=${preload}")
 endfunction ()
