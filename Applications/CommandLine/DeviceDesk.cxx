@@ -3,7 +3,7 @@
 #include "Devices/Drivers/DeviceList.h"
 #include "Failure.h"
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -63,8 +63,9 @@ std::string SightLine(const DeviceSight& seen)
 {
   if (const char* wrong = StatusText(seen.status))
     return wrong;
-  const glm::dvec3& at = seen.sample.pose.position;
-  const glm::dvec3 push = seen.asked.force + 0.0; // no "-0.0"
+  const auto rounded = [](const glm::dvec3& v)
+  { return glm::round(10.0 * v) / 10.0 + 0.0; }; // no "-0.0"
+  const glm::dvec3 at = rounded(seen.sample.pose.position), push = rounded(seen.asked.force);
   char text[200];
   std::snprintf(text, sizeof text,
     "x %.1f y %.1f z %.1f mm, buttons %s, force x %.1f y %.1f z %.1f N", at.x, at.y, at.z,

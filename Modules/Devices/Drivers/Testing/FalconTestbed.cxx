@@ -120,7 +120,15 @@ struct FalconTestbed::Internals
     UMockdevIoctlData* given = nullptr;
     g_object_get(client, "request", &request, "arg", &given, nullptr);
     const Data argument(given);
-    const int error = static_cast<Internals*>(self)->Answer(client, request, given);
+    int error = EFAULT;
+    try
+    {
+      error = static_cast<Internals*>(self)->Answer(client, request, given);
+    }
+    catch (const std::runtime_error&)
+    {
+      // Another program asked, and was killed before its memory was read.
+    }
     umockdev_ioctl_client_complete(client, error ? -1 : 0, error);
     return TRUE;
   }
