@@ -113,7 +113,7 @@ TEST_F(FalconUsb, ForbiddenIsPermission)
   const auto found = FindFalcons();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].trouble, DeviceTrouble::Permission);
-  EXPECT_TRUE(Says(found[0].sentence, "uaccess"));
+  EXPECT_TRUE(Says(found[0].sentence, "hasp devices --udev-rules"));
 }
 
 TEST_F(FalconUsb, TakenIsBusy)
