@@ -48,7 +48,7 @@ protected:
     this->hand = std::thread(
       [this]
       {
-        constexpr std::uint64_t seenUp = 300;
+        constexpr std::uint64_t seenUp = 30;
         for (; !this->stopping; std::this_thread::sleep_for(std::chrono::milliseconds(2)))
           this->bed.With(
             [&](FalconModel& model)
@@ -95,7 +95,7 @@ TEST_F(HaspFalcon, IsListed)
 TEST_F(HaspFalcon, IsBootedHomedAndPushes)
 {
   this->TakeTheGrip();
-  const HaspRun run = RunHasp(this->WithImage({ "--test-force", "--watch", "3" }));
+  const HaspRun run = RunHasp(this->WithImage({ "--test-force", "--watch", "5" }));
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_NE(run.out.find("firmware"), std::string::npos) << run.out;
   EXPECT_TRUE(this->pushed);

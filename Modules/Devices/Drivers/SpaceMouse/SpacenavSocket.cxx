@@ -20,7 +20,8 @@ namespace
 constexpr AxisRanges Promised{ { { -500, 500 }, { -500, 500 }, { -500, 500 }, { -500, 500 },
   { -500, 500 }, { -500, 500 } } };
 constexpr int MostWrongInARow = 64;
-constexpr int MostReceives = 16; // of one read: a daemon that floods does not keep us
+constexpr std::int32_t MostButtons = 256; // that any device has; a larger number is none
+constexpr int MostReceives = 16;          // of one read: a daemon that floods does not keep us
 
 DeviceError WhyNotOpen(int error)
 {
@@ -139,7 +140,7 @@ SixDofNews SpacenavSocket::Take(const Event& event, SixDofState& state)
       return { true, true };
     case 1:
     case 2:
-      if (button >= 32)
+      if (button >= 32 && button < MostButtons)
         return {}; // one that is not heard
       if (!heard)
         break;

@@ -111,7 +111,7 @@ TEST_F(SpacenavSocketTest, WrongOnesAreSkippedAndCounted)
 {
   this->Connect();
   const std::vector<FakeSpacenavd::Event> wrong{ { 3, 1, 2 }, { 4 }, { -1 }, { 2147483647 },
-    { -2147483647 - 1 }, { 1, -1 }, { 1, 32 }, { 2, 1000000 }, { 2, -2147483647 - 1 } };
+    { -2147483647 - 1 }, { 1, -1 }, { 1, 256 }, { 2, 1000000 }, { 2, -2147483647 - 1 } };
   for (const auto& event : wrong)
     this->Daemon.Send(event);
   this->Daemon.Motion(std::array{ 500, 0, 0, 0, 0, 0 });
@@ -119,6 +119,17 @@ TEST_F(SpacenavSocketTest, WrongOnesAreSkippedAndCounted)
   EXPECT_EQ(this->State.push, glm::dvec3(1, 0, 0));
   EXPECT_EQ(this->State.buttons, 0u);
   EXPECT_EQ(this->Source.WrongCount(), wrong.size());
+}
+
+/// A device with more buttons than are heard is no stream out of step.
+TEST_F(SpacenavSocketTest, ButtonsThatAreNotHeardAreNoFault)
+{
+  this->Connect();
+  for (int n = 0; n < 200; ++n)
+    this->Daemon.Send({ 1 + n % 2, 40 });
+  this->Read();
+  EXPECT_EQ(this->State.buttons, 0u);
+  EXPECT_EQ(this->Source.WrongCount(), 0u);
 }
 
 /// Wrong ones between good ones never add up; a stream that is out of step is left, and opened anew
