@@ -1558,6 +1558,10 @@
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>%1 was unplugged. The mouse moves what is in hand.</source>
+        <translation>%1 har kopplats ur. Musen flyttar det som är i handen.</translation>
+    </message>
 </context>
 <context>
     <name>hasp::ImplantBox</name>

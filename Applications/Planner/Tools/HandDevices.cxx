@@ -82,7 +82,12 @@ void HandDevices::Search()
   this->Seen = std::move(found);
   this->Refused.clear();
   if (this->Device && this->OfDevice != this->Address()) // in another socket, or another device
+  {
+    if (this->Runs)
+      this->Of.SayFault(tr("%1 was unplugged. The mouse moves what is in hand.")
+                          .arg(QString::fromStdString(this->Device->Profile().name)));
     this->End();
+  }
   if (!this->Device && this->Of.tools.InHand())
     this->Begin();
   Q_EMIT this->FoundChanged();
