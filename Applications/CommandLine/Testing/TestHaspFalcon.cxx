@@ -90,6 +90,9 @@ TEST_F(HaspFalcon, IsListed)
   EXPECT_TRUE(found[0].at("force").get<bool>());
   this->bed.Unplug();
   EXPECT_TRUE(Json::parse(OutputOfHasp({ "devices", "--json" })).at("devices").empty());
+  for (const char* more : { "--test-force", "--calibrate" })
+    EXPECT_NE(OutputOfHasp({ "devices", more }).find("works with the mouse"), std::string::npos)
+      << "where there is none that is said, and no failure";
 }
 
 TEST_F(HaspFalcon, IsBootedHomedAndPushes)
