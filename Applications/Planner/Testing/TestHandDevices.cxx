@@ -1,4 +1,5 @@
 // The haptic device of who sits there: found, opened, lent to tools, lost, and given up.
+#include "Devices/Drivers/Testing/TemporaryFolder.h"
 #include "StepsDesk.h"
 
 #include "Steps/PanelWidgets.h"
@@ -9,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -27,8 +27,6 @@ class HandDevicesTest : public ::testing::Test
 protected:
   HandDevicesTest()
   {
-    char name[] = "/tmp/hasp-hand-XXXXXX";
-    this->root = ::mkdtemp(name);
     fs::create_directories(this->root / "sys/bus/usb/devices");
     fs::create_directories(this->root / "dev/bus/usb/001");
     this->places = { .folders = { this->root / "sys", this->root / "dev", this->root / "spnav" },
@@ -39,7 +37,6 @@ protected:
   {
     this->desk.planner.tools.Take(nullptr);
     this->hand.reset();
-    fs::remove_all(this->root);
   }
   static void Write(const fs::path& file, const std::string& text)
   {
@@ -67,7 +64,8 @@ protected:
   }
   bool Runs() { return this->hand->News().phase == DevicePhase::Running; }
 
-  fs::path root;
+  const TemporaryFolder here;
+  const fs::path& root = this->here.Path;
   HandDevices::Places places;
   StepsDesk desk{ ScanOfBar() };
   DevicePointer pointer{ this->desk.planner };

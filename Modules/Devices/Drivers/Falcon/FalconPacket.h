@@ -68,8 +68,6 @@ class FalconFraming
 public:
   /// The packet that this byte completes: its marks are there and its numbers are numbers.
   std::optional<FalconPacket> Take(std::uint8_t byte) noexcept;
-  /// Forgets what there is of a packet.
-  void Clear() noexcept { this->Length = 0; }
 
   std::uint64_t Dropped() const noexcept { return this->DroppedBytes; } ///< bytes of no packet
   std::uint64_t Resyncs() const noexcept { return this->Losses; } ///< times that it had to look

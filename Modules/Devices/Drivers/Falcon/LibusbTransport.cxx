@@ -1,10 +1,14 @@
 #include "Devices/Drivers/Falcon/LibusbTransport.h"
 
+#include "Devices/Drivers/DeviceError.h"
+
 #include <libusb.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace hasp
 {
@@ -267,34 +271,6 @@ std::size_t LibusbTransport::Write(std::span<const std::uint8_t> bytes, int time
   // libusb does not write to what goes out; its functions have one signature for both ways.
   return device.Transfer(
     device.Out, const_cast<std::uint8_t*>(bytes.data()), bytes.size(), timeoutMs);
-}
-
-std::vector<FoundFalcon> FindFalcons()
-{
-  std::vector<FoundFalcon> found;
-  try
-  {
-    const auto context = NewContext();
-    const Falcons all(context.get());
-    for (const auto& falcon : all)
-    {
-      found.push_back({ falcon.port, std::nullopt, "" });
-      try
-      {
-        const Claim claim(falcon.device);
-      }
-      catch (const DeviceError& error)
-      {
-        found.back().trouble = error.trouble;
-        found.back().sentence = error.what();
-      }
-    }
-  }
-  catch (const DeviceError&)
-  {
-    // No bus: no devices.
-  }
-  return found;
 }
 
 } // namespace hasp

@@ -1,28 +1,13 @@
 #pragma once
-#include "Devices/Drivers/DeviceError.h"
 #include "Devices/Drivers/Falcon/UsbTransport.h"
 
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace hasp
 {
 
 constexpr std::uint16_t FalconVendor = 0x0403, FalconProduct = 0xcb48;
-
-/// A Falcon on the bus, and whether this program may have it.
-struct FoundFalcon
-{
-  std::string port;                     ///< bus and sockets, as the kernel names it: "1-2.3"
-  std::optional<DeviceTrouble> trouble; ///< nothing: it can be opened
-  std::string sentence;                 ///< what to do about the trouble
-};
-
-/// Those that are plugged in, by port. Tries to open each, and lets it go. None where the bus
-/// cannot be asked. Throws nothing but std::bad_alloc. Any thread; takes some ms.
-std::vector<FoundFalcon> FindFalcons();
 
 /// UsbTransport over libusb: the first interface of a Falcon, whose kernel driver is put aside for
 /// as long. Endpoints are those of the descriptor, the first bulk ones of each direction.
@@ -33,7 +18,8 @@ std::vector<FoundFalcon> FindFalcons();
 class LibusbTransport : public UsbTransport
 {
 public:
-  /// `port` as FoundFalcon::port; empty: the first there is that can be opened.
+  /// `port` as the kernel names it, bus and sockets, "1-2.3"; empty: the first there is that can be
+  /// opened.
   explicit LibusbTransport(std::string port = {});
   ~LibusbTransport() override;
 

@@ -7,6 +7,6 @@ if (HASP_ENABLE_LIBUSB)
   hasp_add_umockdev_tests(FalconUsb
     SOURCES Testing/FalconBench.h Testing/FalconTestbed.cxx Testing/FalconTestbed.h Testing/TestFalconUsb.cxx Trials/FalconModel.cxx
       Trials/FalconModel.h
-    DRIVER Falcon/FalconBoot.cxx Falcon/FalconDriver.cxx Falcon/FalconKinematics.cxx Falcon/FalconPacket.cxx Falcon/LibusbTransport.cxx
+    DRIVER DeviceSearch.cxx SpaceMouse/SpaceMouseModels.cxx Falcon/FalconBoot.cxx Falcon/FalconDriver.cxx Falcon/FalconKinematics.cxx Falcon/FalconPacket.cxx Falcon/LibusbTransport.cxx
     LIBRARIES Libusb::Libusb)
 endif ()

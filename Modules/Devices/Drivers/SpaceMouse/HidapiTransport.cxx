@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <system_error>
 
 namespace hasp
@@ -93,24 +94,27 @@ std::optional<DeviceTrouble> TroubleOf(int error) noexcept
   }
 }
 
-std::vector<FoundSpaceMouse> Enumerate()
+/// A SpaceMouse that is there, as hidapi lists it.
+struct Listed
 {
-  std::vector<FoundSpaceMouse> found;
+  HidCollection collection;
+  const SpaceMouseModel* model = nullptr; ///< never null
+};
+
+/// All of them, in the order of the system.
+std::vector<Listed> Enumerate()
+{
+  std::vector<Listed> listed;
   const std::unique_ptr<hid_device_info, void (*)(hid_device_info*)> all(
     hid_enumerate(0, 0), hid_free_enumeration);
   for (const hid_device_info* one = all.get(); one; one = one->next)
   {
-    FoundSpaceMouse mouse{ { one->path ? one->path : "", one->vendor_id, one->product_id,
-                             one->usage_page, one->usage, Utf8(one->product_string) },
-      nullptr, {} };
-    mouse.model = SpaceMouseOf(mouse.collection);
-    if (!mouse.model)
-      continue;
-    if (access(mouse.collection.path.c_str(), R_OK | W_OK) != 0)
-      mouse.trouble = TroubleOf(errno);
-    found.push_back(std::move(mouse));
+    const HidCollection collection{ one->path ? one->path : "", one->vendor_id, one->product_id,
+      one->usage_page, one->usage, Utf8(one->product_string) };
+    if (const SpaceMouseModel* model = SpaceMouseOf(collection))
+      listed.push_back({ collection, model });
   }
-  return found;
+  return listed;
 }
 
 DeviceError NoneThere()
@@ -156,17 +160,6 @@ int OpeningError(const std::string& path) noexcept
 }
 } // namespace
 
-std::vector<FoundSpaceMouse> FindSpaceMice() noexcept
-try
-{
-  const HidapiUse use;
-  return Enumerate();
-}
-catch (const std::exception&) // no hidapi, or no memory: there is nobody to ask
-{
-  return {};
-}
-
 HidapiTransport::HidapiTransport(std::string path) : Path(std::move(path)) {}
 
 HidapiTransport::~HidapiTransport()
@@ -179,7 +172,7 @@ HidCollection HidapiTransport::Open()
   this->Close();
   HidapiUse use;
   DeviceError why = NoneThere();
-  for (const FoundSpaceMouse& mouse : Enumerate())
+  for (const Listed& mouse : Enumerate())
   {
     const std::string& path = mouse.collection.path;
     if (!this->Path.empty() && path != this->Path)

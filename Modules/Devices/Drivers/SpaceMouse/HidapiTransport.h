@@ -1,7 +1,6 @@
 #pragma once
 #include "Devices/Drivers/SpaceMouse/HidTransport.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,26 +9,13 @@ struct hid_device_;
 namespace hasp
 {
 
-/// A SpaceMouse that is there.
-struct FoundSpaceMouse
-{
-  HidCollection collection;
-  const SpaceMouseModel* model = nullptr; ///< never null
-  std::optional<DeviceTrouble> trouble;   ///< why this user cannot open it; none: it should open
-};
-
-/// All that are plugged in, wired, by receiver or by Bluetooth, in the order of the system. Empty
-/// where there is none, or nobody to ask. Opens none. Milliseconds; any thread, one after the
-/// other.
-std::vector<FoundSpaceMouse> FindSpaceMice() noexcept;
-
 /// A SpaceMouse through hidapi over Linux' hidraw.
 ///
 /// hidapi before 0.14 gives no report descriptor: it is read where the kernel shows it.
 /// Limit: a report that is written waits until the device has taken it, of a device that hangs for
 /// the 5 s that Linux gives it.
 /// Threads: one at a time; several transports on several threads are fine. hidapi begins with the
-/// first that is open or looks, and ends with the last.
+/// first that is open or opens, and ends with the last.
 class HidapiTransport : public HidTransport
 {
 public:

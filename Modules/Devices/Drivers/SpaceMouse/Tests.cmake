@@ -7,7 +7,7 @@ hasp_add_device_test(NAME TestSpaceMouse
 if (HASP_ENABLE_HIDAPI)
   hasp_add_umockdev_tests(SpaceMouseHid
     SOURCES Testing/FakeHid.h Testing/FakeHidraw.cxx Testing/FakeHidraw.h Testing/TestSpaceMouseHid.cxx
-    DRIVER SpaceMouse/HidReportDescriptor.cxx SpaceMouse/HidapiTransport.cxx SpaceMouse/SpaceMouseDriver.cxx SpaceMouse/SpaceMouseHid.cxx
+    DRIVER DeviceSearch.cxx SpaceMouse/HidReportDescriptor.cxx SpaceMouse/HidapiTransport.cxx SpaceMouse/SpaceMouseDriver.cxx SpaceMouse/SpaceMouseHid.cxx
       SpaceMouse/SpaceMouseModels.cxx SpaceMouse/SpaceMouseReport.cxx
     LIBRARIES Hidapi::Hidapi)
 endif ()

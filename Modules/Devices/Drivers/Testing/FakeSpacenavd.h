@@ -1,4 +1,6 @@
 #pragma once
+#include "Devices/Drivers/Testing/TemporaryFolder.h"
+
 #include <gtest/gtest.h>
 
 #include <sys/socket.h>
@@ -9,7 +11,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <span>
 #include <string>
 
@@ -22,22 +23,12 @@ class FakeSpacenavd
 public:
   using Event = std::array<std::int32_t, 8>;
 
-  FakeSpacenavd()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "hasp-spnav-XXXXXX").string();
-    EXPECT_NE(mkdtemp(name.data()), nullptr);
-    EXPECT_EQ(chmod(name.c_str(), 0755), 0);
-    this->Folder = name;
-  }
-  ~FakeSpacenavd()
-  {
-    this->End();
-    std::filesystem::remove_all(this->Folder);
-  }
+  FakeSpacenavd() { EXPECT_EQ(chmod(this->Folder.Path.c_str(), 0755), 0); }
+  ~FakeSpacenavd() { this->End(); }
   FakeSpacenavd(const FakeSpacenavd&) = delete;
   FakeSpacenavd& operator=(const FakeSpacenavd&) = delete;
 
-  std::string Path() const { return this->Folder + "/spnav.sock"; }
+  std::string Path() const { return (this->Folder.Path / "spnav.sock").string(); }
 
   void Begin(int backlog = 8)
   {
@@ -82,7 +73,7 @@ public:
   }
 
 private:
-  std::string Folder;
+  const TemporaryFolder Folder;
   int Listening = -1, Client = -1;
 };
 

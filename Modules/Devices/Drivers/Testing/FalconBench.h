@@ -1,15 +1,10 @@
 #pragma once
+#include "Devices/Drivers/Testing/TemporaryFolder.h"
 #include "FalconModel.h"
 
 #include "Devices/Drivers/Falcon/FalconDriver.h"
 
 #include <gtest/gtest.h>
-
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 
 namespace hasp
 {
@@ -21,36 +16,6 @@ inline testing::AssertionResult Says(const std::string& sentence, const std::str
     return testing::AssertionSuccess() << "it says: " << sentence;
   return testing::AssertionFailure() << "it says: " << sentence;
 }
-
-/// A folder of this test's own; what lies there goes with it.
-class TemporaryFolder
-{
-public:
-  TemporaryFolder()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "hasp-falcon-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw std::runtime_error("no temporary folder");
-    this->Path = name;
-  }
-  ~TemporaryFolder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(this->Path, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path File(const std::string& name, const std::vector<std::uint8_t>& bytes) const
-  {
-    const auto file = this->Path / name;
-    std::ofstream(file, std::ios::binary)
-      .write(
-        reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    return file;
-  }
-  std::filesystem::path Path;
-};
 
 /// A model, its cable, and a driver of it that reads invented firmware from a file.
 struct FalconBench

@@ -2,6 +2,7 @@
 #include "Devices/Drivers/DeviceList.h"
 #include "Devices/Drivers/DeviceSearch.h"
 #include "Devices/Drivers/SpaceMouse/SpaceMouseModels.h"
+#include "Devices/Drivers/Testing/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -26,14 +26,6 @@ namespace fs = std::filesystem;
 class DeviceSearch : public ::testing::Test
 {
 protected:
-  DeviceSearch()
-  {
-    char name[] = "/tmp/hasp-search-XXXXXX";
-    this->root = ::mkdtemp(name);
-    this->folders = { this->root / "sys", this->root / "dev", this->root / "spnav.sock" };
-  }
-  ~DeviceSearch() override { fs::remove_all(this->root); }
-
   static void Write(const fs::path& file, const std::string& text)
   {
     fs::create_directories(file.parent_path());
@@ -62,8 +54,9 @@ protected:
     Write(this->folders.dev / node, "");
   }
 
-  fs::path root;
-  DeviceFolders folders;
+  const TemporaryFolder root;
+  const DeviceFolders folders{ this->root.Path / "sys", this->root.Path / "dev",
+    this->root.Path / "spnav.sock" };
   const std::string multiAxis{ "\x05\x01\x09\x08\xa1\x01", 6 };
   const std::string mouse{ "\x05\x01\x09\x02\xa1\x01", 6 };
 };

@@ -1,8 +1,8 @@
 #include "Devices/Drivers/DeviceSettings.h"
+#include "Devices/Drivers/Testing/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -17,13 +17,8 @@ namespace fs = std::filesystem;
 class DeviceSettingsTest : public ::testing::Test
 {
 protected:
-  DeviceSettingsTest()
-  {
-    char name[] = "/tmp/hasp-settings-XXXXXX";
-    this->folder = ::mkdtemp(name);
-  }
-  ~DeviceSettingsTest() override { fs::remove_all(this->folder); }
-  fs::path folder;
+  const TemporaryFolder here;
+  const fs::path& folder = this->here.Path;
 };
 
 TEST_F(DeviceSettingsTest, AreTheDefaultsWhereThereIsNoFile)

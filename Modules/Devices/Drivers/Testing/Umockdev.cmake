@@ -27,6 +27,8 @@ function (hasp_add_umockdev_tests name)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     add_executable(Test${name}Sanitized ${arg_SOURCES} ${arg_DRIVER})
     target_link_libraries(Test${name}Sanitized PRIVATE Hasp::Devices ${arg_LIBRARIES} GTest::gtest PkgConfig::UMOCKDEV)
+    target_compile_definitions(Test${name}Sanitized PRIVATE HASP_WITH_HIDAPI=$<BOOL:${HASP_ENABLE_HIDAPI}>
+      HASP_WITH_LIBUSB=$<BOOL:${HASP_ENABLE_LIBUSB}>)
     target_compile_options(Test${name}Sanitized PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=undefined)
     target_link_options(Test${name}Sanitized PRIVATE -fsanitize=address,undefined -static-libasan -static-libubsan)
     add_test(NAME ${name}.Sanitized COMMAND Test${name}Sanitized)

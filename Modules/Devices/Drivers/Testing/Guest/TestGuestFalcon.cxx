@@ -2,10 +2,13 @@
 #include "GadgetFalcon.h"
 #include "GuestFalconBench.h"
 
+#include "Devices/Drivers/DeviceSearch.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <functional>
+#include <string>
 
 namespace
 {
@@ -17,8 +20,23 @@ class GuestFalcon : public GuestFalconBench
 {
 protected:
   GuestFalcon() { EXPECT_TRUE(Becomes(ItIsThere)) << "the kernel did not bring it"; }
-  static bool ItIsThere() { return FindFalcons().size() == 1 && !FindFalcons()[0].trouble; }
-  static bool NoneIsThere() { return FindFalcons().empty(); }
+  /// Found, and done with by the kernel.
+  static bool ItIsThere()
+  {
+    const auto found = FindDevices();
+    if (found.size() != 1 || !found[0].mayOpen)
+      return false;
+    try
+    {
+      LibusbTransport().Open();
+      return true;
+    }
+    catch (const DeviceError&)
+    {
+      return false;
+    }
+  }
+  static bool NoneIsThere() { return FindDevices().empty(); }
 
   /// Opens, and sees that the driver says what state it is in until it is homed.
   void OpenAndHome(FalconDriver& driver)
@@ -51,10 +69,10 @@ DeviceTrouble TroubleOf(const std::function<void()>& does)
 
 TEST_F(GuestFalcon, IsOfOneProgramAtATime)
 {
-  LibusbTransport first(FindFalcons().at(0).port), second;
+  const std::string address = FindDevices().at(0).address;
+  LibusbTransport first(address.substr(address.find(':') + 1)), second;
   first.Open();
   EXPECT_EQ(TroubleOf([&] { second.Open(); }), DeviceTrouble::Busy);
-  EXPECT_EQ(FindFalcons().at(0).trouble, DeviceTrouble::Busy);
   first.Close();
   second.Open();
 }

@@ -2,6 +2,7 @@
 #include "UhidSpaceMouse.h"
 #include "Waiting.h"
 
+#include "Devices/Drivers/DeviceSearch.h"
 #include "Devices/Drivers/SpaceMouse/HidapiTransport.h"
 #include "Devices/Drivers/SpaceMouse/SpaceMouseDriver.h"
 #include "Devices/Drivers/SpaceMouse/SpaceMouseHid.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace
@@ -26,12 +28,12 @@ protected:
   void Plug()
   {
     this->Mouse.emplace();
-    ASSERT_TRUE(Becomes([] { return FindSpaceMice().size() == 1; }));
+    ASSERT_TRUE(Becomes([] { return FindDevices().size() == 1; }));
   }
   void Unplug()
   {
     this->Mouse.reset();
-    ASSERT_TRUE(Becomes([] { return FindSpaceMice().empty(); }));
+    ASSERT_TRUE(Becomes([] { return FindDevices().empty(); }));
   }
   /// A report that says so arrives only when the kernel is done with the new device.
   bool Hears(int button)
@@ -52,16 +54,17 @@ protected:
 
 TEST_F(GuestSpaceMouse, IsFoundAsTheKernelShowsIt)
 {
-  EXPECT_TRUE(FindSpaceMice().empty());
+  EXPECT_TRUE(FindDevices().empty());
   this->Plug();
-  const FoundSpaceMouse found = FindSpaceMice().at(0);
-  EXPECT_EQ(found.collection.vendor, 0x256f);
-  EXPECT_EQ(found.collection.product, 0xc62e);
-  EXPECT_EQ(found.collection.usagePage, 1);
-  EXPECT_EQ(found.collection.usage, 8);
-  EXPECT_FALSE(found.trouble);
+  const FoundDevice found = FindDevices().at(0);
+  EXPECT_TRUE(found.mayOpen);
   HidapiTransport transport;
-  EXPECT_EQ(transport.Open().path, found.collection.path);
+  const HidCollection collection = transport.Open();
+  EXPECT_EQ("spacemouse:" + collection.path.substr(std::strlen("/dev/")), found.address);
+  EXPECT_EQ(collection.vendor, 0x256f);
+  EXPECT_EQ(collection.product, 0xc62e);
+  EXPECT_EQ(collection.usagePage, 1);
+  EXPECT_EQ(collection.usage, 8);
   const HidAxes axes = ReadHidAxes(transport.ReportDescriptor());
   EXPECT_EQ(axes.fault, nullptr);
   EXPECT_EQ(axes.ranges[5], (AxisRange{ -Full, Full }));
