@@ -90,6 +90,19 @@ public:
   /// Does it meet the surface at all? No dearer than Trace.
   bool Occluded(const CellRay& ray) const;
 
+  /// The first point of the surface along a ray that starts on it, at a hit, towards a direction of
+  /// the world; t counts in the direction's length, up to `distance`. The root that it starts from
+  /// is divided out, so it neither meets itself nor starts behind a thin wall. The direction leads
+  /// to the side that the hit's ray came from; else nothing is met before the other side.
+  std::optional<CellHit> TraceFrom(
+    const CellHit& hit, const glm::dvec3& direction, double distance) const;
+  /// Does that ray meet the surface at all?
+  bool OccludedFrom(const CellHit& hit, const glm::dvec3& direction, double distance) const;
+
+  /// Unit, out of the surface on the side the hit's ray came from, in the world; 0 where the
+  /// gradient is.
+  glm::dvec3 Outwards(const CellHit& hit) const;
+
   /// Trace for every pixel of a view, in packets whose rays walk side by side (Decisions/0015), all
   /// threads; the same picture, bit for bit, with any number of them and on any CPU. Throws
   /// std::invalid_argument if the size is negative or indexToClip cannot be inverted.
@@ -118,11 +131,6 @@ public:
   std::uint32_t Sees(std::span<const CellHit> hits, const glm::dvec4& light) const;
 
 private:
-  /// Does a ray that starts on the surface at the hit, towards a world direction, meet the surface
-  /// again within so many millimetres? The root it starts from is divided out, so it neither meets
-  /// itself nor starts behind a thin wall.
-  bool LeavesBlocked(const CellHit& hit, const glm::dvec3& direction, double distanceMm) const;
-
   class Scene;
   std::unique_ptr<const Scene> Embree;
 };

@@ -1,9 +1,9 @@
 #include "Isosurface/CellTracer.h"
 #include "Isosurface/CellTracerScene.h"
 #include "Isosurface/EvenPoints.h"
+#include "Isosurface/Hemisphere.h"
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,36 +15,6 @@ namespace hasp
 
 namespace
 {
-
-/// Columns: two unit vectors across `axis`, and axis itself, unit. Duff et al. 2017, without a
-/// branch.
-glm::dmat3 FrameAround(const glm::dvec3& axis)
-{
-  const double sign = std::copysign(1.0, axis.z), a = -1.0 / (sign + axis.z),
-               b = axis.x * axis.y * a;
-  return { { 1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x },
-    { b, sign + axis.y * axis.y * a, -axis.y }, axis };
-}
-
-/// Unit, out of the surface on the side the ray came from, in the world; 0 where the gradient is.
-glm::dvec3 Outwards(const ClusteredCells& cells, const CellHit& hit)
-{
-  const glm::dvec3 scaled =
-    glm::dvec3(hit.gradient) /
-    std::max({ std::abs(double(hit.gradient.x)), std::abs(double(hit.gradient.y)),
-      std::abs(double(hit.gradient.z)), 1e-300 });
-  const glm::dvec3 inwards = cells.geometry.GradientToWorld(scaled);
-  const double length = glm::length(inwards);
-  return length > 0.0 ? (hit.fromInside ? inwards : -inwards) / length : glm::dvec3(0.0);
-}
-
-/// A direction of the cosine-weighted hemisphere around z; even over it where p is over the unit
-/// square.
-glm::dvec3 CosineWeighted(const glm::dvec2& p)
-{
-  const double turn = glm::two_pi<double>() * p.x, r = std::sqrt(p.y);
-  return { r * std::cos(turn), r * std::sin(turn), std::sqrt(1.0 - p.y) };
-}
 
 /// Towards a world direction.
 CellRay RayFrom(
@@ -62,17 +32,42 @@ void Require(bool condition, const char* what, double value, const char* range)
 
 } // namespace
 
-bool CellTracer::LeavesBlocked(
-  const CellHit& hit, const glm::dvec3& direction, double distanceMm) const
+glm::dvec3 CellTracer::Outwards(const CellHit& hit) const
+{
+  const glm::dvec3 scaled =
+    glm::dvec3(hit.gradient) /
+    std::max({ std::abs(double(hit.gradient.x)), std::abs(double(hit.gradient.y)),
+      std::abs(double(hit.gradient.z)), 1e-300 });
+  const glm::dvec3 inwards = this->Cells().geometry.GradientToWorld(scaled);
+  const double length = glm::length(inwards);
+  return length > 0.0 ? (hit.fromInside ? inwards : -inwards) / length : glm::dvec3(0.0);
+}
+
+bool CellTracer::OccludedFrom(
+  const CellHit& hit, const glm::dvec3& direction, double distance) const
 {
   CellWalkRay walk;
   CellWalkEntry entry;
-  const CellRay ray = RayFrom(hit, this->Cells().geometry, direction, distanceMm);
-  if (!this->Embree->Enter(ray, walk, entry))
+  if (!this->Embree->Enter(RayFrom(hit, this->Cells().geometry, direction, distance), walk, entry))
     return false;
   walk.fromSurface = true;
   walk.startInside = hit.fromInside;
   return this->Embree->Any(walk);
+}
+
+std::optional<CellHit> CellTracer::TraceFrom(
+  const CellHit& hit, const glm::dvec3& direction, double distance) const
+{
+  CellWalkRay walk;
+  CellWalkEntry entry;
+  if (!this->Embree->Enter(RayFrom(hit, this->Cells().geometry, direction, distance), walk, entry))
+    return std::nullopt;
+  walk.fromSurface = true;
+  walk.startInside = hit.fromInside;
+  this->Embree->Nearest(walk);
+  if (!walk.Hit())
+    return std::nullopt;
+  return this->Embree->HitOf(walk, entry);
 }
 
 float CellTracer::AmbientOcclusion(
@@ -80,18 +75,18 @@ float CellTracer::AmbientOcclusion(
 {
   Require(settings.rays >= 1, "rays", settings.rays, "at least 1");
   Require(settings.distanceMm > 0.0, "distance", settings.distanceMm, "above 0 mm");
-  const glm::dmat3 frame = FrameAround(Outwards(this->Cells(), hit));
+  const glm::dmat3 frame = FrameAround(this->Outwards(hit));
   EvenPoints points(seed);
   int open = 0;
   for (int n = 0; n < settings.rays; ++n)
-    open += !this->LeavesBlocked(hit, frame * CosineWeighted(points.Next()), settings.distanceMm);
+    open += !this->OccludedFrom(hit, frame * CosineWeighted(points.Next()), settings.distanceMm);
   return static_cast<float>(open) / static_cast<float>(settings.rays);
 }
 
 bool CellTracer::Open(const CellHit& hit, const glm::dvec2& sample, double distanceMm) const
 {
-  const glm::dmat3 frame = FrameAround(Outwards(this->Cells(), hit));
-  return !this->LeavesBlocked(hit, frame * CosineWeighted(sample), distanceMm);
+  const glm::dmat3 frame = FrameAround(this->Outwards(hit));
+  return !this->OccludedFrom(hit, frame * CosineWeighted(sample), distanceMm);
 }
 
 float CellTracer::Light(
@@ -105,9 +100,9 @@ float CellTracer::Light(
   Require(settings.halfAngle >= 0.0 && settings.halfAngle <= glm::half_pi<double>(), "half angle",
     settings.halfAngle, "in [0, pi/2]");
   const glm::dvec3 towards = settings.towardsLight / length;
-  const glm::dvec3 outwards = Outwards(this->Cells(), hit);
+  const glm::dvec3 outwards = this->Outwards(hit);
   const auto reaches = [&](const glm::dvec3& d)
-  { return glm::dot(d, outwards) > 0.0 && !this->LeavesBlocked(hit, d, settings.distanceMm); };
+  { return glm::dot(d, outwards) > 0.0 && !this->OccludedFrom(hit, d, settings.distanceMm); };
   if (settings.halfAngle == 0.0)
     return reaches(towards) ? 1.0F : 0.0F;
 
@@ -148,7 +143,7 @@ std::uint32_t CellTracer::Sees(std::span<const CellHit> hits, const glm::dvec4& 
     const CellPacket::Rays bit = 1U << n;
     if (length == 0.0) // the light lies on the surface
       seen |= bit;
-    else if (way /= length; glm::dot(way, Outwards(this->Cells(), hit)) > 0.0)
+    else if (way /= length; glm::dot(way, this->Outwards(hit)) > 0.0)
     {
       rays.Set(static_cast<int>(n), RayFrom(hit, g, way, distance));
       cast |= bit;

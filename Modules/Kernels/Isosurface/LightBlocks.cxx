@@ -15,6 +15,7 @@ namespace
 
 constexpr int Ways = 8;
 constexpr std::uint32_t None = LightSpot::None;
+constexpr std::uint64_t Low = 0xFFFFFFFFU; // of a word
 constexpr int PlaceBits = 18;   // of a block along an axis
 constexpr float Whole = 128.0F; // the weight of a sample: 2^25 of them fit into a sum
 
@@ -72,17 +73,19 @@ LightPlace LightPlace::Coarser() const
   return { this->corner >> 1, 0.5F * (odd + this->within), this->level + 1, this->face };
 }
 
-LightBlocks::LightBlocks(std::size_t count)
+LightBlocks::LightBlocks(std::size_t count, Of what)
   : Count(count),
     Keys(count, 0),
     Used(count, 0),
-    Sums(new std::uint64_t[count * Entries]) // cleared when it is used
+    Words(what == Of::Colors ? 2 : 1),
+    Sums(new std::uint64_t[count * Entries * this->Words]) // cleared when it is used
 {
 }
 
 std::size_t LightBlocks::Bytes() const
 {
-  return this->Count * (sizeof(Key) + sizeof(std::uint32_t) + Entries * sizeof(std::uint64_t));
+  return this->Count * (sizeof(Key) + sizeof(std::uint32_t) +
+                         Entries * this->Words * sizeof(std::uint64_t));
 }
 
 std::uint32_t LightBlocks::Find(Key key) const
@@ -127,7 +130,7 @@ LightSpot LightBlocks::Find(Finder& finder, const LightPlace& place) const
     spot.sums[c] = blocks[steps] == None ? None : blocks[steps] * Entries + corners.entries[c];
     spot.weights[c] = corners.weights[c];
     if (spot.sums[c] != None)
-      __builtin_prefetch(&this->Sums[spot.sums[c]]);
+      __builtin_prefetch(&this->Sums[spot.sums[c] * this->Words]);
   }
   return spot;
 }
@@ -155,6 +158,60 @@ void LightBlocks::Add(const LightSpot& spot, int rays, int open)
     if (spot.sums[c] != None && spot.weights[c] != 0)
       std::atomic_ref(this->Sums[spot.sums[c]])
         .fetch_add(sample * spot.weights[c], std::memory_order_relaxed);
+}
+
+ColorMean LightBlocks::MeanColor(const LightSpot& spot) const
+{
+  std::uint64_t red = 0, green = 0, blue = 0, samples = 0;
+  for (int c = 0; c < 8; ++c)
+  {
+    if (spot.sums[c] == None)
+      continue;
+    const std::uint64_t* sum = &this->Sums[std::size_t(spot.sums[c]) * 2];
+    red += spot.weights[c] * (sum[0] >> 32U);
+    green += spot.weights[c] * (sum[0] & Low);
+    blue += spot.weights[c] * (sum[1] >> 32U);
+    samples += spot.weights[c] * (sum[1] & Low);
+  }
+  if (samples == 0)
+    return {};
+  const double share = double(ColorStep) / double(samples);
+  return { glm::vec3(share * glm::dvec3(double(red), double(green), double(blue))),
+    static_cast<float>(samples) / (Whole * Whole) };
+}
+
+void LightBlocks::AddColor(const LightSpot& spot, const glm::vec3& color, float round)
+{
+  const auto steps = [&](float v) // 0 for what is no number, too
+  {
+    return static_cast<std::uint64_t>(
+      (v > 0.0F ? std::min(v, BrightestColor) : 0.0F) / ColorStep + round);
+  };
+  const std::uint64_t first = steps(color.r) << 32U | steps(color.g),
+                      second = steps(color.b) << 32U | 1U;
+  for (int c = 0; c < 8; ++c)
+    if (spot.sums[c] != None && spot.weights[c] != 0)
+    {
+      std::uint64_t* sum = &this->Sums[std::size_t(spot.sums[c]) * 2];
+      std::atomic_ref(sum[0]).fetch_add(first * spot.weights[c], std::memory_order_relaxed);
+      std::atomic_ref(sum[1]).fetch_add(second * spot.weights[c], std::memory_order_relaxed);
+    }
+}
+
+void LightBlocks::Age(float samples)
+{
+  const auto most = static_cast<std::uint64_t>(samples * Whole);
+  for (std::size_t n = 0; n < this->Count; ++n)
+    for (std::size_t entry = n * Entries; this->Keys[n] != 0 && entry < (n + 1) * Entries; ++entry)
+    {
+      std::uint64_t* sum = &this->Sums[entry * 2];
+      const std::uint64_t count = sum[1] & Low;
+      if (count <= most)
+        continue;
+      const auto less = [&](std::uint64_t v) { return v * most / count; };
+      sum[0] = less(sum[0] >> 32U) << 32U | less(sum[0] & Low);
+      sum[1] = less(sum[1] >> 32U) << 32U | most;
+    }
 }
 
 void LightBlocks::ListMissing(
@@ -186,7 +243,8 @@ void LightBlocks::Make(Key key)
     return;
   this->Keys[oldest] = key;
   this->Used[oldest] = this->Now;
-  std::fill_n(this->Sums.get() + oldest * Entries, Entries, 0);
+  const std::size_t words = Entries * this->Words;
+  std::fill_n(this->Sums.get() + oldest * words, words, 0);
 }
 
 void LightBlocks::Forget()
