@@ -16,8 +16,8 @@ namespace
 constexpr int Ways = 8;
 constexpr std::uint32_t None = LightSpot::None;
 constexpr std::uint64_t Low = 0xFFFFFFFFU; // of a word
-constexpr int PlaceBits = 18;   // of a block along an axis
-constexpr float Whole = 128.0F; // the weight of a sample: 2^25 of them fit into a sum
+constexpr int PlaceBits = 18;              // of a block along an axis
+constexpr float Whole = 128.0F;            // the weight of a sample: 2^25 of them fit into a sum
 
 /// Level, face and place of a block. A 1 on top, so that none is 0.
 LightBlocks::Key KeyOf(const LightPlace& place, const glm::ivec3& block)
@@ -84,8 +84,8 @@ LightBlocks::LightBlocks(std::size_t count, Of what)
 
 std::size_t LightBlocks::Bytes() const
 {
-  return this->Count * (sizeof(Key) + sizeof(std::uint32_t) +
-                         Entries * this->Words * sizeof(std::uint64_t));
+  return this->Count *
+         (sizeof(Key) + sizeof(std::uint32_t) + Entries * this->Words * sizeof(std::uint64_t));
 }
 
 std::uint32_t LightBlocks::Find(Key key) const

@@ -104,9 +104,9 @@ private:
   std::uint32_t Find(Key key) const;
 
   std::size_t Count;
-  std::vector<Key> Keys;                 ///< 0: free
-  std::vector<std::uint32_t> Used;       ///< when
-  std::size_t Words; ///< of an entry
+  std::vector<Key> Keys;           ///< 0: free
+  std::vector<std::uint32_t> Used; ///< when
+  std::size_t Words;               ///< of an entry
   /// Open samples << 32 | samples, in 1/128; or red << 32 | green, blue << 32 | samples.
   std::unique_ptr<std::uint64_t[]> Sums;
   std::uint32_t Now = 1;
