@@ -8,3 +8,4 @@ function (hasp_module_needs option folder)
 endfunction ()
 
 hasp_module_needs(EGL Rendering/Headless)
+hasp_module_needs(EMBREE Rendering/Light)

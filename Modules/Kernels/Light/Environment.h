@@ -72,7 +72,7 @@ public:
   /// times cosine, pi times the radiance where that is uniform. From a table of half as many
   /// normals as 128 x 65, bilinear. Wrong by at most 0.1% of Total() / 4 where light changes
   /// smoothly, 0.5% with edges and unlike pixels; and by 2% of what a single small light gives to a
-  /// surface that faces it, beside its terminator. Limited to what a float holds. About 50 ns.
+  /// surface that faces it, beside its terminator. Limited to what a float holds. About 70 ns.
   glm::vec3 Irradiance(const glm::dvec3& unitNormal) const;
 
   ///@{

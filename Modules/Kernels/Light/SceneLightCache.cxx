@@ -42,6 +42,11 @@ void EachTile(const glm::i64vec2& tiles, const Body& body)
     });
 }
 
+std::shared_ptr<const void> SurfaceOf(const LitBody& body)
+{
+  return body.cells ? std::shared_ptr<const void>(body.cells) : body.mesh;
+}
+
 bool SameOwner(const std::weak_ptr<const void>& a, const std::shared_ptr<const void>& b)
 {
   return !a.owner_before(b) && !b.owner_before(a);
@@ -99,6 +104,40 @@ void SceneLightCache::ForgetAround(const LitScene::Box& box, double reach)
     (box.high + reach - lattice.low) / lattice.unit);
 }
 
+/// Forgets the light about bodies that are others than before. Has anything changed?
+bool SceneLightCache::ForgetChanges(const LitScene& scene, const SceneLightRequest& request)
+{
+  const auto changed = [&](const LitScene::Box& box)
+  {
+    this->ForgetAround(
+      box, request.kind == Kind::Traced ? Reach * box.Size() : request.distanceMm);
+  };
+  bool any = false;
+  std::vector<bool> known(scene.Bodies().size(), false);
+  for (const Seen::Body& then : this->Last->bodies)
+  {
+    bool there = false;
+    for (std::size_t n = 0; n < known.size() && !there; ++n)
+    {
+      const LitBody& now = scene.Bodies()[n];
+      there = !known[n] && then.bodyToWorld == now.bodyToWorld &&
+              SameOwner(then.surface, SurfaceOf(now));
+      known[n] = known[n] || there;
+      any = any || (there && !SameOwner(then.material, now.material));
+    }
+    if (!there)
+      changed(then.box);
+    any = any || !there;
+  }
+  for (std::size_t n = 0; n < known.size(); ++n)
+    if (!known[n])
+    {
+      changed(scene.BoxOf(static_cast<std::uint32_t>(n)));
+      any = true;
+    }
+  return any;
+}
+
 /// Holds what is kept against the scene, and forgets what is not true any more.
 void SceneLightCache::Watch(const LitScene& scene, const SceneLightRequest& request)
 {
@@ -122,30 +161,7 @@ void SceneLightCache::Watch(const LitScene& scene, const SceneLightRequest& requ
   }
   else
   {
-    bool ages = false;
-    const auto changed = [&](const LitScene::Box& box)
-    {
-      this->ForgetAround(box, traced ? Reach * box.Size() : request.distanceMm);
-      ages = true;
-    };
-    const std::size_t both = std::min(this->Last->bodies.size(), scene.Bodies().size());
-    for (std::size_t n = 0; n < std::max(this->Last->bodies.size(), scene.Bodies().size()); ++n)
-    {
-      if (n < both)
-      {
-        const Seen::Body& then = this->Last->bodies[n];
-        const LitBody& now = scene.Bodies()[n];
-        const std::shared_ptr<const void> surface =
-          now.cells ? std::shared_ptr<const void>(now.cells) : now.mesh;
-        ages = ages || !SameOwner(then.material, now.material);
-        if (SameOwner(then.surface, surface) && then.bodyToWorld == now.bodyToWorld)
-          continue;
-      }
-      if (n < this->Last->bodies.size())
-        changed(this->Last->bodies[n].box);
-      if (n < scene.Bodies().size())
-        changed(scene.BoxOf(static_cast<std::uint32_t>(n)));
-    }
+    const bool ages = this->ForgetChanges(scene, request);
     if (ages && traced)
       this->Blocks->Age(Aged);
     this->Fresh = this->Fresh || ages;
@@ -158,8 +174,7 @@ void SceneLightCache::Watch(const LitScene& scene, const SceneLightRequest& requ
   for (std::uint32_t n = 0; n < scene.Bodies().size(); ++n)
   {
     const LitBody& body = scene.Bodies()[n];
-    last.bodies.push_back({ body.cells ? std::shared_ptr<const void>(body.cells) : body.mesh,
-      body.material, body.bodyToWorld, scene.BoxOf(n) });
+    last.bodies.push_back({ SurfaceOf(body), body.material, body.bodyToWorld, scene.BoxOf(n) });
   }
 }
 

@@ -97,6 +97,7 @@ private:
   struct Seen;  ///< of the scene that what is kept belongs to
   struct Parts; ///< of the environment
   void Watch(const LitScene& scene, const SceneLightRequest& request);
+  bool ForgetChanges(const LitScene& scene, const SceneLightRequest& request);
   void PartEnvironment(const LitScene& scene, const SceneLightRequest& request);
   void ForgetAround(const LitScene::Box& box, double reach);
   void CastPaths(const Picture& seen, std::int64_t number, LitPicture& picture);

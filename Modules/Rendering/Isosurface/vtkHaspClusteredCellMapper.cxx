@@ -44,7 +44,8 @@ struct vtkHaspClusteredCellMapper::Internals
 {
   MappedVolume Volume;
 
-  hasp::ClusteredCells Cells; ///< of the image
+  /// Of the image; never null. Who shares them keeps them as they were.
+  std::shared_ptr<hasp::ClusteredCells> Cells = std::make_shared<hasp::ClusteredCells>();
   std::shared_ptr<const hasp::ClusteredCells>
     Finished; ///< drawn in their place where the input is cells
   double CellsIsoValue = 0.0;
@@ -57,12 +58,14 @@ struct vtkHaspClusteredCellMapper::Internals
 
   FailedUpdate Failed;
 
+  void ForgetCells() { this->Cells = std::make_shared<hasp::ClusteredCells>(); }
+
   /// Cells that somebody else made are drawn as they are, and nothing else is kept.
   void Keep(std::shared_ptr<const hasp::ClusteredCells> cells)
   {
     if (cells == this->Finished)
       return;
-    this->Cells = {};
+    this->ForgetCells();
     this->Volume.Forget();
     this->Finished = std::move(cells);
     this->CellsTime.Modified();
@@ -74,7 +77,7 @@ struct vtkHaspClusteredCellMapper::Internals
   {
     if (!this->Volume.Update(image))
       return false;
-    this->Cells = {};
+    this->ForgetCells();
     this->CellsTime = {};
     this->Finished = nullptr;
     return true;
@@ -92,14 +95,17 @@ struct vtkHaspClusteredCellMapper::Internals
     this->EditedTime = sameSurface ? this->CellsTime.GetMTime() : 0;
     this->EditLow = this->Volume.ChangedLow();
     this->EditHigh = this->Volume.ChangedHigh();
+    if (sameSurface && this->Cells.use_count() > 1)
+      this->Cells = std::make_shared<hasp::ClusteredCells>(*this->Cells);
     if (sameSurface)
-      UpdateActiveCells(this->Cells, grid, this->Volume.Blocks, this->Volume.ChangedLow(),
+      UpdateActiveCells(*this->Cells, grid, this->Volume.Blocks, this->Volume.ChangedLow(),
         this->Volume.ChangedHigh());
     else
     {
       this->Volume.Blocks.Update(grid, this->Volume.ChangedLow(), this->Volume.ChangedHigh());
-      this->Cells = ExtractActiveCells(grid, this->Volume.Blocks, isovalue,
-        precision == Compact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact);
+      this->Cells = std::make_shared<hasp::ClusteredCells>(
+        ExtractActiveCells(grid, this->Volume.Blocks, isovalue,
+          precision == Compact ? hasp::CellPrecision::Compact : hasp::CellPrecision::Exact));
     }
     this->Volume.ForgetChanges();
     this->CellsIsoValue = isovalue;
@@ -171,13 +177,13 @@ bool vtkHaspClusteredCellMapper::UpdateCells()
     if (in.UpdateVolume(image) && !this->IsoValueIsSet)
       this->IsoValue = in.Volume.MiddleOfRange();
     in.UpdateSurface(image, this->IsoValue, this->Precision);
-    this->UpdateLabels(in.Cells, image);
-    this->UpdateColors(in.Cells, image);
+    this->UpdateLabels(*in.Cells, image);
+    this->UpdateColors(*in.Cells, image);
     return true;
   }
   catch (const std::exception& e)
   {
-    in.Cells = {};
+    in.ForgetCells();
     in.CellsTime = {};
     in.Failed.Remember();
     vtkErrorMacro("Cannot draw the isosurface: " << e.what());
@@ -215,7 +221,13 @@ void vtkHaspClusteredCellMapper::MarkLabelsModified(const int extent[6])
 const hasp::ClusteredCells& vtkHaspClusteredCellMapper::GetCells() const
 {
   const Internals& in = *this->Internal;
-  return in.Finished ? *in.Finished : in.Cells;
+  return in.Finished ? *in.Finished : *in.Cells;
+}
+
+std::shared_ptr<const hasp::ClusteredCells> vtkHaspClusteredCellMapper::ShareCells() const
+{
+  const Internals& in = *this->Internal;
+  return in.Finished ? in.Finished : in.Cells;
 }
 
 vtkMTimeType vtkHaspClusteredCellMapper::GetCellsTime() const

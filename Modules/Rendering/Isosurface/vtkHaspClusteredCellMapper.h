@@ -201,6 +201,11 @@ public:
 
   /// The active cells as of the last update; never null, perhaps empty.
   const hasp::ClusteredCells& GetCells() const;
+#ifndef __VTK_WRAP__
+  /// The same for who keeps them, on other threads too: surface and place stay as they are now,
+  /// whatever this mapper does next. An edit in place then copies them once.
+  std::shared_ptr<const hasp::ClusteredCells> ShareCells() const;
+#endif
 
   /// The voxel (point index i,j,k of the image's first corner sample) of a picked cell id.
   /// False, and ijk untouched, if there is no such active cell.

@@ -1,0 +1,37 @@
+#ifndef LightPicture_h
+#define LightPicture_h
+
+#include "Light/SceneLightCache.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+
+/// What a renderer draws into: its pixels of the window.
+struct LightViewport
+{
+  glm::ivec2 origin{ 0 }, size{ 0 };
+};
+
+/// Depth of what has been drawn in the viewport, [0, 1] a pixel, row by row from the lowest; with
+/// several samples a pixel that of one of them. Threads: RENDER, with the context current.
+void ReadDepths(const LightViewport& viewport, std::vector<float>& depths);
+
+/// Draws pictures of light over what was drawn, without touching depth. Threads: RENDER, with the
+/// context current. 16 bytes a pixel of texture, from the first picture on.
+class LightPicture
+{
+public:
+  /// picture: radiance times coverage, and coverage. encoded: radiance is linear, and shown as
+  /// sRGB; else as it is. Throws std::runtime_error if the GPU has no room.
+  void Draw(vtkOpenGLRenderWindow* window, const LightViewport& viewport,
+    const hasp::LitPicture& picture, float exposure, bool encoded);
+  void Release() { this->Texture = nullptr; }
+  std::size_t Bytes() const;
+
+private:
+  vtkSmartPointer<vtkTextureObject> Texture;
+};
+
+#endif

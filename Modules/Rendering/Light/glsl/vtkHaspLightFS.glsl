@@ -1,0 +1,34 @@
+#version 150 core
+#extension GL_ARB_explicit_attrib_location : enable
+// Puts traced light over what was drawn.
+//
+// in   light        radiance times coverage, coverage; a texel a pixel of the viewport
+// in   firstPixel   of the viewport, in the window
+// in   exposure     what radiance is multiplied by
+// in   encoded      is radiance linear, and shown as sRGB?
+// out  fragOutput0  colour times coverage, coverage: for blending with 1 and 1 - alpha
+uniform sampler2D light;
+uniform ivec2 firstPixel;
+uniform float exposure;
+uniform bool encoded;
+
+#ifdef GL_ARB_explicit_attrib_location
+layout(location = 0)
+#endif
+out vec4 fragOutput0;
+
+// IEC 61966-2-1
+vec3 Encode(vec3 linear)
+{
+  vec3 low = 12.92 * linear, high = 1.055 * pow(max(linear, vec3(1e-9)), vec3(1.0 / 2.4)) - 0.055;
+  return mix(high, low, lessThan(linear, vec3(0.0031308)));
+}
+
+void main()
+{
+  vec4 met = texelFetch(light, ivec2(gl_FragCoord.xy) - firstPixel, 0);
+  if (met.a <= 0.0)
+    discard;
+  vec3 color = clamp(exposure * met.rgb / met.a, 0.0, 1.0);
+  fragOutput0 = vec4((encoded ? Encode(color) : color) * met.a, met.a);
+}

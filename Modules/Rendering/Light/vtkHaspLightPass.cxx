@@ -1,0 +1,343 @@
+#include "vtkHaspLightPass.h"
+
+#include "Grid/Stopwatch.h"
+#include "Light/ProgressivePaths.h"
+#include "Light/SceneLightCache.h"
+#include "LightPicture.h"
+#include "LitActors.h"
+#include "LitSurroundings.h"
+
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkTranslucentPass.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+vtkStandardNewMacro(vtkHaspLightPass);
+
+namespace
+{
+
+constexpr double White = 0.7;       // what mean light makes of a white surface
+constexpr int StillFrames = 64;     // after which light that is kept is taken to be settled
+constexpr float KeptSamples = 16.0F; // what it counts for beside paths of a pixel's own
+
+hasp::PictureView ViewOf(vtkRenderer* renderer, const LightViewport& viewport)
+{
+  vtkMatrix4x4 *view, *projection, *clip; // column-major memory, for OpenGL
+  vtkMatrix3x3* normal;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, view, normal, projection, clip);
+  return { glm::make_mat4(clip->GetData()), viewport.size, {} };
+}
+
+bool AreSame(const std::vector<hasp::LitBody>& a, const std::vector<hasp::LitBody>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const hasp::LitBody& x, const hasp::LitBody& y)
+    {
+      return x.cells == y.cells && x.mesh == y.mesh && x.bodyToWorld == y.bodyToWorld &&
+             x.material == y.material;
+    });
+}
+
+/// So that the mean light makes a white surface White.
+float ExposureFor(const hasp::LitScene& scene)
+{
+  double light = scene.Surroundings().Total() / (4.0 * std::numbers::pi);
+  for (const hasp::LitLamp& lamp : scene.Lamps())
+    light += (lamp.color.r + lamp.color.g + lamp.color.b) / 3.0;
+  return light > 0.0 ? static_cast<float>(White / light) : 1.0F;
+}
+
+} // namespace
+
+/// Draws what is opaque, and then its light.
+class vtkHaspLightPass::Opaque : public vtkOpaquePass
+{
+public:
+  static Opaque* New();
+  vtkTypeMacro(Opaque, vtkOpaquePass);
+  vtkHaspLightPass* Owner = nullptr; ///< null: as if it were not there
+
+  void Render(const vtkRenderState* state) override
+  {
+    this->Superclass::Render(state);
+    if (this->Owner)
+      this->Owner->Light(state);
+  }
+};
+vtkStandardNewMacro(vtkHaspLightPass::Opaque);
+
+struct vtkHaspLightPass::Internals
+{
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<Opaque> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkSmartPointer<vtkDualDepthPeelingPass> peeling;
+  vtkSmartPointer<vtkOrderIndependentTranslucentPass> sums;
+
+  LitActors actors;
+  LitSurroundings surroundings;
+  std::shared_ptr<const hasp::LitScene> scene;
+  hasp::SceneLightCache kept;
+  hasp::ProgressivePaths paths;
+  hasp::PathTracedPicture traced;
+
+  hasp::PictureView view; ///< of the last picture
+  hasp::ProgressiveWork begun; ///< what paths work at
+  std::vector<float> depths;
+  hasp::LitPicture light;
+  hasp::LitPicture seen; ///< what is kept, beside paths
+  LightPicture picture;
+  int still = 0; ///< pictures of the same view, light and scene
+  double milliseconds = 0.0;
+  std::string complaint;
+};
+
+vtkHaspLightPass::vtkHaspLightPass() : Internal(new Internals)
+{
+  this->Internal->opaque->Owner = this;
+  this->Internal->steps->SetOpaquePass(this->Internal->opaque);
+}
+
+vtkHaspLightPass::~vtkHaspLightPass() = default;
+
+void vtkHaspLightPass::SetAmbientOcclusionDistance(double mm)
+{
+  if (!(mm > 0.0))
+  {
+    vtkErrorMacro("AmbientOcclusionDistance " << mm << " must be above 0 mm");
+    return;
+  }
+  if (this->AmbientOcclusionDistance != mm)
+  {
+    this->AmbientOcclusionDistance = mm;
+    this->Modified();
+  }
+}
+
+/// VTK's steps, with the translucency that the renderer asks for; passes are made when they are.
+void vtkHaspLightPass::Render(const vtkRenderState* state)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = state->GetRenderer();
+  const bool picks = renderer->GetSelector() != nullptr;
+  in.opaque->Owner = picks ? nullptr : this;
+  vtkRenderPass* translucent = in.translucent;
+  bool any = false;
+  for (int n = 0; n < state->GetPropArrayCount() && !picks && !any; ++n)
+    any = state->GetPropArray()[n]->HasTranslucentPolygonalGeometry() != 0;
+  if (any && renderer->GetUseDepthPeeling())
+  {
+    if (!in.peeling)
+    {
+      in.peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+      in.peeling->SetTranslucentPass(in.translucent);
+    }
+    in.peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
+    in.peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
+    translucent = in.peeling;
+  }
+  else if (any)
+  {
+    if (!in.sums)
+    {
+      in.sums = vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New();
+      in.sums->SetTranslucentPass(in.translucent);
+    }
+    translucent = in.sums;
+  }
+  in.steps->SetTranslucentPass(translucent);
+  in.steps->Render(state);
+  this->NumberOfRenderedProps = in.steps->GetNumberOfRenderedProps();
+}
+
+/// The scene of this frame's actors and its light, over what was drawn.
+void vtkHaspLightPass::Light(const vtkRenderState* state)
+{
+  try
+  {
+    const hasp::Stopwatch watch;
+    this->Compose(state);
+    this->Internal->milliseconds = watch.Milliseconds();
+    this->Internal->complaint.clear();
+  }
+  catch (const std::exception& e)
+  {
+    if (this->Internal->complaint != e.what())
+      vtkErrorMacro("Light is not drawn: " << e.what());
+    this->Internal->complaint = e.what();
+  }
+}
+
+void vtkHaspLightPass::Compose(const vtkRenderState* state)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  LightViewport viewport;
+  renderer->GetTiledSizeAndOrigin(
+    &viewport.size.x, &viewport.size.y, &viewport.origin.x, &viewport.origin.y);
+  if (!window || viewport.size.x < 1 || viewport.size.y < 1)
+    return;
+  const bool paths = this->Mode == Traced || this->Mode == PathTraced;
+  in.actors.Update(state->GetPropArray(), state->GetPropArrayCount(), paths);
+  if (!paths)
+    in.surroundings.Release();
+  const std::shared_ptr<const hasp::Environment> far =
+    paths ? in.surroundings.Of(renderer) : LitSurroundings::None();
+  auto lamps = !paths || this->LampsInPaths ? LampsOf(renderer, paths)
+                                            : std::vector<hasp::LitLamp>();
+  const bool sameScene = in.scene && in.scene->SharedSurroundings() == far &&
+                         in.scene->Lamps() == lamps &&
+                         AreSame(in.scene->Bodies(), in.actors.Bodies());
+  if (!sameScene)
+    in.scene = std::make_shared<const hasp::LitScene>(in.actors.Bodies(), std::move(lamps), far);
+  const hasp::PictureView view = ViewOf(renderer, viewport);
+  const bool same = sameScene && view == in.view && in.still > 0;
+  in.view = view;
+  in.still = same ? in.still + 1 : 1;
+
+  ReadDepths(viewport, in.depths);
+  if (this->Mode == PathTraced)
+    this->TracePaths(same);
+  else
+  {
+    in.paths.Release();
+    in.traced = {};
+    in.kept.Light(*in.scene, view, in.depths, this->Request(), in.light);
+  }
+  const float exposure = !paths                 ? 1.0F
+                         : this->Exposure > 0.0 ? static_cast<float>(this->Exposure)
+                                                : ExposureFor(*in.scene);
+  in.picture.Draw(window, viewport, in.light, exposure, paths);
+}
+
+hasp::SceneLightRequest vtkHaspLightPass::Request() const
+{
+  using Kind = hasp::SceneLightRequest::Kind;
+  hasp::SceneLightRequest request;
+  request.kind = this->Mode == Lamps              ? Kind::Lamps
+                 : this->Mode == AmbientOcclusion ? Kind::AmbientOcclusion
+                                                  : Kind::Traced;
+  request.shadows = this->Shadows;
+  request.distanceMm = this->AmbientOcclusionDistance;
+  request.paths.bounces = this->Bounces;
+  return request;
+}
+
+/// Paths of each pixel, begun anew where the view or the scene is another, and what is kept as far
+/// as that is wanted.
+void vtkHaspLightPass::TracePaths(bool same)
+{
+  Internals& in = *this->Internal;
+  hasp::ProgressiveWork work{ in.scene, in.view, { { this->Bounces }, 0, true },
+    this->SamplesPerPixel };
+  const bool begun = same && work.settings.paths == in.begun.settings.paths &&
+                     work.samples == in.begun.samples;
+  if (!begun)
+  {
+    in.paths.Cancel(); // its rays would take the cores from what follows
+    in.traced = {};
+  }
+  hasp::SceneLightRequest request = this->Request();
+  if (!this->TemporalAccumulation)
+    request.kind = hasp::SceneLightRequest::Kind::Lamps; // for what is seen alone
+  if (!begun || this->TemporalAccumulation)
+    in.kept.Light(*in.scene, in.view, in.depths, request, in.seen);
+  if (!begun)
+  {
+    in.begun = work;
+    in.paths.Start(std::move(work));
+  }
+  if (this->WaitForSamples)
+    in.paths.WaitFor(this->SamplesPerPixel);
+  in.paths.Latest(in.traced);
+
+  const float kept = this->TemporalAccumulation ? KeptSamples : 0.0F;
+  in.light.assign(in.seen.size(), glm::vec4(0.0F));
+  for (std::size_t n = 0; n < in.light.size(); ++n)
+  {
+    if (in.seen[n].a == 0.0F && in.depths[n] < 1.0F)
+      continue; // of somebody who takes no part
+    const auto own = static_cast<float>(in.traced.samples);
+    const glm::vec4 traced = own > 0.0F ? in.traced.Pixel(n) : glm::vec4(0.0F);
+    if (kept + own > 0.0F)
+      in.light[n] = (kept * in.seen[n] + own * traced) / (kept + own);
+  }
+}
+
+bool vtkHaspLightPass::IsRefining() const
+{
+  const Internals& in = *this->Internal;
+  return this->Mode == PathTraced ? in.traced.samples < this->SamplesPerPixel
+         : this->Mode == Lamps    ? false
+                                  : in.still < StillFrames;
+}
+
+int vtkHaspLightPass::GetSamples() const
+{
+  return this->Internal->traced.samples;
+}
+
+void vtkHaspLightPass::ListResources(hasp::ResourceList& list) const
+{
+  const Internals& in = *this->Internal;
+  const bool paths = this->Mode == Traced || this->Mode == PathTraced;
+  list.push_back({ "light, trees", in.actors.TreeBytes(), in.actors.TreeMilliseconds(),
+    std::to_string(in.actors.Bodies().size()) + " bodies; " +
+      std::to_string(in.actors.LeftOut()) + " opaque actors left as drawn" });
+  list.push_back({ "light, environment", in.surroundings.Bytes(),
+    paths ? in.surroundings.Milliseconds() : 0.0,
+    paths ? "the renderer's, or daylight" : "lamps alone" });
+  list.push_back({ "light, kept", in.kept.Bytes(), 0.0,
+    this->Mode == Lamps                                          ? "lamps need none"
+    : this->Mode == PathTraced && !this->TemporalAccumulation ? "no TemporalAccumulation"
+                                                              : "on surfaces, for all views" });
+  list.push_back({ "light, paths", in.paths.Bytes(), 0.0,
+    this->Mode == PathTraced ? std::to_string(in.traced.samples) + " samples a pixel"
+                             : "not PathTraced: no thread" });
+  list.push_back({ "light, picture",
+    in.picture.Bytes() + in.light.size() * sizeof(glm::vec4) + in.depths.size() * sizeof(float),
+    in.milliseconds, "of the last frame" });
+}
+
+void vtkHaspLightPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.steps->ReleaseGraphicsResources(window);
+  if (in.peeling)
+    in.peeling->ReleaseGraphicsResources(window);
+  if (in.sums)
+    in.sums->ReleaseGraphicsResources(window);
+  in.picture.Release();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkHaspLightPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const names[] = { "lamps", "ambient occlusion", "traced", "path traced" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << names[this->Mode] << "\n";
+  os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "AmbientOcclusionDistance: " << this->AmbientOcclusionDistance << " mm\n";
+  os << indent << "Bounces: " << this->Bounces << "\n";
+  os << indent << "LampsInPaths: " << this->LampsInPaths << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
+  os << indent << "WaitForSamples: " << this->WaitForSamples << "\n";
+  os << indent << "TemporalAccumulation: " << this->TemporalAccumulation << "\n";
+}
