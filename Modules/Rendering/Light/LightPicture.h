@@ -4,9 +4,9 @@
 #include "Light/SceneLightCache.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
 
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
 
 /// What a renderer draws into: its pixels of the window.
 struct LightViewport
