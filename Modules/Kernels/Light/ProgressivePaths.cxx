@@ -28,9 +28,8 @@ struct ProgressivePaths::Shared
     PathTracedPicture own;
     try
     {
-      while (own.samples < this->work.samples &&
-             AddPathSample(
-               *this->work.scene, this->work.view, this->work.settings, own, &this->cancel))
+      while (own.samples < this->work.samples && AddPathSample(*this->work.scene, this->work.view,
+                                                   this->work.settings, own, &this->cancel))
       {
         const std::lock_guard lock(this->mutex);
         this->picture = own;
@@ -61,8 +60,8 @@ void ProgressivePaths::Start(ProgressiveWork work)
   if (!work.scene)
     throw std::invalid_argument("ProgressivePaths: there is no scene");
   if (work.samples < 1)
-    throw std::invalid_argument("ProgressivePaths: " + std::to_string(work.samples) +
-                                " samples; at least 1 is needed");
+    throw std::invalid_argument(
+      "ProgressivePaths: " + std::to_string(work.samples) + " samples; at least 1 is needed");
   work.settings.paths.Validate();
   this->Self = std::make_unique<Shared>();
   this->Self->work = std::move(work);
@@ -89,8 +88,8 @@ void ProgressivePaths::WaitFor(int samples)
   if (!this->Self)
     return;
   std::unique_lock lock(this->Self->mutex);
-  this->Self->changed.wait(lock,
-    [&] { return !this->Self->running || this->Self->picture.samples >= samples; });
+  this->Self->changed.wait(
+    lock, [&] { return !this->Self->running || this->Self->picture.samples >= samples; });
 }
 
 bool ProgressivePaths::Running() const

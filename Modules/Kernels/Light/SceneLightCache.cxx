@@ -109,8 +109,7 @@ bool SceneLightCache::ForgetChanges(const LitScene& scene, const SceneLightReque
 {
   const auto changed = [&](const LitScene::Box& box)
   {
-    this->ForgetAround(
-      box, request.kind == Kind::Traced ? Reach * box.Size() : request.distanceMm);
+    this->ForgetAround(box, request.kind == Kind::Traced ? Reach * box.Size() : request.distanceMm);
   };
   bool any = false;
   std::vector<bool> known(scene.Bodies().size(), false);
@@ -120,8 +119,8 @@ bool SceneLightCache::ForgetChanges(const LitScene& scene, const SceneLightReque
     for (std::size_t n = 0; n < known.size() && !there; ++n)
     {
       const LitBody& now = scene.Bodies()[n];
-      there = !known[n] && then.bodyToWorld == now.bodyToWorld &&
-              SameOwner(then.surface, SurfaceOf(now));
+      there =
+        !known[n] && then.bodyToWorld == now.bodyToWorld && SameOwner(then.surface, SurfaceOf(now));
       known[n] = known[n] || there;
       any = any || (there && !SameOwner(then.material, now.material));
     }

@@ -254,11 +254,17 @@ public:
   /// Of the volume, and of the volume in each pose of a label. Brings the pipeline up to date, no
   /// cells.
   double* GetBounds() VTK_SIZEHINT(6) override;
-  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  void GetBounds(double bounds[6]) override
+  {
+    this->Superclass::GetBounds(bounds);
+  }
   vtkMTimeType GetMTime() override;
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
-  bool GetSupportsSelection() override { return true; }
+  bool GetSupportsSelection() override
+  {
+    return true;
+  }
 
 protected:
   vtkHaspClusteredCellMapper();

@@ -25,10 +25,8 @@ void ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn));
   glGetIntegerv(GL_SAMPLES, &samples);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  const auto readFrom = [&](const glm::ivec2& origin)
-  {
-    glReadPixels(
-      origin.x, origin.y, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  const auto readFrom = [&](const glm::ivec2& origin) {
+    glReadPixels(origin.x, origin.y, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   };
   if (samples > 1)
   {

@@ -41,8 +41,7 @@ hasp::SurfaceMaterial MaterialOf(vtkProperty* property, bool linear)
   {
     material.albedo = Albedo(property->GetColor(), 1.0, linear);
     material.metallic = static_cast<float>(std::clamp(property->GetMetallic(), 0.0, 1.0));
-    material.roughness =
-      std::clamp(static_cast<float>(property->GetRoughness()), Smoothest, 1.0F);
+    material.roughness = std::clamp(static_cast<float>(property->GetRoughness()), Smoothest, 1.0F);
     const double index = property->GetBaseIOR();
     material.specular =
       static_cast<float>(std::clamp(std::pow((index - 1.0) / (index + 1.0), 2.0), 0.0, 1.0));
@@ -156,7 +155,7 @@ std::size_t LitActors::TreeBytes() const
 {
   std::size_t bytes = 0;
   for (const Entry& entry : this->Entries)
-    bytes += entry.body.cells ? entry.body.cells->Bytes()
+    bytes += entry.body.cells  ? entry.body.cells->Bytes()
              : entry.body.mesh ? entry.body.mesh->Bytes()
                                : 0;
   return bytes;

@@ -62,8 +62,7 @@ glm::vec3 ColorOf(const vtkUnsignedCharArray* colors, vtkIdType n, bool linear)
   glm::vec3 color;
   for (int c = 0; c < 3; ++c)
   {
-    const double v =
-      const_cast<vtkUnsignedCharArray*>(colors)->GetTypedComponent(n, c) / 255.0;
+    const double v = const_cast<vtkUnsignedCharArray*>(colors)->GetTypedComponent(n, c) / 255.0;
     color[c] = linear ? LinearOf(v) : static_cast<float>(v);
   }
   return color;

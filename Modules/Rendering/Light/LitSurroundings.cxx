@@ -1,6 +1,7 @@
 #include "LitSurroundings.h"
 
 #include "Grid/Stopwatch.h"
+#include "Light/RadianceFile.h"
 #include "Light/SkyModel.h"
 #include "LitMeshes.h"
 
@@ -61,13 +62,15 @@ double TurnOf(const glm::dvec3& up, const glm::dvec3& right)
 
 } // namespace
 
-const std::shared_ptr<const hasp::Environment>& LitSurroundings::Of(vtkRenderer* renderer)
+const std::shared_ptr<const hasp::Environment>& LitSurroundings::Of(
+  vtkRenderer* renderer, const std::string& fileName)
 {
-  vtkTexture* texture = renderer->GetEnvironmentTexture();
+  vtkTexture* texture = fileName.empty() ? renderer->GetEnvironmentTexture() : nullptr;
   if (texture)
     texture->Update();
   vtkImageData* image = texture ? texture->GetInput() : nullptr;
   Key key;
+  key.fileName = fileName;
   key.image = image;
   key.time = image ? image->GetMTime() : 0;
   const double *up = renderer->GetEnvironmentUp(), *right = renderer->GetEnvironmentRight();
@@ -78,8 +81,11 @@ const std::shared_ptr<const hasp::Environment>& LitSurroundings::Of(vtkRenderer*
   this->Made = nullptr;
   const glm::dvec3 upwards = glm::make_vec3(up);
   const double turn = TurnOf(upwards, glm::make_vec3(right));
-  this->Made = std::make_shared<const hasp::Environment>(
-    image ? MapOf(image) : hasp::MakeSky({}), upwards, turn);
+  this->Made =
+    std::make_shared<const hasp::Environment>(!fileName.empty() ? hasp::ReadRadianceFile(fileName)
+                                              : image           ? MapOf(image)
+                                                                : hasp::MakeSky({}),
+      upwards, turn);
   this->Last = key;
   this->Spent = watch.Milliseconds();
   return this->Made;

@@ -6,6 +6,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <string>
 
 class vtkRenderer;
 
@@ -13,10 +14,11 @@ class vtkRenderer;
 class LitSurroundings
 {
 public:
-  /// The environment that the renderer has: its EnvironmentTexture, or daylight. Made anew when the
-  /// texture's image or its direction changes. Throws std::invalid_argument on an image that is no
-  /// environment, with the reason.
-  const std::shared_ptr<const hasp::Environment>& Of(vtkRenderer* renderer);
+  /// Of a Radiance file, if one is named; else the renderer's EnvironmentTexture, or daylight. Made
+  /// anew when the name, the texture's image or the directions change. Throws std::exception on
+  /// what is no environment, with the reason.
+  const std::shared_ptr<const hasp::Environment>& Of(
+    vtkRenderer* renderer, const std::string& fileName);
   /// Black, without a table.
   static std::shared_ptr<const hasp::Environment> None();
   void Release() { *this = {}; }
@@ -26,6 +28,7 @@ public:
 private:
   struct Key
   {
+    std::string fileName;
     const void* image = nullptr;
     vtkMTimeType time = 0;
     std::array<double, 6> axes{};

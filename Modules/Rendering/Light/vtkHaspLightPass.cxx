@@ -30,8 +30,8 @@ vtkStandardNewMacro(vtkHaspLightPass);
 namespace
 {
 
-constexpr double White = 0.7;       // what mean light makes of a white surface
-constexpr int StillFrames = 64;     // after which light that is kept is taken to be settled
+constexpr double White = 0.7;        // what mean light makes of a white surface
+constexpr int StillFrames = 64;      // after which light that is kept is taken to be settled
 constexpr float KeptSamples = 16.0F; // what it counts for beside paths of a pixel's own
 
 hasp::PictureView ViewOf(vtkRenderer* renderer, const LightViewport& viewport)
@@ -96,7 +96,7 @@ struct vtkHaspLightPass::Internals
   hasp::ProgressivePaths paths;
   hasp::PathTracedPicture traced;
 
-  hasp::PictureView view; ///< of the last picture
+  hasp::PictureView view;      ///< of the last picture
   hasp::ProgressiveWork begun; ///< what paths work at
   std::vector<float> depths;
   hasp::LitPicture light;
@@ -198,9 +198,9 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
   if (!paths)
     in.surroundings.Release();
   const std::shared_ptr<const hasp::Environment> far =
-    paths ? in.surroundings.Of(renderer) : LitSurroundings::None();
-  auto lamps = !paths || this->LampsInPaths ? LampsOf(renderer, paths)
-                                            : std::vector<hasp::LitLamp>();
+    paths ? in.surroundings.Of(renderer, this->EnvironmentFileName) : LitSurroundings::None();
+  auto lamps =
+    !paths || this->LampsInPaths ? LampsOf(renderer, paths) : std::vector<hasp::LitLamp>();
   const bool sameScene = in.scene && in.scene->SharedSurroundings() == far &&
                          in.scene->Lamps() == lamps &&
                          AreSame(in.scene->Bodies(), in.actors.Bodies());
@@ -246,8 +246,8 @@ void vtkHaspLightPass::TracePaths(bool same)
   Internals& in = *this->Internal;
   hasp::ProgressiveWork work{ in.scene, in.view, { { this->Bounces }, 0, true },
     this->SamplesPerPixel };
-  const bool begun = same && work.settings.paths == in.begun.settings.paths &&
-                     work.samples == in.begun.samples;
+  const bool begun =
+    same && work.settings.paths == in.begun.settings.paths && work.samples == in.begun.samples;
   if (!begun)
   {
     in.paths.Cancel(); // its rays would take the cores from what follows
@@ -298,13 +298,15 @@ void vtkHaspLightPass::ListResources(hasp::ResourceList& list) const
   const Internals& in = *this->Internal;
   const bool paths = this->Mode == Traced || this->Mode == PathTraced;
   list.push_back({ "light, trees", in.actors.TreeBytes(), in.actors.TreeMilliseconds(),
-    std::to_string(in.actors.Bodies().size()) + " bodies; " +
-      std::to_string(in.actors.LeftOut()) + " opaque actors left as drawn" });
-  list.push_back({ "light, environment", in.surroundings.Bytes(),
-    paths ? in.surroundings.Milliseconds() : 0.0,
-    paths ? "the renderer's, or daylight" : "lamps alone" });
+    std::to_string(in.actors.Bodies().size()) + " bodies; " + std::to_string(in.actors.LeftOut()) +
+      " opaque actors left as drawn" });
+  list.push_back(
+    { "light, environment", in.surroundings.Bytes(), paths ? in.surroundings.Milliseconds() : 0.0,
+      !paths                               ? "lamps alone"
+      : !this->EnvironmentFileName.empty() ? "of a file"
+                                           : "the renderer's, or daylight" });
   list.push_back({ "light, kept", in.kept.Bytes(), 0.0,
-    this->Mode == Lamps                                          ? "lamps need none"
+    this->Mode == Lamps                                       ? "lamps need none"
     : this->Mode == PathTraced && !this->TemporalAccumulation ? "no TemporalAccumulation"
                                                               : "on surfaces, for all views" });
   list.push_back({ "light, paths", in.paths.Bytes(), 0.0,
@@ -335,6 +337,8 @@ void vtkHaspLightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shadows: " << this->Shadows << "\n";
   os << indent << "AmbientOcclusionDistance: " << this->AmbientOcclusionDistance << " mm\n";
   os << indent << "Bounces: " << this->Bounces << "\n";
+  os << indent << "EnvironmentFileName: " << (this->EnvironmentFileName.empty() ? "none" : "given")
+     << "\n";
   os << indent << "LampsInPaths: " << this->LampsInPaths << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";

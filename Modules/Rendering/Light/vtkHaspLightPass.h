@@ -15,18 +15,19 @@
  * Volumes and overlays follow, as without this pass.
  *
  * Modes
- *   Lamps             the renderer's lights, with shadows if Shadows is on. One ray a pixel and light
- *   AmbientOcclusion  the same, times the openness of the surroundings within
+ *   Lamps             the renderer's lights, with shadows if Shadows is on. One ray a pixel and
+ * light AmbientOcclusion  the same, times the openness of the surroundings within
  *                     AmbientOcclusionDistance; kept while the view moves (hasp::SceneLightCache)
  *   Traced            the hybrid: light of the environment by paths of Bounces surfaces, kept while
  *                     the view moves
  *   PathTraced        paths of each pixel from scratch, with smooth edges, on a thread of their own
  *                     until there are SamplesPerPixel; given up at once when the view moves
  *
- * Environment of the last two: the renderer's EnvironmentTexture, of latitude and longitude
- * (vtkHDRReader makes one of a .hdr file; 8 bits are taken as sRGB), with EnvironmentUp and
- * EnvironmentRight as VTK's image based lighting has them; without one, daylight
- * (hasp::SkyModel) along EnvironmentUp. The renderer's lights join it if LampsInPaths is on.
+ * Environment of the last two: the Radiance file of EnvironmentFileName (.hdr, in latitude and
+ * longitude; damage is found, which vtkHDRReader passes on as whatever memory holds); else the
+ * renderer's EnvironmentTexture (8 bits are taken as sRGB); else daylight (hasp::SkyModel). All
+ * with the renderer's EnvironmentUp and EnvironmentRight as VTK's image based lighting has them.
+ * The renderer's lights join it if LampsInPaths is on.
  *
  * Materials: vtkProperty's colour, and with physically based interpolation its metallic, roughness
  * and index of refraction; else a coat as bright and smooth as Specular and SpecularPower say. In
@@ -50,6 +51,7 @@
 #include "vtkRenderPass.h"
 
 #include <memory> // for unique_ptr
+#include <string> // for the file's name
 
 namespace hasp
 {
@@ -98,6 +100,13 @@ public:
   /// Surfaces that light may have met on its way to the eye; 1: direct light alone. Default 3.
   vtkSetClampMacro(Bounces, int, 1, 64);
   vtkGetMacro(Bounces, int);
+  ///@}
+
+  ///@{
+  /// Path of a .hdr file; empty, the default: see above. It is read by the next frame that needs
+  /// it.
+  vtkSetStdStringFromCharMacro(EnvironmentFileName);
+  vtkGetCharFromStdStringMacro(EnvironmentFileName);
   ///@}
 
   ///@{
@@ -164,6 +173,7 @@ private:
   bool Shadows = true, LampsInPaths = false, WaitForSamples = false, TemporalAccumulation = true;
   double AmbientOcclusionDistance = 25.0, Exposure = 0.0;
   int Bounces = 3, SamplesPerPixel = 256;
+  std::string EnvironmentFileName;
   std::unique_ptr<Internals> Internal;
 };
 

@@ -6,14 +6,12 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkHDRReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
-#include "vtkTexture.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <string>
@@ -51,17 +49,11 @@ int main(int argc, char* argv[])
   renderer->AddActor(part);
   renderer->SetEnvironmentUp(0, 0, 1); // patients stand along z
   renderer->SetEnvironmentRight(1, 0, 0);
-  vtkNew<vtkHDRReader> environment;
-  if (argc == 5)
-  {
-    environment->SetFileName(argv[4]);
-    vtkNew<vtkTexture> texture;
-    texture->SetInputConnection(environment->GetOutputPort());
-    renderer->SetEnvironmentTexture(texture);
-  }
   vtkNew<vtkHaspLightPass> light;
   light->SetModeToPathTraced();
   light->SetSamplesPerPixel(64);
+  if (argc == 5)
+    light->SetEnvironmentFileName(argv[4]); // else daylight
   light->WaitForSamplesOn(); // a window draws frames while light->IsRefining() instead
   renderer->SetPass(light);
   vtkNew<vtkRenderWindow> window;
