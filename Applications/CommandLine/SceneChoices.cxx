@@ -10,12 +10,23 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
 namespace hasp
 {
 namespace
 {
 
 constexpr double BoneHU = 226.0;
+
+std::vector<std::string> AllMappers()
+{
+  std::vector<std::string> names = SurfaceMappers();
+  names.insert(names.end(), VolumeMappers().begin(), VolumeMappers().end());
+  return names;
+}
 
 void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& scene)
 {
@@ -25,8 +36,8 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
     "Volume: a file, or a folder of slices; or active cells, .hcells");
   verb.add_option("--isovalue", choices.isoValue,
     std::string("In the volume's units; bone in CT: 226. Active cells have their own") +
-      (drawing.interactive ? ". Default: bone where values are HU, else the middle of the values"
-                           : ""));
+      (drawing.interactive ? ". Default: bone" : ". Default of --mapper composite: bone") +
+      " where values are HU, else the middle of the values");
   verb
     .add_option("--ignore-below", choices.ignoreBelowMm3,
       std::string("Leave out connected pieces smaller than this, mm3: specks, head-rests") +
@@ -35,9 +46,16 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
   verb
     .add_option("--mapper", choices.mapper,
       "cells: exact, no mesh; raycaching: what rays find, frame by frame, until nothing is new; "
-      "raycast: a ray a pixel on the GPU; mesh: Flying Edges; vtk: VTK's own volume mapper")
-    ->check(CLI::IsMember(SurfaceMappers()))
+      "raycast: a ray a pixel on the GPU; mesh: Flying Edges; vtk: VTK's own volume mapper. No "
+      "surface, by VTK's: mip: the brightest value along each line of sight; composite: "
+      "translucent skin and bone, which begins at --isovalue")
+    ->check(CLI::IsMember(AllMappers()))
     ->default_str(drawing.mapper);
+  verb
+    .add_option("--window", choices.window,
+      "low,high of --mapper mip: the values drawn as the background, and in full colour. Default: "
+      "0 to 2000, what of that occurs, where values are HU, else all values")
+    ->delimiter(',');
   verb
     .add_option("--renderer", drawing.renderer,
       "Of active cells; rasterize: OpenGL; trace: rays on the CPU; automatic: where OpenGL is "
@@ -78,7 +96,9 @@ void AddLookOptions(CLI::App& verb, SceneOptions& scene)
     ->delimiter(',')
     ->check(CLI::Range(1, 16384))
     ->capture_default_str();
-  verb.add_option("--color", scene.color, "r,g,b of the isosurface, 0 to 1")
+  verb
+    .add_option(
+      "--color", scene.color, "r,g,b of the isosurface, of bone, or of the brightest value; 0 to 1")
     ->delimiter(',')
     ->check(Within(0.0, 1.0));
   verb.add_option("--background", scene.background, "r,g,b, 0 to 1")
@@ -123,6 +143,40 @@ void RequireFittingDrawing(const SurfaceDrawing& drawing)
                                       "--mapper cells and raycaching; leave them out");
 }
 
+/// What is said of values is for the mappers that use it.
+void RequireFittingValues(const SceneChoices& choices, const std::string& mapper)
+{
+  if (choices.window && mapper != "mip")
+    throw Failure(ExitCode::WrongUse, "--window is for --mapper mip; leave it out");
+  if (mapper == "mip" && (choices.isoValue || choices.ignoreBelowMm3 > 0.0))
+    throw Failure(ExitCode::WrongUse,
+      "--isovalue and --ignore-below are for surfaces, and --mapper mip shows the brightest "
+      "values; leave them out, --window says what is dark and what bright");
+  if (!choices.window)
+    return;
+  const auto [low, high] = *choices.window;
+  if (!std::isfinite(low) || !std::isfinite(high) || low >= high)
+    throw Failure(ExitCode::WrongUse, "--window takes low,high, and low must be below high");
+}
+
+/// How the values are shown where no surface is.
+VolumeLook LookOf(const SceneChoices& choices, const Passport& passport)
+{
+  VolumeLook look = UsualLook(passport);
+  if (choices.window)
+    look.window = *choices.window;
+  char range[100];
+  std::snprintf(range, sizeof range, "the volume's values run from %.6g to %.6g", passport.minimum,
+    passport.maximum);
+  if (look.window[0] >= look.window[1])
+    throw Failure(ExitCode::BadInput,
+      std::string("all values are the same, there is nothing to see: ") + range);
+  if (look.window[0] >= passport.maximum || look.window[1] <= passport.minimum)
+    throw Failure(ExitCode::WrongUse,
+      std::string("--window shows nothing: ") + range + "; choose one that holds some of them");
+  return look;
+}
+
 /// From a .hcells file: the volume need not be there.
 LoadedScene ReadCellScene(const SceneChoices& choices, SceneOptions& scene, Session& session)
 {
@@ -138,6 +192,12 @@ LoadedScene ReadCellScene(const SceneChoices& choices, SceneOptions& scene, Sess
     throw Failure(ExitCode::BadInput,
       FileLabel(volume.input) + ": its isovalue has no surface, there is nothing to draw");
   return { cells.Get(), std::nullopt };
+}
+
+bool IsSurfaceMapper(const std::string& mapper)
+{
+  const auto& names = SurfaceMappers();
+  return std::find(names.begin(), names.end(), mapper) != names.end();
 }
 
 double UsualIsoValue(const Passport& passport)
@@ -161,15 +221,22 @@ LoadedScene ReadScene(const SceneChoices& choices, SceneOptions& scene, Session&
   const bool cells = IsCellFileName(choices.volume.input);
   scene.drawing.mapper = choices.mapper.value_or(cells ? "cells" : scene.drawing.mapper);
   RequireFittingDrawing(scene.drawing);
+  RequireFittingValues(choices, scene.drawing.mapper);
   if (cells)
     return ReadCellScene(choices, scene, session);
   RefuseCells(choices.volume.input, "volume"); // before their lack of an isovalue is a fault
-  if (!choices.isoValue && !scene.drawing.interactive)
+  if (!choices.isoValue && !scene.drawing.interactive && IsSurfaceMapper(scene.drawing.mapper))
     throw Failure(ExitCode::WrongUse, "--isovalue is required; bone in CT: 226");
   LoadedVolume volume = ReadVolume(choices.volume, session);
   SayWarnings(volume.passport, session);
-  scene.isoValue = choices.isoValue.value_or(UsualIsoValue(volume.passport));
-  RequireIsoValue(scene.isoValue, volume.passport);
+  if (scene.drawing.mapper == "mip")
+    scene.drawing.look = LookOf(choices, volume.passport);
+  else
+  {
+    scene.drawing.look = UsualLook(volume.passport);
+    scene.isoValue = choices.isoValue.value_or(UsualIsoValue(volume.passport));
+    RequireIsoValue(scene.isoValue, volume.passport);
+  }
   if (choices.ignoreBelowMm3 > 0.0)
     volume.image =
       WithoutSmallPieces(volume.image, scene.isoValue, choices.ignoreBelowMm3, session);

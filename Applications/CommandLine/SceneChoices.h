@@ -2,6 +2,7 @@
 #include "SurfaceScene.h"
 #include "VolumeInput.h"
 
+#include <array>
 #include <optional>
 
 namespace CLI
@@ -18,6 +19,7 @@ struct SceneChoices
   VolumeChoices volume;
   std::optional<double> isoValue;
   std::optional<std::string> mapper;
+  std::optional<std::array<double, 2>> window; ///< of mapper mip: low, high
   double ignoreBelowMm3 = 0.0;
 };
 
@@ -31,8 +33,9 @@ struct LoadedScene
   std::optional<Passport> passport;     ///< of an image
 };
 
-/// Reads IN and sets the scene's isovalue and mapper. Active cells are drawn as such. An
-/// interactive scene needs no --isovalue: bone where values are HU, else the middle of the values.
+/// Reads IN and sets the scene's isovalue, mapper and look. Active cells are drawn as such. An
+/// interactive scene and one of skin and bone need no --isovalue: bone where values are HU, else
+/// the middle of the values. The brightest values have none.
 /// Throws Failure: WrongUse for options that do not go together, BadInput.
 LoadedScene ReadScene(const SceneChoices& choices, SceneOptions& scene, Session& session);
 

@@ -3,7 +3,7 @@
 #include "Failure.h"
 #include "Session.h"
 #include "SurfaceInput.h"
-#include "VolumeIsosurface.h"
+#include "VolumeActors.h"
 #include "VtkMessages.h"
 #include "vtkHaspFileNames.h"
 
@@ -12,18 +12,13 @@
 #endif
 #include "vtkActor.h"
 #include "vtkCellLocator.h"
-#include "vtkContourValues.h"
-#include "vtkDataArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkHaspClusteredCells.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,8 +28,7 @@ namespace hasp
 namespace
 {
 
-constexpr std::size_t KiB = 1024;  // vtkDataObject::GetActualMemorySize counts in these
-constexpr double VolumeStep = 0.5; // of VTK's mapper, in voxels, as `hasp report` has it
+constexpr std::size_t KiB = 1024; // vtkDataObject::GetActualMemorySize counts in these
 
 /// Updates the filter and says what it made.
 ResourceUse UpdateMesh(vtkPolyDataAlgorithm* filter, const std::string& resource,
@@ -118,33 +112,6 @@ SurfaceActor MakeMeshIsosurface(vtkImageData* image, double isoValue, Session& s
   return result;
 }
 
-SurfaceActor MakeVolumeActor(vtkImageData* image, double isoValue)
-{
-  const vtkSmartPointer<vtkVolume> volume = MakeVolumeIsosurface(image, isoValue, VolumeStep);
-  SurfaceActor result;
-  result.prop = volume;
-  const vtkDataArray* samples = image->GetPointData()->GetScalars();
-  const std::size_t bytes = static_cast<std::size_t>(samples->GetNumberOfValues()) *
-                            static_cast<std::size_t>(samples->GetDataTypeSize());
-  result.listResources = [bytes](ResourceList& list)
-  {
-    list.push_back({ "active cells", 0, 0.0, "--mapper vtk" });
-    list.push_back({ "mesh", 0, 0.0, "rays need none" });
-    list.push_back({ "volume, GPU", bytes, 0.0, "--mapper vtk; VTK's own, its time is a frame's" });
-  };
-  result.setIsoValue = [volume](double value)
-  { volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, value); };
-  result.drewBy = [] { return "VTK's volume mapper"; };
-#if HASP_WITH_CELLS
-  // VTK's mapper can be asked for no point; rays of ours are.
-  result.pick = [volume, rays = IsosurfaceRays(image)](const auto& from, const auto& to)
-  { return rays(volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0), from, to); };
-  result.bounds = [volume, image = vtkSmartPointer<vtkImageData>(image)]
-  { return IsosurfaceBounds(image, volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0)); };
-#endif
-  return result;
-}
-
 } // namespace
 
 const std::vector<std::string>& SurfaceMappers()
@@ -154,6 +121,12 @@ const std::vector<std::string>& SurfaceMappers()
 #else
   static const std::vector<std::string> names{ "mesh", "vtk" };
 #endif
+  return names;
+}
+
+const std::vector<std::string>& VolumeMappers()
+{
+  static const std::vector<std::string> names{ "mip", "composite" };
   return names;
 }
 
@@ -182,6 +155,16 @@ SurfaceActor MakeIsosurface(
   if (drawing.mapper == "vtk")
     return MakeVolumeActor(image, isoValue);
   throw Failure(ExitCode::WrongUse, "this build has no mapper '" + drawing.mapper + "'");
+}
+
+SurfaceActor MakeVolume(
+  vtkImageData* image, double isoValue, const SurfaceDrawing& drawing, Session& session)
+{
+  if (drawing.mapper == "mip")
+    return MakeBrightestActor(image, drawing);
+  if (drawing.mapper == "composite")
+    return MakeTranslucentActor(image, isoValue, drawing);
+  return MakeIsosurface(image, isoValue, drawing, session);
 }
 
 SurfaceActor MakeCells(

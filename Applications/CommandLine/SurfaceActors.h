@@ -1,5 +1,6 @@
 #pragma once
 #include "Grid/ResourceUse.h"
+#include "VolumeLook.h"
 
 #include "vtkSmartPointer.h"
 
@@ -37,7 +38,9 @@ struct SurfaceActor
   std::function<void(ResourceList&)> listResources; ///< after drawing
   std::function<bool()> refining{};                 ///< will the next frame show more? Empty: never
   std::function<void(double)> setIsoValue{};        ///< empty: it has none, or its own
-  std::function<std::string()> drewBy{};            ///< what drew last: "cache", "traced"
+  /// Red, green, blue in [0, 1]; empty: the prop's property says it.
+  std::function<void(const std::array<double, 3>&)> setColor{};
+  std::function<std::string()> drewBy{}; ///< what drew last: "cache", "traced"
   /// Where the line first meets it; empty: it cannot be asked.
   std::function<std::optional<WorldPoint>(const WorldPoint& from, const WorldPoint& to)> pick{};
   /// Of what is drawn now, none if that is nothing; empty: known by the volume alone. May take as
@@ -45,12 +48,16 @@ struct SurfaceActor
   std::function<std::optional<WorldBounds>()> bounds{};
 };
 
-/// The names that --mapper takes in this build, the default of `hasp render` first: "cells" (active
-/// cells, exact), "raycaching" (vtkHaspRayCachingMapper), "raycast" (a ray a pixel on the GPU),
-/// "mesh" (vtkFlyingEdges3D), "vtk" (VTK's own GPU volume mapper).
+/// The names that --mapper takes in this build for an isosurface, the default of `hasp render`
+/// first: "cells" (active cells, exact), "raycaching" (vtkHaspRayCachingMapper), "raycast" (a ray a
+/// pixel on the GPU), "mesh" (vtkFlyingEdges3D), "vtk" (VTK's own GPU volume mapper).
 const std::vector<std::string>& SurfaceMappers();
 
-/// How an isosurface is made and drawn.
+/// Those that it takes for what has no surface: "mip" (the brightest value along each line of
+/// sight), "composite" (translucent skin and bone).
+const std::vector<std::string>& VolumeMappers();
+
+/// How a volume is made a picture of.
 struct SurfaceDrawing
 {
   std::string mapper = SurfaceMappers().front();
@@ -61,6 +68,7 @@ struct SurfaceDrawing
   bool blendNormals = false;                ///< between neighbouring cells; of mapper cells only
   std::optional<double> ambientOcclusionMm; ///< how far what darkens may be
   bool shadows = false;                     ///< of the scene's first light
+  VolumeLook look;                          ///< of VolumeMappers() only
   bool Lit() const { return this->ambientOcclusionMm || this->shadows; }
 };
 
@@ -70,6 +78,11 @@ const std::vector<std::string>& CellRendererNames();
 /// The isosurface through the mapper of that name; the other mappers are listed as skipped. Throws
 /// Failure: WrongUse for an unknown name, or a renderer that this build lacks.
 SurfaceActor MakeIsosurface(
+  vtkImageData* image, double isoValue, const SurfaceDrawing& drawing, Session& session);
+
+/// What the mapper of that name shows, be it an isosurface or not; `mip` takes no isovalue. Throws
+/// as MakeIsosurface.
+SurfaceActor MakeVolume(
   vtkImageData* image, double isoValue, const SurfaceDrawing& drawing, Session& session);
 
 /// Active cells as they are. Throws Failure: WrongUse in a build that cannot draw them.

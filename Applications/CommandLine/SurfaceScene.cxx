@@ -1,5 +1,6 @@
 #include "SurfaceScene.h"
 
+#include "Failure.h"
 #include "Session.h"
 #include "vtkHaspClusteredCells.h"
 
@@ -79,6 +80,21 @@ void Shade(vtkProp3D* prop, const std::array<double, 3>& color)
   property->SetSpecularPower(SpecularPower);
 }
 
+/// Does VTK's ray caster draw it, from all samples on the GPU?
+bool ShowsSamples(const std::string& mapper)
+{
+  const auto& names = VolumeMappers();
+  return mapper == "vtk" || std::find(names.begin(), names.end(), mapper) != names.end();
+}
+
+void RequireSamplesFit(vtkDataObject* volume, vtkRenderer* renderer, const std::string& mapper)
+{
+  const std::string why = WhyTooLarge(vtkImageData::SafeDownCast(volume), renderer);
+  if (!why.empty())
+    throw Failure(
+      ExitCode::CannotDraw, "--mapper " + mapper + ": " + why + ": crop it, or take --mapper mesh");
+}
+
 } // namespace
 
 SurfaceScene::SurfaceScene(
@@ -86,11 +102,16 @@ SurfaceScene::SurfaceScene(
   : Shown(renderer)
 {
   renderer->SetBackground(options.background.data());
+  const std::string& mapper = options.drawing.mapper;
+  if (ShowsSamples(mapper))
+    RequireSamplesFit(volume, renderer, mapper);
+  else
+    session.resources.push_back({ "volume, GPU", 0, 0.0, "--mapper " + mapper });
   if (auto* cells = vtkHaspClusteredCells::SafeDownCast(volume))
     this->Add(MakeCells(cells, options.drawing), options.color);
   else
-    this->Add(MakeIsosurface(
-                vtkImageData::SafeDownCast(volume), options.isoValue, options.drawing, session),
+    this->Add(
+      MakeVolume(vtkImageData::SafeDownCast(volume), options.isoValue, options.drawing, session),
       options.color);
   for (std::size_t k = 0; k < options.surfaces.size(); ++k)
     this->Add(
@@ -108,7 +129,7 @@ SurfaceScene::SurfaceScene(
 
 void SurfaceScene::Add(SurfaceActor surface, const std::array<double, 3>& color)
 {
-  Shade(surface.prop, color);
+  surface.setColor ? surface.setColor(color) : Shade(surface.prop, color);
   this->Shown->AddViewProp(surface.prop);
   this->Surfaces.push_back(std::move(surface));
 }

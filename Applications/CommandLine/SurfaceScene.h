@@ -18,7 +18,7 @@ struct Session;
 
 struct SceneOptions
 {
-  double isoValue = 0.0;
+  double isoValue = 0.0; ///< of no meaning to mapper mip
   SurfaceDrawing drawing;
   std::array<int, 2> resolution{ 800, 800 };            ///< pixels, of one eye
   std::array<double, 3> color{ 0.93, 0.87, 0.76 };      ///< of the isosurface, in [0,1]
@@ -27,8 +27,8 @@ struct SceneOptions
   CameraOptions camera;
 };
 
-/// An isosurface, meshes, a camera and lamps in a renderer: what a picture and a window show. The
-/// renderer must outlive it. RENDER thread.
+/// An isosurface or what else a mapper shows of a volume, meshes, a camera and lamps in a renderer:
+/// what a picture and a window show. The renderer must outlive it. RENDER thread.
 class SurfaceScene
 {
 public:

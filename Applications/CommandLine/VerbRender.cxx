@@ -58,8 +58,9 @@ void Run(Choices choices, Session& session)
 void AddRenderVerb(CLI::App& app, Session& session)
 {
   auto choices = std::make_shared<Choices>();
-  CLI::App* verb = app.add_subcommand(
-    "render", "Draw an isosurface of a volume, or active cells, into a PNG file");
+  CLI::App* verb =
+    app.add_subcommand("render", "Draw an isosurface, the brightest values or skin and bone of a "
+                                 "volume, or active cells, into a PNG file");
   AddSceneOptions(*verb, choices->scene, choices->render);
   verb->add_option("--output", choices->output, "The .png file; its folder must exist")->required();
   AddStereoOptions(*verb, choices->render.stereo);
@@ -72,6 +73,8 @@ void AddRenderVerb(CLI::App& app, Session& session)
                "       --life-size --sketch desk.png --output head.png\n"
                "  hasp render head.mha --isovalue 226 --output head.png --explain\n"
                "  hasp render head.hcells --output head.png\n"
+               "  hasp render head.mha --mapper mip --window 0,2000 --output brightest.png\n"
+               "  hasp render head.mha --mapper composite --output skin-and-bone.png\n"
                "Exit codes: 0 done, 1 wrong use, 2 bad input, 4 cannot draw.");
   verb->callback(
     [&session, choices, verb]

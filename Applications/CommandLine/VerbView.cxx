@@ -14,7 +14,6 @@
 #include "vtkHaspFileNames.h"
 #include "vtkHaspOpenXR.h"
 
-#include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -49,7 +48,9 @@ ViewSettings SettingsOf(const LoadedScene& loaded, const SceneOptions& options)
   ViewSettings settings;
   settings.isoValue = options.isoValue;
   settings.camera = options.camera;
-  if (loaded.passport)
+  if (options.drawing.mapper == "mip")
+    settings.shown = "brightest values, " + WindowText(options.drawing.look);
+  else if (loaded.passport)
   {
     settings.range = { loaded.passport->minimum, loaded.passport->maximum };
     settings.unit = loaded.passport->hounsfield ? "HU" : "";
@@ -196,7 +197,10 @@ void Run(Choices choices, Session& session)
   }
   for (const ResourceUse& use : view.Resources())
     session.resources.push_back(use);
-  session.result["isovalue"] = view.IsoValue();
+  if (choices.options.drawing.mapper == "mip")
+    session.result["window"] = choices.options.drawing.look.window;
+  else
+    session.result["isovalue"] = view.IsoValue();
 }
 
 } // namespace
@@ -210,7 +214,7 @@ void AddViewVerb(CLI::App& app, Session& session)
   if (std::find(mappers.begin(), mappers.end(), "raycaching") != mappers.end())
     drawing.mapper = "raycaching"; // an isovalue that changes all the time
   CLI::App* verb =
-    app.add_subcommand("view", "Show an isosurface in a window, with a slider for the isovalue");
+    app.add_subcommand("view", "Show a volume in a window, with a slider for its isovalue");
   AddSceneOptions(*verb, choices->scene, choices->options);
   verb->add_option("--output", choices->output,
     "Wait for no one: write the window as a .png file when it is complete, and end");

@@ -62,6 +62,7 @@ ViewOverlay::ViewOverlay(
   vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, const ViewSettings& settings)
   : Renderer(renderer),
     Unit(settings.unit.empty() ? "" : " " + settings.unit),
+    Shown(settings.shown),
     Changeable(settings.range.has_value() && settings.overlay)
 {
   const auto ink = InkOn(renderer->GetBackground());
@@ -128,7 +129,7 @@ void ViewOverlay::SetText(const std::string& text)
 std::string ViewOverlay::IsoValueText(double value) const
 {
   if (!this->Changeable)
-    return "active cells";
+    return this->Shown;
   char text[60];
   std::snprintf(text, sizeof text, "isovalue %.6g", value);
   return text + this->Unit;
@@ -139,7 +140,7 @@ std::string PickText(const SurfaceScene& scene, int x, int y, const StereoView* 
   const auto ray = eyes ? eyes->RayOf(x, y) : scene.RayOf(x, y);
   const auto point = ray ? scene.Pick(ray->first, ray->second) : std::nullopt;
   if (!point && !scene.CanPick())
-    return "not known: " + scene.DrewBy() + " gives no points in this build; --mapper mesh does";
+    return "not known: " + scene.DrewBy() + " gives no points; --mapper mesh does";
   if (!point)
     return "no surface there";
   char text[100];

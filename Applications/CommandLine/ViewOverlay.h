@@ -30,14 +30,14 @@ public:
   /// So that it is hit where the window has it: a frame may have drawn it for a part of the window.
   void PlaceSlider();
   void SetText(const std::string& text);
-  /// "isovalue 226 HU".
+  /// "isovalue 226 HU", or what is shown if it cannot be changed.
   std::string IsoValueText(double value) const;
 
 private:
   vtkRenderer* Renderer;
   vtkNew<vtkSliderWidget> Widget;
   vtkNew<vtkTextActor> Line;
-  std::string Unit;
+  std::string Unit, Shown;
   bool Changeable;
 };
 

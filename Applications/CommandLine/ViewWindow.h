@@ -26,6 +26,7 @@ struct ViewSettings
   std::optional<std::array<double, 2>> range; ///< of the isovalue; none: it cannot be changed
   double isoValue = 0.0;                      ///< that the scene has
   std::string unit;                           ///< of the isovalue, "HU"; empty: not known
+  std::string shown = "active cells";         ///< said where the isovalue cannot be changed
   CameraOptions camera;                       ///< of the first view, to which key r goes back
   bool overlay = true; ///< text and slider. They lie in the screen's plane: none in a head-mounted
                        ///< display, which has no such plane

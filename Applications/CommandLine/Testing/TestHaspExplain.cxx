@@ -78,6 +78,19 @@ TEST_F(HaspExplain, VtksMapperMakesNeitherMeshNorCells)
   EXPECT_EQ(resources.at("volume, GPU").at("bytes"), resources.at("volume").at("bytes"));
 }
 
+TEST_F(HaspExplain, SamplesGoToTheGPUOnlyWhereTheyAreShown)
+{
+  for (const std::string mapper : { "cells", "raycaching", "raycast", "mesh" })
+    ExpectSkipped(this->Resources({ "--mapper", mapper }), "volume, GPU");
+  for (const std::string mapper : { "mip", "composite" })
+  {
+    const auto resources = this->Resources({ "--mapper", mapper }, { this->Phantom() });
+    ExpectSkipped(resources, "mesh");
+    ExpectSkipped(resources, "active cells");
+    EXPECT_EQ(resources.at("volume, GPU").at("bytes"), resources.at("volume").at("bytes"));
+  }
+}
+
 TEST_F(HaspExplain, TheCellMapperMakesNoMeshAndNoPickingBuffers)
 {
   const auto resources = this->Resources({ "--mapper", "cells" });

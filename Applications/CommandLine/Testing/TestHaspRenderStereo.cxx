@@ -159,4 +159,23 @@ TEST_F(HaspRenderStereo, ALensBendsThePicture)
   EXPECT_NE(plain.At(0, 0), (Pixel{ 0, 0, 0 }));
 }
 
+TEST_F(HaspRenderStereo, EachEyeSeesTheVolumeFromItsOwnPlace)
+{
+  for (const std::string mapper : { "mip", "composite" })
+  {
+    const auto draw = [&](const std::string& layout)
+    {
+      const HaspRun run = RunHasp({ "render", this->Path("head.mha"), "--mapper", mapper,
+        "--resolution", "120,90", "--output", this->Path("out.png"), "--stereo", layout });
+      EXPECT_EQ(run.exitCode, 0) << run.err;
+      return this->Read("out.png");
+    };
+    const Picture pair = draw("side-by-side"), left = draw("left"), right = draw("right");
+    ASSERT_EQ(pair.width, 240);
+    EXPECT_TRUE(pair.Part(0, 0, 120, 90) == left) << mapper;
+    EXPECT_TRUE(pair.Part(120, 0, 120, 90) == right) << mapper;
+    EXPECT_TRUE(Differ(left, right)) << mapper;
+  }
+}
+
 } // namespace

@@ -86,6 +86,27 @@ TEST_F(HaspView, TheCompleteWindowIsWritten)
   EXPECT_GT(ReadBytes(this->Path("w.png")).size(), 2 * ReadBytes(this->Path("far.png")).size());
 }
 
+TEST_F(HaspView, VolumesAreShownWithoutASurface)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const auto show = [&](const std::string& mapper)
+  {
+    const HaspRun run =
+      RunHasp(this->View({ "--mapper", mapper, "--output", this->Path(mapper + ".png"), "--json" }),
+        {}, screen.Display());
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return nlohmann::json::parse(run.out);
+  };
+  const nlohmann::json brightest = show("mip"), translucent = show("composite");
+  EXPECT_FALSE(brightest.contains("isovalue"));
+  EXPECT_EQ(brightest.at("window").at(0), -1000.0);
+  EXPECT_FALSE(translucent.contains("window"));
+  EXPECT_GT(translucent.at("isovalue"), 0.0);
+  EXPECT_NE(ReadBytes(this->Path("mip.png")), ReadBytes(this->Path("composite.png")));
+}
+
 TEST_F(HaspView, CellsAreShownWithoutASlider)
 {
   this->Phantom();
