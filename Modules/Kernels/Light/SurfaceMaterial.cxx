@@ -19,7 +19,8 @@ namespace
 {
 
 constexpr double Pi = glm::pi<double>();
-constexpr int Angles = 32; // of the table, and one
+constexpr int Angles = 32; // of the table, and one; even in the cosine's root, for grazing ones
+                           // change most
 
 void Require(bool condition, const char* what, double value, const char* range)
 {
@@ -94,7 +95,7 @@ struct SurfaceScattering::Tables
     constexpr int Side = 32;
     for (int angle = 0; angle <= Angles; ++angle)
     {
-      const double cosine = std::max(1e-4, double(angle) / Angles);
+      const double root = double(angle) / Angles, cosine = std::max(1e-4, root * root);
       const glm::dvec3 out(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
       double a = 0.0, b = 0.0;
       for (int n = 0; n < Side * Side; ++n)
@@ -126,17 +127,19 @@ struct SurfaceScattering::Tables
   template <typename F>
   static double Average(const F& f)
   {
-    double sum = 0.0;
+    double sum = 0.0; // of 4 f(r) r^3 dr, r the cosine's root
     for (int n = 0; n < Angles; ++n)
     {
-      const double x0 = double(n) / Angles, x1 = double(n + 1) / Angles, y0 = f(n), y1 = f(n + 1);
-      sum += (x1 - x0) * (x0 * (2.0 * y0 + y1) + x1 * (y0 + 2.0 * y1)) / 3.0;
+      const double r0 = double(n) / Angles, r1 = double(n + 1) / Angles;
+      const double slope = (f(n + 1) - f(n)) / (r1 - r0), start = f(n) - slope * r0;
+      sum += start * (std::pow(r1, 4) - std::pow(r0, 4)) +
+             0.8 * slope * (std::pow(r1, 5) - std::pow(r0, 5));
     }
     return sum;
   }
   static float At(const std::array<float, Angles + 1>& table, double cosine)
   {
-    const double place = std::clamp(cosine, 0.0, 1.0) * Angles;
+    const double place = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * Angles;
     const int n = std::min(static_cast<int>(place), Angles - 1);
     const auto part = static_cast<float>(place - n);
     return table[n] + part * (table[n + 1] - table[n]);
