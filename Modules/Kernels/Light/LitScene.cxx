@@ -63,14 +63,18 @@ glm::dvec3 UnitOr(const glm::dvec3& v, const glm::dvec3& other)
 
 void Check(const LitLamp& lamp, std::size_t number)
 {
-  const double size = glm::length(lamp.place);
-  const float color = lamp.color.r + lamp.color.g + lamp.color.b;
-  const double reach = lamp.attenuation.x + lamp.attenuation.y + lamp.attenuation.z;
-  if (!(std::isfinite(size) && (lamp.place.w != 0.0 || size > 0.0) && std::isfinite(color)) ||
-      !(reach > 0.0) || std::min({ lamp.color.r, lamp.color.g, lamp.color.b }) < 0.0F)
+  const double size = glm::length(lamp.place), w = lamp.place.w;
+  const glm::vec3 &color = lamp.color, &reach = lamp.attenuation;
+  if (!(std::isfinite(size) && ((w == 0.0 && size > 0.0) || w == 1.0)) ||
+      !std::isfinite(color.r + color.g + color.b) || std::min({ color.r, color.g, color.b }) < 0.0F)
     throw std::invalid_argument("LitScene: lamp " + std::to_string(number) +
-                                " needs a finite place or direction that is not 0, a colour of at "
-                                "least 0 and an attenuation above 0");
+                                " needs a finite direction that is not 0 (w 0, not " +
+                                std::to_string(w) +
+                                ") or place (w 1), and a finite colour of at least 0");
+  if (!(std::isfinite(reach.x + reach.y + reach.z) && reach.x + reach.y + reach.z > 0.0F) ||
+      std::min({ reach.x, reach.y, reach.z }) < 0.0F)
+    throw std::invalid_argument("LitScene: lamp " + std::to_string(number) +
+                                " needs finite attenuations of at least 0, not all 0");
 }
 
 } // namespace
@@ -121,7 +125,7 @@ LitScene::LitScene(std::vector<LitBody> bodies, std::vector<LitLamp> lamps,
       throw std::invalid_argument(called + " has no material");
     const glm::dmat3 turn(body.bodyToWorld);
     const double volume = glm::determinant(turn);
-    if (!(std::isfinite(volume) && volume != 0.0))
+    if (!(std::isfinite(volume + glm::length(body.bodyToWorld[3])) && volume != 0.0))
       throw std::invalid_argument(called + " has a matrix that cannot be inverted");
     this->Frames.push_back(
       { glm::inverse(body.bodyToWorld), glm::inverse(turn), glm::transpose(glm::inverse(turn)) });
@@ -139,8 +143,14 @@ bool LitScene::Enters(std::uint32_t body, const Way& way) const
   const glm::dvec3 u = (box.low - way.origin) * way.inverse,
                    v = (box.high - way.origin) * way.inverse;
   double from = way.tMin, to = way.tMax;
-  for (int a = 0; a < 3; ++a) // a ray within a face makes NaN there, which max and min pass over
+  for (int a = 0; a < 3; ++a)
   {
+    if (way.direction[a] == 0.0) // 0 times infinity within a face
+    {
+      if (way.origin[a] < box.low[a] || way.origin[a] > box.high[a])
+        return false;
+      continue;
+    }
     from = std::max(from, std::min(u[a], v[a]));
     to = std::min(to, std::max(u[a], v[a]));
   }

@@ -59,7 +59,8 @@ class LitScene
 public:
   /// Some microseconds a body and 0.1 us a cluster: what is dear is shared, so that a moved body
   /// costs no tree. Throws std::invalid_argument: a body without surface or with both, or without
-  /// material, a matrix that cannot be inverted, a lamp without direction, no environment.
+  /// material, a matrix that cannot be inverted, a lamp without direction, with a w that is neither
+  /// 0 nor 1 or with colours or attenuations below 0, no environment.
   LitScene(std::vector<LitBody> bodies, std::vector<LitLamp> lamps,
     std::shared_ptr<const Environment> environment);
 
