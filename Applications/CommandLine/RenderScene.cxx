@@ -67,6 +67,7 @@ std::string RenderScene::DrawPng()
   Parts& self = *this->Self;
   self.session->progress.Step("drawing");
   const auto start = std::chrono::steady_clock::now();
+  self.scene->SetFrameProgress([&](double share) { self.session->progress.Share(share); });
   int frames = 0;
   for (bool more = true; more; ++frames)
   {
@@ -74,6 +75,7 @@ std::string RenderScene::DrawPng()
     more = self.scene->WantsFrame(MostFrames);
     self.session->progress.Share(self.scene->ShareDrawn());
   }
+  self.scene->SetFrameProgress({});
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   ThrowVtkError(ExitCode::CannotDraw, "cannot draw");
   const auto picture = WindowPicture(self.window);

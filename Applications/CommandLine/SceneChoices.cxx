@@ -76,7 +76,26 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
   verb.add_flag("--shadows", drawing.shadows,
     std::string("A lamp up to the left of ") +
       (drawing.interactive ? "the first view" : "the viewer") +
-      "; active cells cast its shadow on each other");
+      "; surfaces cast its shadow on each other");
+}
+
+void AddLightOptions(CLI::App& verb, LightChoices& light)
+{
+  auto* paths =
+    verb
+      .add_option("--path-trace", light.pathSamples,
+        "Light of an environment by so many paths a pixel, 64 say: all surfaces light and shade "
+        "each other. With --shadows the lamp joins it. Of mappers cells and mesh")
+      ->check(CLI::Range(1, 1 << 20));
+  verb
+    .add_option("--environment", light.environment,
+      "Radiance picture (.hdr) in latitude and longitude, its centre before the face; without it "
+      "daylight")
+    ->needs(paths);
+  verb.add_option("--bounces", light.bounces, "Surfaces that light may meet on its way; 1: direct")
+    ->check(CLI::Range(1, 64))
+    ->capture_default_str()
+    ->needs(paths);
 }
 
 void AddLookOptions(CLI::App& verb, SceneOptions& scene)
@@ -125,9 +144,9 @@ void AddCameraOptions(CLI::App& verb, CameraOptions& camera)
 }
 
 /// Light takes traced rays; what else is said of active cells is for what draws them.
-void RequireFittingDrawing(const SurfaceDrawing& drawing)
+void RequireFittingDrawing(const SurfaceDrawing& drawing, const LightChoices& light)
 {
-  if (drawing.Lit() && drawing.renderer == "rasterize")
+  if (drawing.Lit() && !light.pathSamples && drawing.renderer == "rasterize")
     throw Failure(ExitCode::WrongUse,
       "--ambient-occlusion and --shadows take traced rays; leave out --renderer rasterize");
   if (drawing.blendNormals && (drawing.Lit() || drawing.renderer == "trace"))
@@ -138,9 +157,24 @@ void RequireFittingDrawing(const SurfaceDrawing& drawing)
   if (drawing.compact || drawing.blendNormals)
     throw Failure(
       ExitCode::WrongUse, "--compact and --blend-normals are for --mapper cells; leave them out");
-  if (drawing.mapper != "raycaching" && (drawing.renderer != "automatic" || drawing.Lit()))
+  const bool lit = drawing.Lit() && !light.pathSamples;
+  if (drawing.mapper != "raycaching" && (drawing.renderer != "automatic" || lit))
     throw Failure(ExitCode::WrongUse, "--renderer, --ambient-occlusion and --shadows are for "
                                       "--mapper cells and raycaching; leave them out");
+}
+
+/// Paths see active cells and triangles.
+void RequireFittingLight(const SceneOptions& scene)
+{
+  const SurfaceDrawing& drawing = scene.drawing;
+  if (!scene.light.pathSamples)
+    return;
+  if (drawing.mapper != "cells" && drawing.mapper != "mesh")
+    throw Failure(ExitCode::WrongUse, "--path-trace is for --mapper cells and mesh, not " +
+                                        drawing.mapper + "; leave one of them out");
+  if (drawing.ambientOcclusionMm)
+    throw Failure(
+      ExitCode::WrongUse, "--path-trace darkens by itself; leave out --ambient-occlusion");
 }
 
 /// What is said of values is for the mappers that use it.
@@ -212,6 +246,7 @@ double UsualIsoValue(const Passport& passport)
 void AddSceneOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& scene)
 {
   AddIsosurfaceOptions(verb, choices, scene);
+  AddLightOptions(verb, scene.light);
   AddLookOptions(verb, scene);
   AddCameraOptions(verb, scene.camera);
 }
@@ -220,7 +255,8 @@ LoadedScene ReadScene(const SceneChoices& choices, SceneOptions& scene, Session&
 {
   const bool cells = IsCellFileName(choices.volume.input);
   scene.drawing.mapper = choices.mapper.value_or(cells ? "cells" : scene.drawing.mapper);
-  RequireFittingDrawing(scene.drawing);
+  RequireFittingDrawing(scene.drawing, scene.light);
+  RequireFittingLight(scene);
   RequireFittingValues(choices, scene.drawing.mapper);
   if (cells)
     return ReadCellScene(choices, scene, session);

@@ -107,11 +107,19 @@ SurfaceScene::SurfaceScene(
     RequireSamplesFit(volume, renderer, mapper);
   else
     session.resources.push_back({ "volume, GPU", 0, 0.0, "--mapper " + mapper });
-  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(volume))
-    this->Add(MakeCells(cells, options.drawing), options.color);
+  SurfaceDrawing drawing = options.drawing;
+  if (SharesLight(options.light, drawing, options.surfaces.size()))
+  {
+    this->Light = std::make_unique<SceneLight>(renderer, options.light, drawing);
+    drawing.ambientOcclusionMm.reset(); // not twice
+    drawing.shadows = false;
+  }
   else
-    this->Add(
-      MakeVolume(vtkImageData::SafeDownCast(volume), options.isoValue, options.drawing, session),
+    session.resources.push_back({ "light of all surfaces", 0, 0.0, "each has its own" });
+  if (auto* cells = vtkHaspClusteredCells::SafeDownCast(volume))
+    this->Add(MakeCells(cells, drawing), options.color);
+  else
+    this->Add(MakeVolume(vtkImageData::SafeDownCast(volume), options.isoValue, drawing, session),
       options.color);
   for (std::size_t k = 0; k < options.surfaces.size(); ++k)
     this->Add(
@@ -190,11 +198,19 @@ void SurfaceScene::ListResources(ResourceList& list) const
 {
   for (const SurfaceActor& surface : this->Surfaces)
     surface.listResources(list);
+  if (this->Light)
+    this->Light->ListResources(list);
+}
+
+void SurfaceScene::SetFrameProgress(std::function<void(double share)> progress)
+{
+  if (this->Light)
+    this->Light->SetProgress(std::move(progress));
 }
 
 bool SurfaceScene::WantsFrame(int mostFrames)
 {
-  bool may = false, refining = false;
+  bool may = this->Light != nullptr, refining = this->Light && this->Light->Refining();
   for (const SurfaceActor& surface : this->Surfaces)
   {
     may |= bool(surface.refining);

@@ -1,5 +1,6 @@
 #pragma once
 #include "CameraOptions.h"
+#include "SceneLight.h"
 #include "SurfaceActors.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct SceneOptions
 {
   double isoValue = 0.0; ///< of no meaning to mapper mip
   SurfaceDrawing drawing;
+  LightChoices light;
   std::array<int, 2> resolution{ 800, 800 };            ///< pixels, of one eye
   std::array<double, 3> color{ 0.93, 0.87, 0.76 };      ///< of the isosurface, in [0,1]
   std::array<double, 3> background{ 0.10, 0.11, 0.13 }; ///< in [0,1]
@@ -57,6 +59,8 @@ public:
   void Restart() { this->Frames = this->Quiet = 0; }
   /// Call after each frame: will another one show more? Ends after mostFrames in any case.
   bool WantsFrame(int mostFrames);
+  /// Is told the share of a long frame that is done, while it is drawn: of paths.
+  void SetFrameProgress(std::function<void(double share)> progress);
   /// Of the frames that it takes in any case, the share that has been drawn.
   double ShareDrawn() const
   {
@@ -68,6 +72,7 @@ private:
 
   vtkRenderer* Shown;
   std::vector<SurfaceActor> Surfaces; ///< the isosurface first
+  std::unique_ptr<SceneLight> Light;  ///< that they share; null: each has its own
   int LeastFrames = 1;
   int QuietFrames = 1;       ///< without a find, until the picture is taken to be complete
   int Frames = 0, Quiet = 0; ///< since the last change; without a find, in a row

@@ -195,13 +195,13 @@ void SceneLightCache::PartEnvironment(const LitScene& scene, const SceneLightReq
 }
 
 void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
-  std::span<const float> depths, const SceneLightRequest& request, LitPicture& picture)
+  const DrawnDepths& drawn, const SceneLightRequest& request, LitPicture& picture)
 {
   Require(view.size.x >= 0 && view.size.y >= 0, "least side of the picture",
     std::min(view.size.x, view.size.y), "at least 0");
   const std::size_t pixels = std::size_t(view.size.x) * std::size_t(view.size.y);
-  Require(depths.empty() || depths.size() == pixels, "number of depths", double(depths.size()),
-    "that of the pixels, or 0");
+  Require(drawn.depths.empty() || drawn.depths.size() == pixels, "number of depths",
+    double(drawn.depths.size()), "that of the pixels, or 0");
   Require(request.distanceMm > 0.0, "distance", request.distanceMm, "above 0 mm");
   request.paths.Validate();
   picture.assign(pixels, glm::vec4(0.0F));
@@ -247,7 +247,7 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
   for (const LitLamp& lamp : scene.Lamps())
     least += std::max({ lamp.color.r, lamp.color.g, lamp.color.b });
   least += static_cast<float>(soft.Total() / (4.0 * Pi));
-  const Picture seen{ scene, view, rays, places, paths, depths, request, eye,
+  const Picture seen{ scene, view, rays, places, paths, drawn, request, eye,
     glm::vec3(least > 0.0F ? 0.25F * least : 1.0F), stays, reflects, soft, bright };
 
   const glm::i64vec2 tiles = (view.size + Tile::Side - 1) / Tile::Side;

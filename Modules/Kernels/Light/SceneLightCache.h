@@ -38,6 +38,14 @@ struct SceneLightRequest
   bool operator==(const SceneLightRequest&) const = default;
 };
 
+/// What was drawn, for light to fall on.
+struct DrawnDepths
+{
+  std::span<const float> depths; ///< [0, 1] of each pixel, row by row from the lowest; 1: nothing
+  double slackPixels = 0.0; ///< as far beside the pixels' centres they may have been taken, times
+                            ///< the slope
+};
+
 /// Linear radiance of a picture; alpha 1 where a body is seen and 0 elsewhere.
 using LitPicture = std::vector<glm::vec4>;
 
@@ -76,11 +84,10 @@ public:
   SceneLightCache& operator=(const SceneLightCache&) = delete;
 
   /// The light of what a view, whose index coordinates are the world's, shows of the scene.
-  /// depths: [0, 1] of what was drawn, a pixel each, row by row from the lowest; then the surface
-  /// is looked for there alone, and where it is not found there, or the depth is 1, alpha is 0.
-  /// Empty: rays find what is seen. Throws std::invalid_argument on a request out of range or
-  /// depths of another number.
-  void Light(const LitScene& scene, const PictureView& view, std::span<const float> depths,
+  /// drawn: with depths the surface is looked for there alone, and where it is not found there, or
+  /// the depth is 1, alpha is 0. Empty: rays find what is seen. Throws std::invalid_argument on a
+  /// request out of range or depths of another number.
+  void Light(const LitScene& scene, const PictureView& view, const DrawnDepths& drawn,
     const SceneLightRequest& request, LitPicture& picture);
 
   void Forget(); ///< everything

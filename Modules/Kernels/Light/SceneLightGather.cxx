@@ -30,28 +30,34 @@ glm::ivec2 InTile(int n)
 
 std::optional<LitHit> SceneLightCache::Picture::HitOf(std::size_t pixel) const
 {
-  const glm::dvec2 lower(
-    double(pixel % std::size_t(this->view.size.x)), double(pixel / std::size_t(this->view.size.x)));
+  const glm::dvec2 centre(double(pixel % std::size_t(this->view.size.x)) + 0.5,
+    double(pixel / std::size_t(this->view.size.x)) + 0.5);
   CellRay ray;
-  if ((!this->depths.empty() && !(this->depths[pixel] < 1.0F)) || !this->rays.Of(lower + 0.5, ray))
+  const std::span<const float> depths = this->drawn.depths;
+  if ((!depths.empty() && !(depths[pixel] < 1.0F)) || !this->rays.Of(centre, ray))
     return std::nullopt;
   const double length = glm::length(ray.direction);
   double from = ray.tMin * length, to = ray.tMax * length;
   const glm::dvec3 direction = ray.direction / length;
-  if (!this->depths.empty())
+  if (!depths.empty())
   {
-    // Depth buffers have 24 bits: what that is worth here, in mm, on either side.
-    const auto along = [&](double depth)
+    const auto placeOf = [&](const glm::dvec2& at, double depth)
     {
-      const glm::dvec2 device = 2.0 * (lower + 0.5) / glm::dvec2(this->view.size) - 1.0;
+      const glm::dvec2 device = 2.0 * at / glm::dvec2(this->view.size) - 1.0;
       const glm::dvec4 place = this->rays.GetToIndex() * glm::dvec4(device, 2.0 * depth - 1.0, 1.0);
-      return glm::dot(glm::dvec3(place) / place.w - ray.origin, direction);
+      return glm::dvec3(place) / place.w;
     };
+    // Depth buffers have 24 bits; drawing and rays agree to some thousandths of a voxel.
     constexpr double Step = 4.0 / 16777216.0;
-    const double depth = this->depths[pixel], at = along(depth);
-    const double around = 1e-3 * this->scene.Bounds().Size() / 100.0 +
-                          std::max(std::abs(along(std::min(1.0, depth + Step)) - at),
-                            std::abs(at - along(std::max(0.0, depth - Step))));
+    const double depth = depths[pixel];
+    const glm::dvec3 place = placeOf(centre, depth);
+    const double at = glm::dot(place - ray.origin, direction);
+    double around = std::max(glm::distance(placeOf(centre, std::min(1.0, depth + Step)), place),
+                      glm::distance(placeOf(centre, std::max(0.0, depth - Step)), place)) +
+                    1e-5 * this->scene.Bounds().Size();
+    if (this->drawn.slackPixels > 0.0)
+      around += this->drawn.slackPixels *
+                glm::distance(placeOf(centre + glm::dvec2(1.0, 0.0), depth), place);
     from = std::max(from, at - around);
     to = std::min(to, at + around);
   }

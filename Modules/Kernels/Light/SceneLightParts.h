@@ -21,7 +21,7 @@ struct SceneLightCache::Picture
   const PictureRays& rays;
   const ViewPlaces& places;
   const PathTracer<SobolSequence>& paths;
-  std::span<const float> depths;
+  const DrawnDepths& drawn;
   const SceneLightRequest& request;
   glm::dvec4 eye;  ///< w 0: it looks along xyz
   glm::vec3 floor; ///< added to the open light, so that no place is without

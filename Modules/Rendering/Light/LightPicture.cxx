@@ -11,10 +11,11 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
-void ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
+int ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
 {
   const glm::ivec2& size = viewport.size;
   depths.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
@@ -37,6 +38,7 @@ void ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
     readFrom(viewport.origin);
   glPixelStorei(GL_PACK_ALIGNMENT, alignment);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+  return std::max(1, static_cast<int>(samples));
 }
 
 void LightPicture::Draw(vtkOpenGLRenderWindow* window, const LightViewport& viewport,

@@ -15,8 +15,9 @@ struct LightViewport
 };
 
 /// Depth of what has been drawn in the viewport, [0, 1] a pixel, row by row from the lowest; with
-/// several samples a pixel that of one of them. Threads: RENDER, with the context current.
-void ReadDepths(const LightViewport& viewport, std::vector<float>& depths);
+/// several samples a pixel that of one of them, which need not be in its centre. Returns the
+/// samples a pixel, at least 1. Threads: RENDER, with the context current.
+int ReadDepths(const LightViewport& viewport, std::vector<float>& depths);
 
 /// Draws pictures of light over what was drawn, without touching depth. Threads: RENDER, with the
 /// context current. 16 bytes a pixel of texture, from the first picture on.

@@ -7,7 +7,10 @@
 #include "LitActors.h"
 #include "LitSurroundings.h"
 
+#include "vtkCameraPass.h"
+#include "vtkCommand.h"
 #include "vtkDualDepthPeelingPass.h"
+#include "vtkHardwareSelector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -30,9 +33,10 @@ vtkStandardNewMacro(vtkHaspLightPass);
 namespace
 {
 
-constexpr double White = 0.7;        // what mean light makes of a white surface
-constexpr int StillFrames = 64;      // after which light that is kept is taken to be settled
-constexpr float KeptSamples = 16.0F; // what it counts for beside paths of a pixel's own
+constexpr double White = 0.7;          // what mean light makes of a white surface
+constexpr double SlackOfSamples = 4.0; // pixels: half of one, on slopes of up to 83 degrees
+constexpr int StillFrames = 64;        // after which light that is kept is taken to be settled
+constexpr float KeptSamples = 16.0F;   // what it counts for beside paths of a pixel's own
 
 hasp::PictureView ViewOf(vtkRenderer* renderer, const LightViewport& viewport)
 {
@@ -70,16 +74,30 @@ class vtkHaspLightPass::Opaque : public vtkOpaquePass
 public:
   static Opaque* New();
   vtkTypeMacro(Opaque, vtkOpaquePass);
-  vtkHaspLightPass* Owner = nullptr; ///< null: as if it were not there
+  vtkHaspLightPass* Owner = nullptr;
 
   void Render(const vtkRenderState* state) override
   {
     this->Superclass::Render(state);
-    if (this->Owner)
-      this->Owner->Light(state);
+    this->Owner->Light(state);
   }
 };
 vtkStandardNewMacro(vtkHaspLightPass::Opaque);
+
+/// A selection: the selector draws the props itself.
+class vtkHaspLightPass::Selection : public vtkRenderPass
+{
+public:
+  static Selection* New();
+  vtkTypeMacro(Selection, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    this->NumberOfRenderedProps = state->GetRenderer()->GetSelector()->Render(
+      state->GetRenderer(), state->GetPropArray(), state->GetPropArrayCount());
+  }
+};
+vtkStandardNewMacro(vtkHaspLightPass::Selection);
 
 struct vtkHaspLightPass::Internals
 {
@@ -99,6 +117,7 @@ struct vtkHaspLightPass::Internals
   hasp::PictureView view;      ///< of the last picture
   hasp::ProgressiveWork begun; ///< what paths work at
   std::vector<float> depths;
+  double slack = 0.0; ///< pixels by which they may lie beside a pixel's centre
   hasp::LitPicture light;
   hasp::LitPicture seen; ///< what is kept, beside paths
   LightPicture picture;
@@ -129,40 +148,50 @@ void vtkHaspLightPass::SetAmbientOcclusionDistance(double mm)
   }
 }
 
-/// VTK's steps, with the translucency that the renderer asks for; passes are made when they are.
 void vtkHaspLightPass::Render(const vtkRenderState* state)
 {
   Internals& in = *this->Internal;
-  vtkRenderer* renderer = state->GetRenderer();
-  const bool picks = renderer->GetSelector() != nullptr;
-  in.opaque->Owner = picks ? nullptr : this;
-  vtkRenderPass* translucent = in.translucent;
-  bool any = false;
-  for (int n = 0; n < state->GetPropArrayCount() && !picks && !any; ++n)
-    any = state->GetPropArray()[n]->HasTranslucentPolygonalGeometry() != 0;
-  if (any && renderer->GetUseDepthPeeling())
+  if (state->GetRenderer()->GetSelector())
   {
-    if (!in.peeling)
-    {
-      in.peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
-      in.peeling->SetTranslucentPass(in.translucent);
-    }
-    in.peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
-    in.peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
-    translucent = in.peeling;
+    vtkNew<vtkCameraPass> camera;
+    vtkNew<Selection> selection;
+    camera->SetDelegatePass(selection);
+    camera->Render(state);
+    this->NumberOfRenderedProps = camera->GetNumberOfRenderedProps();
+    return;
   }
-  else if (any)
+  in.steps->SetTranslucentPass(this->Translucency(state));
+  in.steps->Render(state);
+  this->NumberOfRenderedProps = in.steps->GetNumberOfRenderedProps();
+}
+
+/// That the renderer asks for; passes are made when they are first wanted.
+vtkRenderPass* vtkHaspLightPass::Translucency(const vtkRenderState* state)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = state->GetRenderer();
+  bool any = false;
+  for (int n = 0; n < state->GetPropArrayCount() && !any; ++n)
+    any = state->GetPropArray()[n]->HasTranslucentPolygonalGeometry() != 0;
+  if (!any)
+    return in.translucent;
+  if (!renderer->GetUseDepthPeeling())
   {
     if (!in.sums)
     {
       in.sums = vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New();
       in.sums->SetTranslucentPass(in.translucent);
     }
-    translucent = in.sums;
+    return in.sums;
   }
-  in.steps->SetTranslucentPass(translucent);
-  in.steps->Render(state);
-  this->NumberOfRenderedProps = in.steps->GetNumberOfRenderedProps();
+  if (!in.peeling)
+  {
+    in.peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+    in.peeling->SetTranslucentPass(in.translucent);
+  }
+  in.peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
+  in.peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
+  return in.peeling;
 }
 
 /// The scene of this frame's actors and its light, over what was drawn.
@@ -211,14 +240,14 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
   in.view = view;
   in.still = same ? in.still + 1 : 1;
 
-  ReadDepths(viewport, in.depths);
+  in.slack = ReadDepths(viewport, in.depths) > 1 ? SlackOfSamples : 0.0;
   if (this->Mode == PathTraced)
     this->TracePaths(same);
   else
   {
     in.paths.Release();
     in.traced = {};
-    in.kept.Light(*in.scene, view, in.depths, this->Request(), in.light);
+    in.kept.Light(*in.scene, view, { in.depths, in.slack }, this->Request(), in.light);
   }
   const float exposure = !paths                 ? 1.0F
                          : this->Exposure > 0.0 ? static_cast<float>(this->Exposure)
@@ -257,14 +286,19 @@ void vtkHaspLightPass::TracePaths(bool same)
   if (!this->TemporalAccumulation)
     request.kind = hasp::SceneLightRequest::Kind::Lamps; // for what is seen alone
   if (!begun || this->TemporalAccumulation)
-    in.kept.Light(*in.scene, in.view, in.depths, request, in.seen);
+    in.kept.Light(*in.scene, in.view, { in.depths, in.slack }, request, in.seen);
   if (!begun)
   {
     in.begun = work;
     in.paths.Start(std::move(work));
   }
-  if (this->WaitForSamples)
-    in.paths.WaitFor(this->SamplesPerPixel);
+  for (int n = 0; this->WaitForSamples && in.paths.Running() && n < this->SamplesPerPixel;)
+  {
+    in.paths.WaitFor(n + 1);
+    n = std::max(n + 1, in.paths.Samples());
+    double share = double(n) / this->SamplesPerPixel;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &share);
+  }
   in.paths.Latest(in.traced);
 
   const float kept = this->TemporalAccumulation ? KeptSamples : 0.0F;

@@ -130,7 +130,8 @@ public:
   vtkGetMacro(SamplesPerPixel, int);
   ///@}
   ///@{
-  /// Does Render return only when PathTraced has all samples? For pictures in files. Default off.
+  /// Does Render return only when PathTraced has all samples? For pictures in files. Meanwhile
+  /// ProgressEvent tells the share of samples. Default off.
   vtkSetMacro(WaitForSamples, bool);
   vtkGetMacro(WaitForSamples, bool);
   vtkBooleanMacro(WaitForSamples, bool);
@@ -163,7 +164,9 @@ private:
   void operator=(const vtkHaspLightPass&) = delete;
 
   class Opaque; // the opaque step of VTK's steps
+  class Selection;
   struct Internals;
+  vtkRenderPass* Translucency(const vtkRenderState* state);
   void Light(const vtkRenderState* state);
   void Compose(const vtkRenderState* state);
   void TracePaths(bool same);

@@ -1,0 +1,50 @@
+#pragma once
+#include "Grid/ResourceUse.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+class vtkRenderer;
+
+namespace hasp
+{
+
+struct SurfaceDrawing;
+
+/// Light of paths that a scene asks for.
+struct LightChoices
+{
+  std::optional<int> pathSamples; ///< of a pixel; nothing: no paths
+  int bounces = 3;
+  std::string environment; ///< .hdr file; empty: daylight
+};
+
+/// Do all surfaces of a scene share one light: paths, or the mappers' own light where there are
+/// several surfaces, which shade each other?
+bool SharesLight(const LightChoices& light, const SurfaceDrawing& drawing, std::size_t surfaces);
+
+/// One light for all that a renderer shows (vtkHaspLightPass), in builds that have it. RENDER
+/// thread.
+class SceneLight
+{
+public:
+  /// Sets the renderer's pass; the renderer must outlive this. Throws Failure: BadInput for a file
+  /// that is no environment, CannotDraw in a build without Embree.
+  SceneLight(vtkRenderer* renderer, const LightChoices& light, const SurfaceDrawing& drawing);
+  ~SceneLight();
+  SceneLight(const SceneLight&) = delete;
+  SceneLight& operator=(const SceneLight&) = delete;
+
+  bool Refining() const;
+  /// Share of a path traced picture's samples, while its frame is drawn.
+  void SetProgress(std::function<void(double share)> progress);
+  void ListResources(ResourceList& list) const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> Self;
+};
+
+} // namespace hasp
