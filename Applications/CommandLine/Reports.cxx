@@ -3,6 +3,7 @@
 #if HASP_WITH_CELLS
 #include "ReportCells.h"
 #include "ReportIsosurface.h"
+#include "ReportLight.h"
 #include "ReportRaycaching.h"
 #include "ReportStability.h"
 #endif
@@ -31,6 +32,10 @@ const std::vector<ReportEntry>& ReportRegistry()
         ReportCells },
       { "raycaching", "frames, holes and errors of the ray cache, against direct ray casts",
         ReportRaycaching },
+      { "light",
+        "global light of bone and parts: furnaces, closed forms, error against time of kept light "
+        "and of paths, rays against triangles",
+        ReportLight },
       { "stability",
         "what is predicted of extreme volumes, rays, eyes and haptic loops, against what comes",
         ReportStability },

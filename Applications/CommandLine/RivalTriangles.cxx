@@ -115,17 +115,24 @@ std::size_t RivalTriangles::MeshBytes() const
 namespace
 {
 
+RTCRay RayOf(const WorldRay& ray)
+{
+  RTCRay its{};
+  its.org_x = float(ray.origin.x);
+  its.org_y = float(ray.origin.y);
+  its.org_z = float(ray.origin.z);
+  its.dir_x = float(ray.direction.x);
+  its.dir_y = float(ray.direction.y);
+  its.dir_z = float(ray.direction.z);
+  its.tfar = Infinity;
+  its.mask = ~0U;
+  return its;
+}
+
 void TraceOne(RTCScene scene, RTCIntersectContext* context, const WorldRay& ray, float& t)
 {
   RTCRayHit hit{};
-  hit.ray.org_x = float(ray.origin.x);
-  hit.ray.org_y = float(ray.origin.y);
-  hit.ray.org_z = float(ray.origin.z);
-  hit.ray.dir_x = float(ray.direction.x);
-  hit.ray.dir_y = float(ray.direction.y);
-  hit.ray.dir_z = float(ray.direction.z);
-  hit.ray.tfar = Infinity;
-  hit.ray.mask = ~0U;
+  hit.ray = RayOf(ray);
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, context, &hit);
   t = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Infinity : hit.ray.tfar;
@@ -175,6 +182,24 @@ void RivalTriangles::Trace(
         for (std::int64_t n = first; n < last; n += 16)
           TraceSixteen(
             scene, &context, rays.subspan(n, std::min<std::int64_t>(16, last - n)), &t[n]);
+    });
+}
+
+void RivalTriangles::Occluded(std::span<const WorldRay> rays, std::span<float> t) const
+{
+  RTCScene scene = this->Inside->scene;
+  ParallelFor(0, std::int64_t(rays.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      RTCIntersectContext context;
+      rtcInitIntersectContext(&context);
+      context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        RTCRay ray = RayOf(rays[n]);
+        rtcOccluded1(scene, &context, &ray);
+        t[n] = ray.tfar < 0.0F ? 0.0F : Infinity; // Embree says so by -inf
+      }
     });
 }
 

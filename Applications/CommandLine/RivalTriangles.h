@@ -30,6 +30,8 @@ public:
   std::string Name() const;
   /// The way to the first triangle of each ray, infinite where there is none.
   void Trace(std::span<const WorldRay> rays, std::span<float> t, Packets packets) const;
+  /// Infinite where a ray meets nothing, else anything less: rtcOccluded1.
+  void Occluded(std::span<const WorldRay> rays, std::span<float> t) const;
   /// What Embree holds, as its own monitor counts, and the mesh it is given: float positions,
   /// 32-bit indices.
   std::size_t TreeBytes() const;

@@ -1,5 +1,6 @@
 #include "ReportTerms.h"
 
+#include "LightTerms.h"
 #include "PlannerTerms.h"
 #include "ReductionTerms.h"
 #include "SegmentationTerms.h"
@@ -235,6 +236,7 @@ std::vector<ReportTerm> TermsOf(const std::string& report)
                                   : report == "distance"     ? DistanceTerms()
                                   : report == "guides"       ? GuideTerms()
                                   : report == "haptics"      ? HapticTerms()
+                                  : report == "light"        ? LightTerms()
                                   : report == "planner"      ? PlannerTerms()
                                   : report == "reduction"    ? ReductionTerms()
                                   : report == "segmentation" ? SegmentationTerms()

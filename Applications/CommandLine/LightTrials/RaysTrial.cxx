@@ -1,0 +1,215 @@
+// Rays a second against cells, as light asks for them, and against triangles of the same surface.
+#include "LightScenes.h"
+#include "LightTrials.h"
+
+#include "MeasuredRows.h"
+#include "ReportRegistry.h"
+
+#include "Grid/ParallelFor.h"
+#include "Isosurface/Hemisphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace hasp
+{
+namespace
+{
+
+constexpr double Bar = 0.5;
+constexpr float Infinite = std::numeric_limits<float>::infinity();
+constexpr std::int64_t Grain = 4096; // rays a task, as the rival's
+
+/// Rays that leave what the view shows, cosine-weighted. Ours leave the hit itself; the rival's
+/// start half a voxel above it, for its triangles lie elsewhere.
+struct Leaving
+{
+  std::vector<const LitHit*> hits;
+  std::vector<glm::dvec3> directions;
+  std::vector<WorldRay> raised;
+};
+
+Leaving RaysFrom(const std::vector<SeenHit>& seen, int each, double voxelMm, std::uint64_t seed)
+{
+  Leaving rays;
+  for (std::size_t n = 0; n < seen.size(); ++n)
+    for (int k = 0; k < each; ++k)
+    {
+      RandomSequence points(SeedOf(seed, n), static_cast<std::uint32_t>(k));
+      const LitHit& hit = seen[n].hit;
+      rays.hits.push_back(&hit);
+      rays.directions.push_back(CosineAround(hit.normal, points.Next()));
+      rays.raised.push_back({ hit.position + 0.5 * voxelMm * hit.normal, rays.directions.back() });
+    }
+  return rays;
+}
+
+/// trace(hit, direction): its way, or infinite.
+template <typename Trace>
+void TraceAll(const Leaving& rays, std::vector<float>& t, const Trace& trace)
+{
+  ParallelFor(0, std::int64_t(t.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+        t[n] = trace(*rays.hits[n], rays.directions[n]);
+    });
+}
+
+struct Difference
+{
+  double share = 0.0;       ///< of rays that only one of both has meet something
+  double median = 0.0, p99 = 0.0; ///< of the ways of those that both have, voxels
+};
+
+Difference Compare(const std::vector<float>& ours, const std::vector<float>& theirs, double voxelMm)
+{
+  Difference difference;
+  std::vector<double> ways;
+  for (std::size_t n = 0; n < ours.size(); ++n)
+    if (std::isfinite(ours[n]) != std::isfinite(theirs[n]))
+      difference.share += 1.0 / double(ours.size());
+    else if (std::isfinite(ours[n]))
+      ways.push_back(std::abs(double(ours[n]) - theirs[n]) / voxelMm);
+  std::sort(ways.begin(), ways.end());
+  if (!ways.empty())
+    difference = { difference.share, ways[ways.size() / 2], ways[ways.size() * 99 / 100] };
+  return difference;
+}
+
+/// Of a million rays.
+Timing Million(const Timing& all, double rays)
+{
+  return { 1e6 * all.wallS / rays, 1e6 * all.cpuS / rays };
+}
+
+void AddRays(ReportContext& context, const LightData& data, const std::string& id,
+  const PairedTimes& times, const std::string& rival, const MeasuredError& error,
+  const std::string& text)
+{
+  char rate[120];
+  std::snprintf(rate, sizeof rate, "; %.2f against %.2f million rays a second; aim 1; time of a million",
+    1.0 / times.a.wallS, 1.0 / times.b.wallS);
+  ReportRow row = CpuRatio("light.rays." + id + data.tag, times, rival, error,
+    data.data + ", " + text + rate, true);
+  if (data.tag.empty())
+    row.bars = { { Bar, {} } };
+  context.report.rows.push_back(row);
+}
+
+struct PathsTraced
+{
+  std::int64_t rays = 0;
+  double mean = 0.0;
+  Timing million;
+};
+
+PathsTraced TracePathsOf(
+  const LitScene& scene, const std::vector<SeenHit>& hits, std::uint64_t seed)
+{
+  const PathTracer<SobolSequence> tracer(scene, { 3 });
+  std::vector<std::pair<std::int64_t, double>> sums(hits.size());
+  PathsTraced traced;
+  const Timing time = TimeOf(
+    [&]
+    {
+      ParallelFor(0, std::int64_t(hits.size()), 256,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t n = first; n < last; ++n)
+            for (std::uint32_t k = 0; k < 4; ++k)
+            {
+              SobolSequence points(SeedOf(seed, std::size_t(n)), k);
+              const PathSample sample =
+                tracer.Radiance(hits[n].hit, hits[n].towardsEye, points);
+              sums[n].first += sample.rays;
+              sums[n].second += sample.radiance.g / 4.0;
+            }
+        });
+    });
+  for (const auto& [rays, light] : sums)
+  {
+    traced.rays += rays;
+    traced.mean += light / double(hits.size());
+  }
+  traced.million = Million(time, double(std::max<std::int64_t>(1, traced.rays)));
+  return traced;
+}
+
+} // namespace
+
+void MeasureRays(ReportContext& context, const LightData& data, const RayRival& rival)
+{
+  context.progress(0.0, "light: rays on " + data.data);
+  const auto sky = Daylight();
+  const SurfaceMaterial bone{ glm::vec3(0.8F) };
+  const LitScene cells({ BodyOf(data.cells, bone) }, {}, sky),
+    triangles({ BodyOf(data.mesh, bone) }, {}, sky);
+  const PictureView view = OrbitView(cells, 0.0, context.settings.quick ? 192 : 512);
+  const std::vector<SeenHit> seen = SeenHits(cells, view);
+  const Leaving rays = RaysFrom(seen, 4, data.voxelMm, context.settings.seed);
+  const auto count = double(rays.hits.size());
+  std::vector<float> ours(rays.hits.size()), theirs(rays.hits.size());
+  const auto compare = [&](const std::string& id, const auto& trace, const auto& by,
+                         const std::string& name, const std::string& text)
+  {
+    const PairedTimes times = ComparePairs(
+      [&] { return Million(TimeOf([&] { TraceAll(rays, ours, trace); }), count); },
+      [&] { return Million(TimeOf([&] { by(rays.raised, theirs); }), count); });
+    const Difference off = Compare(ours, theirs, data.voxelMm);
+    char said[160];
+    std::snprintf(said, sizeof said, "%.0f %s", count, text.c_str());
+    std::string all = said;
+    if (id == "bounces")
+    {
+      std::snprintf(said, sizeof said, "; ways differ by %.2g voxel, median, %.2g, p99", off.median,
+        off.p99);
+      all += said;
+    }
+    AddRays(context, data, id, times, name,
+      { off.share, "of the rays meet something for one of both alone" }, all);
+    return times.a;
+  };
+  const Timing ao = compare(
+    "ao",
+    [&](const LitHit& hit, const glm::dvec3& direction)
+    { return cells.OccludedFrom(hit, direction) ? 0.0F : Infinite; },
+    rival.any, rival.name + ", rtcOccluded1", "rays for ambient occlusion, however far");
+  const Timing bounces = compare(
+    "bounces",
+    [&](const LitHit& hit, const glm::dvec3& direction)
+    {
+      const auto met = cells.TraceFrom(hit, direction);
+      return met ? static_cast<float>(met->t) : Infinite;
+    },
+    rival.nearest, rival.name + ", rtcIntersect1", "rays to the next surface");
+
+  const std::vector<SeenHit> seenOfMesh = SeenHits(triangles, view);
+  PathsTraced a, b;
+  const PairedTimes paths = ComparePairs(
+    [&] { return (a = TracePathsOf(cells, seen, context.settings.seed)).million; },
+    [&] { return (b = TracePathsOf(triangles, seenOfMesh, context.settings.seed)).million; });
+  AddRays(context, data, "paths", paths,
+    "the same paths against Light/TriangleTracer.h, Embree's triangles with roots in double",
+    { std::abs(a.mean - b.mean) / b.mean, "of the light, on average" },
+    std::to_string(a.rays) + " rays of paths of 3 bounces under daylight");
+
+  ReportRow rate = context.report.rows.back();
+  rate.id = "light.rays.rate" + data.tag;
+  rate.value = 1.0 / std::max({ ao.wallS, bounces.wallS, paths.a.wallS });
+  rate.unit = "million rays a second";
+  rate.better = Better::Higher;
+  rate.q1 = rate.q3 = std::nullopt;
+  rate.bars.clear();
+  char text[240];
+  std::snprintf(text, sizeof text,
+    ", wall time of all %d cores, the slowest of ambient occlusion %.2f, bounces %.2f, paths %.2f; "
+    "aim 5 on 2 cores that nobody else uses",
+    ParallelThreads(), 1.0 / ao.wallS, 1.0 / bounces.wallS, 1.0 / paths.a.wallS);
+  rate.data = data.data + text;
+  context.report.rows.push_back(rate);
+}
+
+} // namespace hasp

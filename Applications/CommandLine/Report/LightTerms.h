@@ -1,0 +1,12 @@
+#pragma once
+#include "Report.h"
+
+#include <vector>
+
+namespace hasp
+{
+
+/// Of `hasp report light`: see TermsOf.
+std::vector<ReportTerm> LightTerms();
+
+} // namespace hasp
