@@ -37,9 +37,10 @@ void MeasureOn(ReportContext& context, const CellScene& scene)
     { triangles.Trace(rays, t, RivalTriangles::Packets::One); },
     [&](std::span<const WorldRay> rays, std::span<float> t) { triangles.Occluded(rays, t); } };
   MeasureEnergy(context, data);
-  MeasureSobol(context, data);
+  const bool quick = context.settings.quick;
+  MeasureSobol(context, data, quick ? 200 : 1000);
   MeasureRays(context, data, rival);
-  MeasureHybrid(context, data);
+  MeasureHybrid(context, data, quick ? HybridSettings() : HybridSettings{ 256, 1024, 256 });
 }
 
 void MeasureVolume(ReportContext& context)

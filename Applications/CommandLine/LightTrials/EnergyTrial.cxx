@@ -20,8 +20,7 @@ void MeasureEnergy(ReportContext& context, const LightData& data)
 {
   context.progress(0.0, "light: energy by bounces on " + data.data);
   const bool quick = context.settings.quick;
-  const LitScene scene(
-    { BodyOf(data.cells, { glm::vec3(Albedo) }) }, {}, UniformLight(1.0F));
+  const LitScene scene({ BodyOf(data.cells, { glm::vec3(Albedo) }) }, {}, UniformLight(1.0F));
   const PictureView view = OrbitView(scene, 0.0, quick ? 64 : 128);
   std::vector<double> means;
   std::string by;
@@ -45,8 +44,8 @@ void MeasureEnergy(ReportContext& context, const LightData& data)
       worst = std::max(worst, (means[n] - means[n - 1]) / (means[n - 1] - means[n - 2]));
   }
   const double most = *std::max_element(means.begin(), means.end());
-  const std::string text = data.data + ", albedo 0.8, the same light from everywhere; by bounces " +
-                           by;
+  const std::string text =
+    data.data + ", albedo 0.8, the same light from everywhere; by bounces " + by;
   ReportRow row = ErrorFigure("light.energy" + data.tag,
     { std::max(0.0, most / Albedo - 1.0), "beyond the bound" },
     "the furnace's bound: no more than the albedo", time, text);

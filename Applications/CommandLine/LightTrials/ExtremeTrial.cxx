@@ -27,8 +27,7 @@ void AddExtreme(ReportContext& context, const std::string& id, double error,
   const std::string& unit, const std::string& truth, const Timing& time, const std::string& data,
   double bar)
 {
-  ReportRow row =
-    ErrorFigure("light.extreme." + id, { Numbered(error), unit }, truth, time, data);
+  ReportRow row = ErrorFigure("light.extreme." + id, { Numbered(error), unit }, truth, time, data);
   row.bars = { { {}, bar } };
   context.report.rows.push_back(row);
 }
@@ -116,12 +115,12 @@ void TryPixel(ReportContext& context)
 void TryBlack(ReportContext& context)
 {
   EnvironmentMap map = MapWithAPixel(0.0F, 0.0F, { 0, 0 });
-  const LitScene scene({ BodyOf(CellsOf(AnalyticGyroid(16.0), 40, 20.0),
-                         { glm::vec3(1.0F), 0.5F, 0.03F }) },
-    {}, std::make_shared<const Environment>(std::move(map)));
+  const LitScene scene(
+    { BodyOf(CellsOf(AnalyticGyroid(16.0), 40, 20.0), { glm::vec3(1.0F), 0.5F, 0.03F }) }, {},
+    std::make_shared<const Environment>(std::move(map)));
   LightPixels pixels;
-  const Timing time = TimeOf(
-    [&] { pixels = PixelsOf(TracePaths(scene, OrbitView(scene, 0.0, 64), 8, 8, 1)); });
+  const Timing time =
+    TimeOf([&] { pixels = PixelsOf(TracePaths(scene, OrbitView(scene, 0.0, 64), 8, 8, 1)); });
   double most = 0.0;
   for (const glm::vec4& pixel : pixels)
     for (int c = 0; c < 3; ++c)
@@ -131,8 +130,8 @@ void TryBlack(ReportContext& context)
     "a coated gyroid, 8 bounces, a black map", 0.0);
 }
 
-/// An eye in bone, in a hollow ball with a lamp in its middle: the integrating sphere. Outside it is
-/// bright, and none of that gets in.
+/// An eye in bone, in a hollow ball with a lamp in its middle: the integrating sphere. Outside it
+/// is bright, and none of that gets in.
 void TryInside(ReportContext& context)
 {
   constexpr double Radius = 25.0;
@@ -142,8 +141,8 @@ void TryInside(ReportContext& context)
   lamp.place = { 0, 0, 0, 1 };
   lamp.attenuation = { 0.0F, 0.0F, 1.0F };
   lamp.color = glm::vec3(static_cast<float>(Radius * Radius));
-  const LitScene scene({ BodyOf(CellsOf(AnalyticSphere({ 0, 0, 0 }, Radius), 64, 30.0),
-                         { glm::vec3(Albedo) }) },
+  const LitScene scene(
+    { BodyOf(CellsOf(AnalyticSphere({ 0, 0, 0 }, Radius), 64, 30.0), { glm::vec3(Albedo) }) },
     { lamp }, UniformLight(1e3F));
   const PathTracer<SobolSequence> paths(scene, { Bounces });
   double truth = 0.0;
@@ -155,7 +154,8 @@ void TryInside(ReportContext& context)
     SobolSequence points(SeedOf(context.settings.seed, 5), static_cast<std::uint32_t>(n));
     const glm::dvec2 p = points.Next();
     const glm::dvec3 eye(5, -8, 3);
-    const double z = 1.0 - 2.0 * p.y, r = std::sqrt(1.0 - z * z), turn = glm::two_pi<double>() * p.x;
+    const double z = 1.0 - 2.0 * p.y, r = std::sqrt(1.0 - z * z),
+                 turn = glm::two_pi<double>() * p.x;
     const glm::dvec3 direction(r * std::cos(turn), r * std::sin(turn), z);
     if (const auto hit = scene.Trace(eye, direction))
       hits.push_back({ *hit, -direction });

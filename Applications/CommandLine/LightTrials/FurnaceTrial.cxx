@@ -6,10 +6,10 @@
 #include "MeasuredRows.h"
 #include "ReportRegistry.h"
 
+#include "Isosurface/Hemisphere.h"
+
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -18,24 +18,22 @@ namespace hasp
 namespace
 {
 
-constexpr int Rings = 8; // of a ball, by the angle to the eye: each is to be 1 by itself
+constexpr std::size_t Rings = 8; // by the angle to the eye: each is to be 1 by itself
 constexpr double Bar = 0.01;
 
 struct Furnace
 {
-  double worst = 0.0; ///< deviation from 1 of a ring's mean
+  double worst = 0.0; ///< deviation from 1 of a group's mean
   std::string where;
   Timing time;
-  std::int64_t paths = 0;
+  std::size_t paths = 0;
 };
 
-/// Deviation of each group's mean from 1; group(number, hit) in [0, Rings).
-template <typename Group>
-void Heat(Furnace& furnace, const LitScene& scene, int bounces, int side, int samples,
-  std::uint64_t seed, const std::string& where, const Group& group)
+/// The hits' means, in groups of `together` on end, against 1.
+void Heat(Furnace& furnace, const LitScene& scene, const std::vector<SeenHit>& hits,
+  std::size_t together, int samples, std::uint64_t seed, const std::string& where)
 {
-  const PathTracer<SobolSequence> tracer(scene, { bounces });
-  const std::vector<SeenHit> hits = SeenHits(scene, OrbitView(scene, 20.0, side));
+  const PathTracer<SobolSequence> tracer(scene, { 64 });
   std::vector<glm::dvec3> means;
   const Timing time = TimeOf(
     [&]
@@ -48,32 +46,44 @@ void Heat(Furnace& furnace, const LitScene& scene, int bounces, int side, int sa
         });
     });
   furnace.time = { furnace.time.wallS + time.wallS, furnace.time.cpuS + time.cpuS };
-  furnace.paths += std::int64_t(hits.size()) * samples;
-  std::array<double, Rings> sums{}, counts{};
-  for (std::size_t n = 0; n < hits.size(); ++n)
+  furnace.paths += hits.size() * std::size_t(samples);
+  for (std::size_t first = 0; first + together <= hits.size(); first += together)
   {
-    const auto ring = std::size_t(group(n, hits[n]));
-    sums[ring] += (means[n].x + means[n].y + means[n].z) / 3.0;
-    counts[ring] += 1.0;
-  }
-  for (std::size_t ring = 0; ring < Rings; ++ring)
-  {
-    const double off = counts[ring] > 0.0 ? std::abs(sums[ring] / counts[ring] - 1.0) : 0.0;
+    glm::dvec3 sum(0.0);
+    for (std::size_t n = first; n < first + together; ++n)
+      sum += means[n] / double(together);
+    const double off = std::abs((sum.x + sum.y + sum.z) / 3.0 - 1.0);
     if (off < furnace.worst)
       continue;
     furnace.worst = off;
-    furnace.where = where;
+    char text[40];
+    std::snprintf(text, sizeof text, ", cosine to the eye %.2f",
+      glm::dot(hits[first].hit.normal, hits[first].towardsEye));
+    furnace.where = where + (together < hits.size() ? text : "");
   }
 }
 
-int RingOf(std::size_t, const SeenHit& seen)
+/// `each` hits of a scene for each ring, seen from a cosine within it.
+std::vector<SeenHit> RingsOf(const LitScene& scene, std::size_t each, std::uint64_t seed)
 {
-  const double cosine = std::clamp(glm::dot(seen.hit.normal, seen.towardsEye), 0.0, 1.0);
-  return std::min(Rings - 1, int(Rings * cosine));
+  const std::vector<SeenHit> seen = SeenHits(scene, OrbitView(scene, 20.0, 32), each);
+  std::vector<SeenHit> hits;
+  for (std::size_t n = 0; n < Rings * each; ++n)
+  {
+    SeenHit hit = seen[n % seen.size()];
+    RandomSequence points(SeedOf(seed, n), 0);
+    const glm::dvec2 p = points.Next();
+    const double cosine = (double(n / each) + p.x) / double(Rings),
+                 turn = p.y * glm::two_pi<double>(), sine = std::sqrt(1.0 - cosine * cosine);
+    hit.towardsEye = FrameAround(hit.hit.normal) *
+                     glm::dvec3(sine * std::cos(turn), sine * std::sin(turn), cosine);
+    hits.push_back(hit);
+  }
+  return hits;
 }
 
-void AddFurnace(ReportContext& context, const std::string& id, const Furnace& furnace,
-  const std::string& data)
+void AddFurnace(
+  ReportContext& context, const std::string& id, const Furnace& furnace, const std::string& data)
 {
   ReportRow row = ErrorFigure("light.furnace." + id, { furnace.worst, "of radiance 1" },
     "the furnace itself: 1", furnace.time,
@@ -110,17 +120,20 @@ std::vector<std::pair<std::string, SurfaceMaterial>> Materials(const std::string
 void MeasureFurnace(ReportContext& context)
 {
   const bool quick = context.settings.quick;
-  const int side = quick ? 32 : 64, samples = quick ? 256 : 1024;
+  const int samples = quick ? 512 : 4096;
   const std::uint64_t seed = context.settings.seed;
   const auto ball = CellsOf(AnalyticSphere({ 0, 0, 0 }, 25.0), 48, 30.0);
+  constexpr std::size_t Each = 64;
   for (const char* kind : { "diffuse", "coat", "metal" })
   {
     context.progress(0.0, std::string("light: a white furnace, ") + kind);
     Furnace furnace;
     for (const auto& [name, material] : Materials(kind))
-      Heat(furnace, LitScene({ BodyOf(ball, material) }, {}, UniformLight(1.0F)), 64, side, samples,
-        seed, name, RingOf);
-    AddFurnace(context, kind, furnace, "a ball of cells, rings by the angle to the eye");
+    {
+      const LitScene scene({ BodyOf(ball, material) }, {}, UniformLight(1.0F));
+      Heat(furnace, scene, RingsOf(scene, Each, seed), Each, samples, seed, name);
+    }
+    AddFurnace(context, kind, furnace, "a ball of cells, seen from eight ranges of angles");
   }
   context.progress(0.0, "light: a white furnace, concave");
   // Two periods, closed at its ends: channels that light leaves after some dozen bounces.
@@ -128,13 +141,16 @@ void MeasureFurnace(ReportContext& context)
   Furnace furnace;
   for (const auto& [name, material] :
     { std::pair<const char*, SurfaceMaterial>{ "diffuse", { glm::vec3(1.0F) } },
-      { "coat", { glm::vec3(1.0F), 0.04F, 0.5F } },
-      { "metal", { glm::vec3(1.0F), 0.0F, 0.5F, 1.0F } } })
-    Heat(furnace, LitScene({ BodyOf(gyroid, material) }, {}, UniformLight(1.0F)), 64, side,
-      samples / 4, seed, name,
-      [](std::size_t n, const SeenHit&) { return n % Rings; }); // every eighth pixel
+      { "coat, roughness 0.5", { glm::vec3(1.0F), 0.04F, 0.5F } },
+      { "metal, roughness 0.5", { glm::vec3(1.0F), 0.0F, 0.5F, 1.0F } },
+      { "metal, roughness 0.2", { glm::vec3(1.0F), 0.0F, 0.2F, 1.0F } } })
+  {
+    const LitScene scene({ BodyOf(gyroid, material) }, {}, UniformLight(1.0F));
+    const auto hits = SeenHits(scene, OrbitView(scene, 20.0, 48));
+    Heat(furnace, scene, hits, hits.size(), samples / 4, seed, name);
+  }
   AddFurnace(context, "concave", furnace,
-    "a gyroid of two periods, 64 bounces: diffuse, coated and metal, in eight groups of pixels");
+    "a gyroid of two periods, 64 bounces: diffuse, coated and metal, a whole picture");
 }
 
 } // namespace hasp

@@ -76,8 +76,11 @@ Course TraceAnew(const Trial& trial, double until, std::uint32_t seed)
   Timing all;
   for (int n = 1; n <= trial.mostSamples; ++n)
   {
-    all = Sum(all, TimeOf([&]
-                     { AddPathSample(trial.scene, trial.view, { { Bounces }, seed, false }, picture); }));
+    all =
+      Sum(all, TimeOf(
+                 [&] {
+                   AddPathSample(trial.scene, trial.view, { { Bounces }, seed, false }, picture);
+                 }));
     if ((n & (n - 1)) != 0)
       continue;
     course.push_back({ all, RmsError(PixelsOf(picture), trial.truth) });
@@ -137,7 +140,8 @@ void AddRow(ReportContext& context, const std::string& id, const Rounds& rounds,
     { 1, Pairs });
   const double rmse = kept(0).rmse;
   char text[200];
-  std::snprintf(text, sizeof text, "; paths anew need %.3g ms of CPU time, from %.4f after one sample to %.4f after %d",
+  std::snprintf(text, sizeof text,
+    "; paths anew need %.3g ms of CPU time, from %.4f after one sample to %.4f after %d",
     1e3 * times.b.cpuS, rounds.paths[0].front().rmse, rounds.paths[0].back().rmse,
     1 << (rounds.paths[0].size() - 1));
   ReportRow row = CpuRatio(id, times,
@@ -148,8 +152,8 @@ void AddRow(ReportContext& context, const std::string& id, const Rounds& rounds,
   context.report.rows.push_back(row);
 }
 
-void DrawPaths(ReportContext& context, const std::string& id, const std::string& method,
-  const Course& course)
+void DrawPaths(
+  ReportContext& context, const std::string& id, const std::string& method, const Course& course)
 {
   ReportCurve curve{ id, method, "ms of CPU time", "RMSE of radiance", {} };
   for (const Reached& reached : course)
@@ -159,13 +163,12 @@ void DrawPaths(ReportContext& context, const std::string& id, const std::string&
 
 } // namespace
 
-void MeasureHybrid(ReportContext& context, const LightData& data)
+void MeasureHybrid(ReportContext& context, const LightData& data, const HybridSettings& settings)
 {
   context.progress(0.0, "light: the truth of kept light on " + data.data);
-  const bool quick = context.settings.quick;
-  const int side = quick ? 96 : 192, samples = quick ? 512 : 1024;
+  const int side = settings.side, samples = settings.truthSamples;
   const LitScene scene({ BodyOf(data.cells, { glm::vec3(0.8F) }) }, {}, Daylight());
-  Trial trial{ scene, OrbitView(scene, 0.0, side), {}, quick ? 64 : 256 };
+  Trial trial{ scene, OrbitView(scene, 0.0, side), {}, settings.mostSamples };
   const auto seed = static_cast<std::uint32_t>(77'000'000 + 2 * context.settings.seed);
   PathTracedPicture half = TracePaths(scene, trial.view, Bounces, samples / 2, seed);
   const LightPixels one = PixelsOf(half),
@@ -192,7 +195,8 @@ void MeasureHybrid(ReportContext& context, const LightData& data)
       false);
   AddRow(context, "light.hybrid.still" + data.tag, rounds, still(Pictures),
     of + "; the view stays, 16 pictures together; aim 0.2", data.tag.empty());
-  AddRow(context, "light.hybrid.moving" + data.tag, rounds,
+  AddRow(
+    context, "light.hybrid.moving" + data.tag, rounds,
     [&](std::size_t round) { return rounds.moving[round]; },
     of + "; the view turns a degree a picture, the 16th alone; aim 0.2", data.tag.empty());
   const std::string id = "light.hybrid.error_time" + data.tag;

@@ -16,8 +16,8 @@ namespace hasp
 
 std::shared_ptr<const CellTracer> CellsOf(const AnyGridView& grid, double isovalue)
 {
-  return std::make_shared<const CellTracer>(std::make_shared<const ClusteredCells>(
-    ExtractActiveCells(grid, MinMaxBlocks(grid), isovalue)));
+  return std::make_shared<const CellTracer>(
+    std::make_shared<const ClusteredCells>(ExtractActiveCells(grid, MinMaxBlocks(grid), isovalue)));
 }
 
 std::shared_ptr<const CellTracer> CellsOf(

@@ -50,12 +50,20 @@ void MeasureReciprocity(ReportContext& context);
 void MeasureEnergy(ReportContext& context, const LightData& data);
 
 /// light.sobol.ao, .bounce1, .bounce3: error against time of scrambled Sobol points and of random
-/// ones, and with .slope how both fall.
-void MeasureSobol(ReportContext& context, const LightData& data);
+/// ones at so many pixels, and with .slope how both fall. Throws std::runtime_error where light has
+/// no noise.
+void MeasureSobol(ReportContext& context, const LightData& data, std::size_t pixels);
 
+struct HybridSettings
+{
+  int side = 128;         ///< of the picture, pixels
+  int truthSamples = 512; ///< of a pixel's truth, even
+  int mostSamples = 64;   ///< that paths anew are followed to
+};
 /// light.hybrid.still, .still.1 ..., .moving: light that is kept, against paths anew, at equal
 /// error.
-void MeasureHybrid(ReportContext& context, const LightData& data);
+void MeasureHybrid(
+  ReportContext& context, const LightData& data, const HybridSettings& settings = {});
 
 /// light.rays.ao, .bounces: single rays against cells and against the rival's triangles; .paths:
 /// whole paths against cells and against Light/TriangleTracer.h; .rate: rays a second.

@@ -23,7 +23,8 @@ constexpr float Infinite = std::numeric_limits<float>::infinity();
 constexpr std::int64_t Grain = 4096; // rays a task, as the rival's
 
 /// Rays that leave what the view shows, cosine-weighted. Ours leave the hit itself; the rival's
-/// start half a voxel above it, for its triangles lie elsewhere.
+/// start half a voxel above it, for its triangles lie elsewhere. What both meet is compared by the
+/// latter.
 struct Leaving
 {
   std::vector<const LitHit*> hits;
@@ -46,21 +47,21 @@ Leaving RaysFrom(const std::vector<SeenHit>& seen, int each, double voxelMm, std
   return rays;
 }
 
-/// trace(hit, direction): its way, or infinite.
+/// trace(n): the way of ray n, or infinite.
 template <typename Trace>
-void TraceAll(const Leaving& rays, std::vector<float>& t, const Trace& trace)
+void TraceAll(std::vector<float>& t, const Trace& trace)
 {
   ParallelFor(0, std::int64_t(t.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
-        t[n] = trace(*rays.hits[n], rays.directions[n]);
+        t[n] = trace(std::size_t(n));
     });
 }
 
 struct Difference
 {
-  double share = 0.0;       ///< of rays that only one of both has meet something
+  double share = 0.0;             ///< of rays that only one of both has meet something
   double median = 0.0, p99 = 0.0; ///< of the ways of those that both have, voxels
 };
 
@@ -79,6 +80,12 @@ Difference Compare(const std::vector<float>& ours, const std::vector<float>& the
   return difference;
 }
 
+template <typename Hit>
+float WayOf(const std::optional<Hit>& hit)
+{
+  return hit ? static_cast<float>(hit->t) : Infinite;
+}
+
 /// Of a million rays.
 Timing Million(const Timing& all, double rays)
 {
@@ -90,11 +97,12 @@ void AddRays(ReportContext& context, const LightData& data, const std::string& i
   const std::string& text)
 {
   char rate[120];
-  std::snprintf(rate, sizeof rate, "; %.2f against %.2f million rays a second; aim 1; time of a million",
-    1.0 / times.a.wallS, 1.0 / times.b.wallS);
-  ReportRow row = CpuRatio("light.rays." + id + data.tag, times, rival, error,
-    data.data + ", " + text + rate, true);
-  if (data.tag.empty())
+  std::snprintf(rate, sizeof rate,
+    "; %.2f against %.2f million rays a second; aim 1; time of a million", 1.0 / times.a.wallS,
+    1.0 / times.b.wallS);
+  ReportRow row = CpuRatio(
+    "light.rays." + id + data.tag, times, rival, error, data.data + ", " + text + rate, true);
+  if (data.tag.empty() && id.find('.') == std::string::npos) // a kind of its own
     row.bars = { { Bar, {} } };
   context.report.rows.push_back(row);
 }
@@ -122,8 +130,7 @@ PathsTraced TracePathsOf(
             for (std::uint32_t k = 0; k < 4; ++k)
             {
               SobolSequence points(SeedOf(seed, std::size_t(n)), k);
-              const PathSample sample =
-                tracer.Radiance(hits[n].hit, hits[n].towardsEye, points);
+              const PathSample sample = tracer.Radiance(hits[n].hit, hits[n].towardsEye, points);
               sums[n].first += sample.rays;
               sums[n].second += sample.radiance.g / 4.0;
             }
@@ -136,6 +143,27 @@ PathsTraced TracePathsOf(
   }
   traced.million = Million(time, double(std::max<std::int64_t>(1, traced.rays)));
   return traced;
+}
+
+/// After the row of paths, whose error it shares.
+void AddRate(ReportContext& context, const LightData& data, const Timing& ao, const Timing& bounces,
+  const Timing& paths)
+{
+  ReportRow row = context.report.rows.back();
+  row.id = "light.rays.rate" + data.tag;
+  row.value = 1.0 / std::max({ ao.wallS, bounces.wallS, paths.wallS });
+  row.unit = "million rays a second";
+  row.better = Better::Higher;
+  row.q1 = row.q3 = std::nullopt;
+  row.bars.clear();
+  char text[240];
+  std::snprintf(text, sizeof text,
+    ", wall time of all %d cores, the slowest of ambient occlusion %.2f, bounces %.2f, paths %.2f; "
+    "aim 5 on 2 cores that nobody else uses; by CPU time %.2f, %.2f, %.2f for each core",
+    ParallelThreads(), 1.0 / ao.wallS, 1.0 / bounces.wallS, 1.0 / paths.wallS, 1.0 / ao.cpuS,
+    1.0 / bounces.cpuS, 1.0 / paths.cpuS);
+  row.data = data.data + text;
+  context.report.rows.push_back(row);
 }
 
 } // namespace
@@ -152,64 +180,56 @@ void MeasureRays(ReportContext& context, const LightData& data, const RayRival& 
   const Leaving rays = RaysFrom(seen, 4, data.voxelMm, context.settings.seed);
   const auto count = double(rays.hits.size());
   std::vector<float> ours(rays.hits.size()), theirs(rays.hits.size());
-  const auto compare = [&](const std::string& id, const auto& trace, const auto& by,
-                         const std::string& name, const std::string& text)
+  TraceAll(ours,
+    [&](std::size_t n) { return WayOf(cells.Trace(rays.raised[n].origin, rays.directions[n])); });
+  rival.nearest(rays.raised, theirs);
+  const Difference off = Compare(ours, theirs, data.voxelMm);
+  char said[200];
+  std::snprintf(said, sizeof said,
+    "%.0f rays; of the same rays both meet something %.2g voxel apart, median, %.2g, p99", count,
+    off.median, off.p99);
+  const std::string text = said;
+  const auto compare =
+    [&](const std::string& id, const auto& trace, const auto& by, const std::string& name)
   {
-    const PairedTimes times = ComparePairs(
-      [&] { return Million(TimeOf([&] { TraceAll(rays, ours, trace); }), count); },
-      [&] { return Million(TimeOf([&] { by(rays.raised, theirs); }), count); });
-    const Difference off = Compare(ours, theirs, data.voxelMm);
-    char said[160];
-    std::snprintf(said, sizeof said, "%.0f %s", count, text.c_str());
-    std::string all = said;
-    if (id == "bounces")
-    {
-      std::snprintf(said, sizeof said, "; ways differ by %.2g voxel, median, %.2g, p99", off.median,
-        off.p99);
-      all += said;
-    }
+    const PairedTimes times =
+      ComparePairs([&] { return Million(TimeOf([&] { TraceAll(ours, trace); }), count); },
+        [&] { return Million(TimeOf([&] { by(rays.raised, theirs); }), count); });
     AddRays(context, data, id, times, name,
-      { off.share, "of the rays meet something for one of both alone" }, all);
+      { off.share, "of the rays meet something in one of both alone" }, text);
     return times.a;
   };
+  constexpr double Far = std::numeric_limits<double>::infinity();
+  const auto hit = [&](std::size_t n) -> const LitHit& { return *rays.hits[n]; };
+  const auto towards = [&](std::size_t n) -> const glm::dvec3& { return rays.directions[n]; };
+  const auto blocked = [](bool something) { return something ? 0.0F : Infinite; };
+  const std::string any = rival.name + ", rtcOccluded1", nearest = rival.name + ", rtcIntersect1";
   const Timing ao = compare(
-    "ao",
-    [&](const LitHit& hit, const glm::dvec3& direction)
-    { return cells.OccludedFrom(hit, direction) ? 0.0F : Infinite; },
-    rival.any, rival.name + ", rtcOccluded1", "rays for ambient occlusion, however far");
+    "ao", [&](std::size_t n) { return blocked(cells.OccludedFrom(hit(n), towards(n))); }, rival.any,
+    any);
   const Timing bounces = compare(
-    "bounces",
-    [&](const LitHit& hit, const glm::dvec3& direction)
-    {
-      const auto met = cells.TraceFrom(hit, direction);
-      return met ? static_cast<float>(met->t) : Infinite;
-    },
-    rival.nearest, rival.name + ", rtcIntersect1", "rays to the next surface");
+    "bounces", [&](std::size_t n) { return WayOf(cells.TraceFrom(hit(n), towards(n))); },
+    rival.nearest, nearest);
+  compare(
+    "ao.tracer",
+    [&](std::size_t n) { return blocked(data.cells->OccludedFrom(hit(n).cell, towards(n), Far)); },
+    rival.any, any);
+  compare(
+    "bounces.tracer",
+    [&](std::size_t n) { return WayOf(data.cells->TraceFrom(hit(n).cell, towards(n), Far)); },
+    rival.nearest, nearest);
 
   const std::vector<SeenHit> seenOfMesh = SeenHits(triangles, view);
   PathsTraced a, b;
-  const PairedTimes paths = ComparePairs(
-    [&] { return (a = TracePathsOf(cells, seen, context.settings.seed)).million; },
-    [&] { return (b = TracePathsOf(triangles, seenOfMesh, context.settings.seed)).million; });
+  const PairedTimes paths =
+    ComparePairs([&] { return (a = TracePathsOf(cells, seen, context.settings.seed)).million; },
+      [&] { return (b = TracePathsOf(triangles, seenOfMesh, context.settings.seed)).million; });
   AddRays(context, data, "paths", paths,
     "the same paths against Light/TriangleTracer.h, Embree's triangles with roots in double",
     { std::abs(a.mean - b.mean) / b.mean, "of the light, on average" },
     std::to_string(a.rays) + " rays of paths of 3 bounces under daylight");
 
-  ReportRow rate = context.report.rows.back();
-  rate.id = "light.rays.rate" + data.tag;
-  rate.value = 1.0 / std::max({ ao.wallS, bounces.wallS, paths.a.wallS });
-  rate.unit = "million rays a second";
-  rate.better = Better::Higher;
-  rate.q1 = rate.q3 = std::nullopt;
-  rate.bars.clear();
-  char text[240];
-  std::snprintf(text, sizeof text,
-    ", wall time of all %d cores, the slowest of ambient occlusion %.2f, bounces %.2f, paths %.2f; "
-    "aim 5 on 2 cores that nobody else uses",
-    ParallelThreads(), 1.0 / ao.wallS, 1.0 / bounces.wallS, 1.0 / paths.a.wallS);
-  rate.data = data.data + text;
-  context.report.rows.push_back(rate);
+  AddRate(context, data, ao, bounces, paths.a);
 }
 
 } // namespace hasp

@@ -72,13 +72,11 @@ void MeasureReciprocity(ReportContext& context)
   const bool quick = context.settings.quick;
   const int pairs = quick ? 6 : 24, samples = quick ? 2048 : 16384;
   // All kinds of material; mesh and cells.
-  const std::vector<LitBody> bodies{
-    BodyOf(CellsOf(AnalyticSphere({ 0, 0, 30 }, 25.0), 48, 57.0),
-      { glm::vec3(0.9F, 0.7F, 0.5F), 0.3F, 0.4F }),
+  const std::vector<LitBody> bodies{ BodyOf(CellsOf(AnalyticSphere({ 0, 0, 30 }, 25.0), 48, 57.0),
+                                       { glm::vec3(0.9F, 0.7F, 0.5F), 0.3F, 0.4F }),
     BodyOf(CellsOf(AnalyticSphere({ 20, 60, 15 }, 10.0), 97, 80.0),
       { glm::vec3(0.9F), 0.0F, 0.6F, 1.0F }),
-    BodyOf(SquareMesh(200.0), { glm::vec3(0.8F) })
-  };
+    BodyOf(SquareMesh(200.0), { glm::vec3(0.8F) }) };
   std::mt19937_64 random(context.settings.seed);
   const auto place = [&] // above the plane, apart from the balls
   {

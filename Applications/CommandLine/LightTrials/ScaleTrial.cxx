@@ -83,8 +83,8 @@ void MeasureLightScales(ReportContext& context)
     }
     ReportRow row = ErrorFigure(std::string("light.extreme.") + one.id, { worst, "relative" },
       "the same paths in the plain scene of 40 mm", time,
-      std::string("spongy bone on a plate, ") + one.text + "; the worst of blocks of 8 x 8 pixels, " +
-        std::to_string(samples) + " paths a pixel");
+      std::string("spongy bone on a plate, ") + one.text +
+        "; the worst of blocks of 8 x 8 pixels, " + std::to_string(samples) + " paths a pixel");
     row.bars = { { {}, 0.01 } };
     context.report.rows.push_back(row);
   }

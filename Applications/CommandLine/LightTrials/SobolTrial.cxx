@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace hasp
 {
@@ -84,8 +85,7 @@ ErrorOf Errors(const LitScene& scene, int bounces, const std::vector<SeenHit>& h
     double sum = 0.0;
     for (const std::vector<double>& square : squares)
       sum += square[step];
-    errors.emplace_back(
-      double(1 << step), std::sqrt(sum / (double(hits.size()) * double(seeds))));
+    errors.emplace_back(double(1 << step), std::sqrt(sum / (double(hits.size()) * double(seeds))));
   }
   return errors;
 }
@@ -96,8 +96,8 @@ double SamplesFor(const ErrorOf& errors, double error)
   for (std::size_t n = 0; n + 1 < errors.size(); ++n)
     if (errors[n + 1].second <= error)
     {
-      const double part = std::log(errors[n].second / error) /
-                          std::log(errors[n].second / errors[n + 1].second);
+      const double part =
+        std::log(errors[n].second / error) / std::log(errors[n].second / errors[n + 1].second);
       return errors[n].first * std::pow(2.0, std::max(0.0, part));
     }
   return errors.back().first *
@@ -131,6 +131,9 @@ void Try(ReportContext& context, const LightData& data, const LitScene& scene,
   const int seeds = context.settings.quick ? 2 : 8;
   const ErrorOf even = Errors<SobolSequence>(scene, bounces, hits, truth, seed, seeds),
                 random = Errors<RandomSequence>(scene, bounces, hits, truth, seed, seeds);
+  if (!(even.back().second > 0.0 && random.back().second > 0.0))
+    throw std::runtime_error(
+      "the light of this volume has no noise: it has no slope; give another --volume");
   const double evenSlope = GrowthExponent(even), randomSlope = GrowthExponent(random);
   double error = 0.0;
   for (const auto& [samples, rmse] : even)
@@ -145,9 +148,9 @@ void Try(ReportContext& context, const LightData& data, const LitScene& scene,
     "%.3g times the speed",
     hits.size(), seeds, Truth, needed, 1.0 / times.cpuRatio.median);
   const std::string id = std::string("light.sobol.") + name + data.tag;
-  context.report.rows.push_back(CpuRatio(id, times,
-    "independent random points, as many as make the same error", { error, "RMSE" },
-    data.data + text));
+  context.report.rows.push_back(
+    CpuRatio(id, times, "independent random points, as many as make the same error",
+      { error, "RMSE" }, data.data + text));
   ReportRow slope = ErrorFigure(std::string("light.sobol.") + name + ".slope" + data.tag,
     { error, "RMSE after 64" }, "", times.a, data.data + ", 1 to 256 samples, least squares");
   slope.value = evenSlope;
@@ -162,11 +165,10 @@ void Try(ReportContext& context, const LightData& data, const LitScene& scene,
 
 } // namespace
 
-void MeasureSobol(ReportContext& context, const LightData& data)
+void MeasureSobol(ReportContext& context, const LightData& data, std::size_t pixels)
 {
   const LitScene scene({ BodyOf(data.cells, { glm::vec3(0.8F) }) }, {}, Daylight());
-  const bool quick = context.settings.quick;
-  const std::vector<SeenHit> hits = SeenHits(scene, OrbitView(scene, 0.0, 96), quick ? 200 : 1000);
+  const std::vector<SeenHit> hits = SeenHits(scene, OrbitView(scene, 0.0, 96), pixels);
   for (const auto& [name, bounces] :
     { std::pair("ao", 0), std::pair("bounce1", 1), std::pair("bounce3", 3) })
   {

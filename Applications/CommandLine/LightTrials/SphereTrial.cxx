@@ -88,8 +88,7 @@ void AddSphere(ReportContext& context, const std::string& id, const LitScene& sc
     });
   double worst = 0.0;
   for (std::size_t n = 0; n < truth.size(); ++n)
-    worst =
-      std::max(worst, std::abs((means[n].x + means[n].y + means[n].z) / 3.0 - truth[n]));
+    worst = std::max(worst, std::abs((means[n].x + means[n].y + means[n].z) / 3.0 - truth[n]));
   ReportRow row = ErrorFigure(id, { worst, "of what an open plane sends out" }, by, time,
     "a ball of cells on a square of triangles, " + std::to_string(truth.size()) + " places, " +
       std::to_string(samples) + " paths each; the worst place");
@@ -105,8 +104,8 @@ void MeasureSphere(ReportContext& context)
   const auto ball = CellsOf(AnalyticSphere({ 0, 0, Radius }, Radius), 97, 56.0);
   const auto sceneUnder = [&](std::shared_ptr<const Environment> far)
   {
-    return LitScene({ BodyOf(ball, { glm::vec3(0.0F) }),
-                      BodyOf(SquareMesh(40.0 * Radius), { glm::vec3(1.0F) }) },
+    return LitScene(
+      { BodyOf(ball, { glm::vec3(0.0F) }), BodyOf(SquareMesh(40.0 * Radius), { glm::vec3(1.0F) }) },
       {}, std::move(far));
   };
   const LitScene even = sceneUnder(UniformLight(1.0F));

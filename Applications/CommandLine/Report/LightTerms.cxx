@@ -14,8 +14,9 @@ std::vector<ReportTerm> LightTerms()
                       "worst place; sky: under daylight, against a sum over the sky" },
     { "light.reciprocity", "how far what an eye gets of a lamp is from what it gets when both "
                            "change places, in standard errors of the two" },
-    { "light.energy", "mean radiance by the number of bounces, at most, of what the furnace allows; "
-                      "increments: what a bounce adds, of what the one before added" },
+    { "light.energy",
+      "mean radiance by the number of bounces, at most, of what the furnace allows; "
+      "increments: what a bounce adds, of what the one before added" },
     { "light.sobol",
       "CPU time of light by 64 scrambled Sobol points / by as many random ones as make the same "
       "error, and the error by time as curves; ao: openness within 25 mm, bounce1, bounce3: paths "
@@ -26,13 +27,14 @@ std::vector<ReportTerm> LightTerms()
       "it turns; without a kind: the worse of still and moving; error_time: the curves" },
     { "light.rays",
       "rays traced against cells, times as fast as against triangles of the same surface; ao: is "
-      "anything in the way, bounces: what comes next, paths: whole paths; rate: rays a second, the "
-      "slowest of these; without a kind: the worst ratio" },
+      "anything in the way, bounces: what comes next, each through a scene as light asks, and "
+      "(tracer) of its one body alone; paths: whole paths; rate: rays a second, the slowest of "
+      "these; without a kind: the worst ratio" },
     { "light.extreme",
       "pixel: the brightest sample, and mean: the light, of a map with one pixel of a million; "
       "black: light where there is none; inside: an eye in a hollow ball of bone; small, large, "
       "spacing: the same scene at other sizes, and with cells of 100:1" },
-    { "light.transparency", "what lies behind translucent parts" },
+    { "light.transparency", "light through translucent parts, by how that is drawn" },
   };
 }
 
