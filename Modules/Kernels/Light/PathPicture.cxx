@@ -91,7 +91,7 @@ bool AddPathSample(const LitScene& scene, const PictureView& view,
   const Sampling of{ scene, tracer, rays, settings, view.size,
     static_cast<std::uint32_t>(picture.samples) };
   const glm::i64vec2 tiles = (view.size + TileSide - 1) / TileSide;
-  std::atomic<std::int64_t> cast = 0;
+  std::atomic<std::int64_t> cast = 0, left = tiles.x * tiles.y;
   const auto stopped = [&] { return cancel && cancel->load(std::memory_order_relaxed); };
   ParallelFor(0, tiles.x * tiles.y, 1,
     [&](std::int64_t first, std::int64_t last)
@@ -99,6 +99,7 @@ bool AddPathSample(const LitScene& scene, const PictureView& view,
       std::int64_t mine = 0;
       for (std::int64_t tile = first; tile < last && !stopped(); ++tile)
       {
+        --left;
         const glm::ivec2 from = TileSide * glm::ivec2(tile % tiles.x, tile / tiles.x);
         const glm::ivec2 to = glm::min(from + TileSide, view.size);
         for (int y = from.y; y < to.y; ++y)
@@ -108,7 +109,7 @@ bool AddPathSample(const LitScene& scene, const PictureView& view,
       cast += mine;
     });
   picture.rays += cast;
-  if (stopped())
+  if (left > 0) // who cancels may have taken it back meanwhile, so it is not asked
     return false;
   for (std::size_t n = 0; n < pixels; ++n)
   {

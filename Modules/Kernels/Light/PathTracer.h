@@ -56,8 +56,9 @@ public:
   PathSample WhiteRadiance(
     const LitHit& hit, Points& points, const Environment* far = nullptr) const;
 
-  /// What no sample exceeds in a scene of diffuse bodies, whatever the map: bounces times (the
-  /// environment's Total over pi, and all lamps). A gloss adds its peak: not bounded by this.
+  /// What no sample exceeds in a scene of diffuse bodies, whatever the map: 2 bounces times (the
+  /// environment's Total over pi, or its radiance where that is uniform, and all lamps at their
+  /// constant attenuation). A gloss adds its peak: not bounded by this.
   double BrightestSample() const;
 
 private:
