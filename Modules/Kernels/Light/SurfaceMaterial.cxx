@@ -202,7 +202,9 @@ SurfaceScattering::At::At(const SurfaceScattering& scattering, const glm::vec3& 
   const float coat = this->CoatAlbedo(this->Out.z);
   const double gloss = glm::mix(coat, std::max(brightest, 0.05F), m.metallic);
   const double body = (1.0F - m.metallic) * brightest * (1.0F - coat);
-  this->GlossShare = std::clamp(gloss / std::max(1e-9, gloss + body), 0.1, 0.9);
+  // What bounces between facets leaves as from a body.
+  const double once = gloss * (1.0 - scattering.Facets->Lost(this->Out.z));
+  this->GlossShare = std::clamp(once / std::max(1e-9, gloss + body), 0.1, 0.9);
 }
 
 float SurfaceScattering::At::CoatAlbedo(double cosine) const
