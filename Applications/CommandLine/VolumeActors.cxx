@@ -8,12 +8,8 @@
 #endif
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkVolume.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <memory>
@@ -31,11 +27,7 @@ SurfaceActor MakeActor(
 {
   SurfaceActor result;
   result.prop = volume;
-  const vtkDataArray* samples = vtkImageData::SafeDownCast(volume->GetMapper()->GetDataSetInput())
-                                  ->GetPointData()
-                                  ->GetScalars();
-  const std::size_t bytes = static_cast<std::size_t>(samples->GetNumberOfValues()) *
-                            static_cast<std::size_t>(samples->GetDataTypeSize());
+  const std::size_t bytes = VolumeBytes(volume);
   result.listResources = [bytes, mapper, reason](ResourceList& list)
   {
     list.push_back({ "active cells", 0, 0.0, "--mapper " + mapper });

@@ -2,8 +2,10 @@
 
 #include "vtkHaspVolumeFile.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
@@ -150,6 +152,14 @@ std::string WindowText(const VolumeLook& look)
   char text[80];
   std::snprintf(text, sizeof text, "window %.6g to %.6g", look.window[0], look.window[1]);
   return text;
+}
+
+std::size_t VolumeBytes(vtkVolume* volume)
+{
+  vtkDataSet* image = volume->GetMapper()->GetDataSetInput();
+  const vtkDataArray* samples = image->GetPointData()->GetScalars();
+  return static_cast<std::size_t>(samples->GetNumberOfValues()) *
+         static_cast<std::size_t>(samples->GetDataTypeSize());
 }
 
 std::string WhyTooLarge(vtkImageData* image, vtkRenderer* renderer)

@@ -30,6 +30,9 @@ VolumeLook UsualLook(const Passport& passport);
 /// "window 0 to 2000".
 std::string WindowText(const VolumeLook& look);
 
+/// Bytes of the samples that a volume is drawn from.
+std::size_t VolumeBytes(vtkVolume* volume);
+
 /// Why the renderer's OpenGL cannot hold the samples, where that is known; else empty. VTK itself
 /// says it on standard output. RENDER thread, in an open window.
 std::string WhyTooLarge(vtkImageData* image, vtkRenderer* renderer);

@@ -504,6 +504,10 @@
         <source>Showing parts</source>
         <translation>Visar delar</translation>
     </message>
+    <message>
+        <source>The brightest values cannot be shown: %1.</source>
+        <translation>De ljusaste värdena kan inte visas: %1.</translation>
+    </message>
 </context>
 <context>
     <name>QWidget</name>
@@ -521,6 +525,41 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>SceneLooks</name>
+    <message>
+        <source>There is no scan: import one first.</source>
+        <translation>Det finns ingen skanning: importera en först.</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Hud</translation>
+    </message>
+    <message>
+        <source>Skin begins at, HU (air is -1000)</source>
+        <translation>Huden börjar vid, HU (luft är -1000)</translation>
+    </message>
+    <message>
+        <source>Skin begins at, in the scan&apos;s values</source>
+        <translation>Huden börjar vid, i skanningens värden</translation>
+    </message>
+    <message>
+        <source>3D &amp;view</source>
+        <translation>3D-&amp;vy</translation>
+    </message>
+    <message>
+        <source>&amp;Skin over bone</source>
+        <translation>&amp;Hud över benet</translation>
+    </message>
+    <message>
+        <source>Skin be&amp;gins at …</source>
+        <translation>Huden &amp;börjar vid …</translation>
+    </message>
+    <message>
+        <source>&amp;Brightest values, without bone&apos;s surface</source>
+        <translation>&amp;Ljusaste värdena, utan benets yta</translation>
     </message>
 </context>
 <context>

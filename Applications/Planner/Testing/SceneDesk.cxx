@@ -44,6 +44,8 @@ PlanId SceneDesk::AddScan(vtkImageData* image, const std::string& hash)
   scan.image = image;
   scan.passport.hash = hash;
   scan.passport.hounsfield = true;
+  scan.passport.minimum = image->GetScalarRange()[0];
+  scan.passport.maximum = image->GetScalarRange()[1];
   this->scans.Put(scan);
   return this->Add(PlanVolume{ 0, "", hash });
 }

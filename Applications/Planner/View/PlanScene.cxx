@@ -5,6 +5,7 @@
 #include "Model/ScanShelf.h"
 #include "Planning/PlanLists.h"
 #include "View/FirstLook.h"
+#include "View/ScanLooks.h"
 #include "View/SceneCamera.h"
 #include "View/SceneLayers.h"
 #include "View/SceneView.h"
@@ -26,6 +27,7 @@ struct PlanScene::Internals
   double isovalue = 0.0;        ///< that was told last
   FirstLook first;
   SceneLayers layers;
+  ScanLooks looks{ of, layers.skin };
 };
 
 PlanScene::PlanScene(PlanSession& plan, ScanShelf& scans, JobQueue& jobs, SceneView& view)
@@ -173,6 +175,11 @@ void PlanScene::Select(PlanId object)
   this->Self->of.selected = object;
   this->Sync();
   Q_EMIT this->SelectedChanged(object);
+}
+
+ScanLooks& PlanScene::Looks() const
+{
+  return this->Self->looks;
 }
 
 vtkProp3D* PlanScene::PropOf(PlanId object) const

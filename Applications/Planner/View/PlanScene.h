@@ -21,6 +21,7 @@ namespace hasp
 
 class JobQueue;
 class PlanSession;
+class ScanLooks;
 class ScanShelf;
 class SceneView;
 
@@ -37,6 +38,7 @@ class SceneView;
 ///   guides, plates, …       the mesh that was made; out of date ones grey and translucent
 ///   a mirrored ghost        translucent
 ///   a measure               line or angle with its value; not picked
+///   skin, brightest values  of the scan, once they are switched on (Looks); not picked
 ///
 /// It takes the view's `before` and `after`. Threads: RENDER.
 class PlanScene : public QObject
@@ -66,6 +68,9 @@ public:
   PlanId Selected() const;
   void Select(PlanId object); ///< 0: none
   ///@}
+
+  /// How the scan is shown besides its bone.
+  ScanLooks& Looks() const;
 
   /// nullptr: it is not shown, not there yet, or has none.
   vtkProp3D* PropOf(PlanId object) const;

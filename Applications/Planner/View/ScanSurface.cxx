@@ -93,7 +93,7 @@ bool ScanSurface::Sync()
 {
   vtkImageData* image = this->Image();
   const PlanId volume = this->Volume();
-  const bool wanted = image && this->Of.isVisible(volume);
+  const bool wanted = image && this->Of.isVisible(volume) && !this->Of.brightest;
   bool changed = false;
   if (this->Shown && (!wanted || this->Shown->Image() != image))
   {
@@ -141,9 +141,10 @@ void ScanSurface::ListResources(ResourceList& list) const
     this->Shown->ListResources(list);
   else
     list.push_back({ "scan's isosurface", 0, 0.0,
-      this->Image()    ? "hidden, or its fragments are shown"
-      : this->Volume() ? "the scan is not in memory"
-                       : "the plan has no scan" });
+      this->Image() && this->Of.brightest ? "the brightest values are shown instead"
+      : this->Image()                     ? "hidden, or its fragments are shown"
+      : this->Volume()                    ? "the scan is not in memory"
+                                          : "the plan has no scan" });
 }
 
 } // namespace hasp

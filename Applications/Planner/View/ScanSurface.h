@@ -11,7 +11,8 @@ class ScanActor;
 
 /// The isosurface of the plan's volume that is shown. While the isovalue moves rays find it, frame
 /// by frame, or all active cells draw it where that is cheaper (vtkHaspRayCachingMapper); at rest
-/// active cells do, and nothing is kept of the rays. Nothing is there while it is not visible.
+/// active cells do, and nothing is kept of the rays. Nothing is there while it is not visible, or
+/// the brightest values are shown.
 ///
 /// Threads: RENDER. Cells of a rested isovalue: O(active blocks), 0.1 to 0.3 s for 512^3 samples.
 class ScanSurface : public SceneLayer

@@ -37,6 +37,7 @@ struct SceneContext
   std::function<void()> propsChanged; ///< a job has made something: others than before
   std::function<void(const QString&)> fault;
   PlanId selected = 0;
+  bool brightest = false; ///< values are shown instead of the scan's isosurface
   /// Of segmentations, by their blobs: what fragments are made of. Those that the plan has.
   std::map<std::string, vtkSmartPointer<vtkImageData>> labelMaps{};
 };

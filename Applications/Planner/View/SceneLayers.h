@@ -1,10 +1,12 @@
 #pragma once
 #include "View/BladeProps.h"
+#include "View/BrightestVolume.h"
 #include "View/FragmentProps.h"
 #include "View/GhostProps.h"
 #include "View/MeasureProps.h"
 #include "View/PartProps.h"
 #include "View/ScanSurface.h"
+#include "View/SkinSurface.h"
 #include "View/SurfaceProps.h"
 
 #include "vtkBoundingBox.h"
@@ -20,6 +22,8 @@ struct SceneLayers
   explicit SceneLayers(SceneContext& of)
     : fragments(of),
       scan(of),
+      skin(of, this->scan),
+      brightest(of, this->scan),
       surfaces(of),
       parts(of),
       ghosts(of),
@@ -29,10 +33,10 @@ struct SceneLayers
   }
   /// The scan after the fragments, on which it rests whether it is seen; measures last, for they
   /// follow what is there.
-  std::array<SceneLayer*, 7> All()
+  std::array<SceneLayer*, 9> All()
   {
-    return { &this->fragments, &this->scan, &this->surfaces, &this->parts, &this->ghosts,
-      &this->blades, &this->measures };
+    return { &this->fragments, &this->scan, &this->skin, &this->brightest, &this->surfaces,
+      &this->parts, &this->ghosts, &this->blades, &this->measures };
   }
   /// Around bone.
   vtkBoundingBox BoneBounds() const
@@ -48,6 +52,8 @@ struct SceneLayers
   vtkBoundingBox Bounds() const
   {
     vtkBoundingBox box = this->BoneBounds();
+    this->skin.AddBounds(box);
+    this->brightest.AddBounds(box);
     this->parts.AddBounds(box);
     this->ghosts.AddBounds(box);
     if (!box.IsValid())
@@ -61,12 +67,15 @@ struct SceneLayers
   {
     this->fragments.Forget();
     this->scan.Forget();
+    this->skin.Forget();
     this->parts.Forget();
     this->ghosts.Forget();
   }
 
   FragmentProps fragments;
   ScanSurface scan;
+  SkinSurface skin;
+  BrightestVolume brightest;
   SurfaceProps surfaces;
   PartProps parts;
   GhostProps ghosts;

@@ -21,6 +21,7 @@ hasp_add_planner_part(View
   SOURCES
     View/BladeProps.cxx View/BladeProps.h
     View/BlobFile.cxx View/BlobFile.h
+    View/BrightestVolume.cxx View/BrightestVolume.h
     View/CellProp.cxx View/CellProp.h
     View/FirstLook.cxx View/FirstLook.h
     View/FragmentLook.cxx View/FragmentLook.h
@@ -34,11 +35,13 @@ hasp_add_planner_part(View
     View/PlanScene.cxx View/PlanScene.h
     View/ScanActor.cxx View/ScanActor.h
     View/ScanSurface.cxx View/ScanSurface.h
+    View/ScanLooks.cxx View/ScanLooks.h
     View/SceneActor.cxx View/SceneActor.h
     View/SceneCamera.cxx View/SceneCamera.h
     View/SceneEntries.h
     View/SceneJob.cxx View/SceneJob.h
     View/SceneLayer.h
     View/SceneLayers.h
+    View/SkinSurface.cxx View/SkinSurface.h
     View/SurfaceProps.cxx View/SurfaceProps.h
-  LIBRARIES HaspPlannerModel HaspPlannerViews Hasp::KernelEvaluation Hasp::KernelSegmentation ${needed})
+  LIBRARIES HaspPlannerModel HaspPlannerViews HaspSceneParts Hasp::KernelEvaluation Hasp::KernelSegmentation ${needed})

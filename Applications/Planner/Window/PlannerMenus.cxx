@@ -7,6 +7,7 @@
 #include "Window/DevicePage.h"
 #include "Window/KeysPage.h"
 #include "Window/PlannerWindow.h"
+#include "Window/SceneLooks.h"
 #include "Window/StereoPage.h"
 #include "Window/ViewPresets.h"
 
@@ -153,6 +154,7 @@ void PlannerMenus::AddView()
     });
   this->AddChoice(menu, PlannerWindow::tr("&Crosshair"), "view.crosshair", QKeySequence("Ctrl+H"),
     true, [parts](bool on) { parts->views.SetCrosshairVisible(on); });
+  AddSceneLooks(*menu, *parts);
   AddStereoActions(*menu, *window);
   AddDeviceAction(*menu, *window);
   for (const char* dock : { "dock.objects", "dock.use" })

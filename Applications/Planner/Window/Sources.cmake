@@ -22,6 +22,7 @@ hasp_add_planner_part(Window
     Window/Recovery.cxx Window/Recovery.h
     Window/RunPlanner.cxx Window/RunPlanner.h
     Window/Samples.cxx Window/Samples.h
+    Window/SceneLooks.cxx Window/SceneLooks.h
     Window/StartHint.cxx Window/StartHint.h
     Window/DevicePage.cxx Window/DevicePage.h Window/DevicePageLook.cxx
     Window/StereoPage.cxx Window/StereoPage.h

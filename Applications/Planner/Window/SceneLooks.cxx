@@ -1,0 +1,65 @@
+#include "Window/SceneLooks.h"
+
+#include "Tools/Planner.h"
+#include "View/ScanLooks.h"
+
+#include <QCoreApplication>
+#include <QInputDialog>
+#include <QMenu>
+
+namespace hasp
+{
+namespace
+{
+
+struct Words
+{
+  Q_DECLARE_TR_FUNCTIONS(SceneLooks)
+};
+
+void AddSwitch(QMenu& menu, const QString& text, const char* name, const QKeySequence& key,
+  PlanScene& scene, void (ScanLooks::*set)(bool))
+{
+  QAction* action = menu.addAction(text);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setCheckable(true);
+  QObject::connect(
+    action, &QAction::toggled, &scene, [&scene, set](bool on) { (scene.Looks().*set)(on); });
+}
+
+void AskSkin(Planner& planner)
+{
+  const ShelfScan* scan = planner.scans.OfVolume(planner.plan.Now(), planner.scene.ShownVolume());
+  if (!scan)
+    return planner.Say(Words::tr("There is no scan: import one first."));
+  const Passport& passport = scan->passport;
+  QInputDialog ask(planner.views.window());
+  ask.setObjectName("skin");
+  ask.setWindowTitle(Words::tr("Skin"));
+  ask.setLabelText(passport.hounsfield ? Words::tr("Skin begins at, HU (air is -1000)")
+                                       : Words::tr("Skin begins at, in the scan's values"));
+  ask.setInputMode(QInputDialog::DoubleInput);
+  ask.setDoubleDecimals(1);
+  ask.setDoubleRange(passport.minimum, passport.maximum);
+  ask.setDoubleValue(planner.scene.Looks().SkinValue());
+  if (ask.exec() == QDialog::Accepted)
+    planner.scene.Looks().SetSkinValue(ask.doubleValue());
+}
+
+} // namespace
+
+void AddSceneLooks(QMenu& menu, Planner& planner)
+{
+  QMenu* looks = menu.addMenu(Words::tr("3D &view"));
+  looks->setObjectName("menu.scene");
+  AddSwitch(*looks, Words::tr("&Skin over bone"), "view.skin", QKeySequence("Ctrl+K"),
+    planner.scene, &ScanLooks::SetSkin);
+  QAction* begins = looks->addAction(Words::tr("Skin be&gins at …"));
+  begins->setObjectName("view.skin.value");
+  QObject::connect(begins, &QAction::triggered, &planner.scene, [&planner] { AskSkin(planner); });
+  AddSwitch(*looks, Words::tr("&Brightest values, without bone's surface"), "view.brightest",
+    QKeySequence("Ctrl+B"), planner.scene, &ScanLooks::SetBrightest);
+}
+
+} // namespace hasp
