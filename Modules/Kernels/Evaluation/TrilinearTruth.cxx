@@ -87,24 +87,30 @@ public:
   {
   }
 
-  std::optional<TrilinearHit> First()
+  /// Gives the changes of side to `meet` one after the other, until it returns false.
+  template <typename Meet>
+  void Go(const Meet& meet)
   {
     if (!this->Enter())
-      return std::nullopt;
+      return;
     while (this->Now <= this->End)
     {
       const int axis = this->NextAxis();
       const Real leave = std::min(this->Next[axis], this->End);
-      if (const auto t = this->ChangeInCell(leave))
-        return this->HitAt(*t);
+      while (const auto t = this->ChangeInCell(leave))
+      {
+        if (!meet(this->HitAt(*t)))
+          return;
+        this->Inside = !*this->Inside;
+        this->Now = *t;
+      }
       this->Cell[axis] += this->Direction[axis] > 0 ? 1 : -1;
       if (this->Next[axis] > this->End || this->Cell[axis] < 0 ||
           this->Cell[axis] >= this->Grid.geometry.dims[axis] - 1)
-        return std::nullopt;
+        return;
       this->Now = leave;
       this->Next[axis] = this->WallAhead(axis);
     }
-    return std::nullopt;
   }
 
 private:
@@ -201,16 +207,43 @@ private:
   std::optional<bool> Inside; ///< side at the end of the last cell
 };
 
-} // namespace
-
-std::optional<TrilinearHit> FirstTrilinearHit(
-  const AnyGridView& grid, double isovalue, const glm::dvec3& origin, const glm::dvec3& direction)
+template <typename Meet>
+void GoAlong(const AnyGridView& grid, Real isovalue, const glm::dvec3& origin,
+  const glm::dvec3& direction, const Meet& meet)
 {
   const GridGeometry& g = GeometryOf(grid);
   const glm::mat<3, 3, Real> toAxes(glm::transpose(g.direction));
   const Vector o = toAxes * (Vector(origin) - Vector(g.origin)) / Vector(g.spacing);
   const Vector d = toAxes * Vector(direction) / Vector(g.spacing);
-  return std::visit([&](const auto& view) { return Walk(view, isovalue, o, d).First(); }, grid);
+  std::visit([&](const auto& view) { Walk(view, isovalue, o, d).Go(meet); }, grid);
+}
+
+} // namespace
+
+std::optional<TrilinearHit> FirstTrilinearHit(
+  const AnyGridView& grid, double isovalue, const glm::dvec3& origin, const glm::dvec3& direction)
+{
+  std::optional<TrilinearHit> first;
+  GoAlong(grid, isovalue, origin, direction,
+    [&](const TrilinearHit& hit)
+    {
+      first = hit;
+      return false;
+    });
+  return first;
+}
+
+std::vector<TrilinearHit> AllTrilinearHits(
+  const AnyGridView& grid, double isovalue, const glm::dvec3& origin, const glm::dvec3& direction)
+{
+  std::vector<TrilinearHit> all;
+  GoAlong(grid, isovalue, origin, direction,
+    [&](const TrilinearHit& hit)
+    {
+      all.push_back(hit);
+      return true;
+    });
+  return all;
 }
 
 } // namespace hasp

@@ -4,11 +4,12 @@
 #include <glm/vec3.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace hasp
 {
 
-/// Where a ray first meets the trilinear isosurface of a volume.
+/// Where a ray meets the trilinear isosurface of a volume.
 struct TrilinearHit
 {
   double t = 0.0;             ///< hit = origin + t * direction
@@ -27,6 +28,11 @@ struct TrilinearHit
 /// decide, shows by asking again for an isovalue a little to each side. Any thread; about 20 ns a
 /// cell passed, 1 us a root.
 std::optional<TrilinearHit> FirstTrilinearHit(
+  const AnyGridView& grid, double isovalue, const glm::dvec3& origin, const glm::dvec3& direction);
+
+/// All of them, ascending in t: what translucent surfaces show. Where the ray goes through cells
+/// that are empty no change is counted.
+std::vector<TrilinearHit> AllTrilinearHits(
   const AnyGridView& grid, double isovalue, const glm::dvec3& origin, const glm::dvec3& direction);
 
 } // namespace hasp

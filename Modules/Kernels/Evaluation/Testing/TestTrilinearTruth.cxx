@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -126,19 +127,66 @@ TEST(TrilinearTruth, RaysInFacesEdgesAndCornersLoseNothing)
   EXPECT_NEAR(leaving->t, 2.0, 1e-15);
 }
 
-TEST(TrilinearTruth, ThreeRootsInACellGiveTheFirst)
+/// One cell; along its diagonal the polynomial is 32 (s - 1/4)(s - 1/2)(s - 3/4).
+Volume ThreeRoots()
 {
-  // Along the diagonal the polynomial is 32 (s - 1/4)(s - 1/2)(s - 3/4).
-  const hasp::GridGeometry g = Grid({ 2, 2, 2 });
-  Volume v{ g, std::vector<float>(8) };
+  Volume v{ Grid({ 2, 2, 2 }), std::vector<float>(8) };
   for (int n = 0; n < 8; ++n)
   {
     constexpr float bernstein[] = { -3.0F, 13.0F / 3.0F, -13.0F / 3.0F, 3.0F };
     v.samples[n] = bernstein[(n & 1) + (n >> 1 & 1) + (n >> 2)];
   }
+  return v;
+}
+
+TEST(TrilinearTruth, ThreeRootsInACellGiveTheFirst)
+{
+  const Volume v = ThreeRoots();
   const auto hit = FirstTrilinearHit(v.View(), 0.0, { -1, -1, -1 }, { 1, 1, 1 });
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 1.25, 1e-6); // the corners' thirds are rounded to float
+}
+
+TEST(TrilinearTruth, AllRootsOfACellAreFound)
+{
+  const Volume v = ThreeRoots();
+  const auto hits = AllTrilinearHits(v.View(), 0.0, { -1, -1, -1 }, { 1, 1, 1 });
+  ASSERT_EQ(hits.size(), 3U);
+  for (int n = 0; n < 3; ++n)
+    EXPECT_NEAR(hits[n].t, 1.25 + 0.25 * n, 1e-6); // rounded corners, as above
+}
+
+/// By brute force: every change of side in 20,000 steps through noise. Two changes within a step
+/// are for the truth alone to see, so neither may be missing, and pairs may be more.
+TEST(TrilinearTruth, AllHitsAgreeWithSmallSteps)
+{
+  const Volume v = Random(Grid({ 6, 6, 6 }), 6);
+  const hasp::GridView<const float> view{ v.samples.data(), v.geometry };
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(0, 5);
+  std::size_t found = 0, stepped = 0;
+  for (int n = 0; n < 60; ++n)
+  {
+    const glm::dvec3 a(any(random), any(random), 0), b(any(random), any(random), 5);
+    const auto hits = AllTrilinearHits(v.View(), 0.1, a, b - a);
+    const auto inside = [&](int step)
+    { return *SampleTrilinear(view, glm::mix(a, b, step / 20000.0)) >= 0.1; };
+    std::vector<double> changes;
+    for (int step = 1; step <= 20000; ++step)
+      if (inside(step) != inside(step - 1))
+        changes.push_back(step / 20000.0);
+    ASSERT_EQ(hits.size() % 2, changes.size() % 2) << n;
+    for (const double change : changes)
+    {
+      const auto at = std::lower_bound(hits.begin(), hits.end(), change - 1.0 / 20000,
+        [](const hasp::TrilinearHit& hit, double t) { return hit.t < t; });
+      ASSERT_TRUE(at != hits.end() && at->t <= change) << n << " " << change;
+    }
+    found += hits.size();
+    stepped += changes.size();
+  }
+  EXPECT_GT(stepped, 80U);
+  EXPECT_LE(found, stepped + 2);
 }
 
 TEST(TrilinearTruth, CellsWithoutAPolynomialAreEmpty)
