@@ -2,6 +2,7 @@
 // glsl/RayRoot.glsl as C++: see there for what each function takes and gives.
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -11,6 +12,7 @@ using glm::abs;
 using glm::max;
 using glm::min;
 using glm::sqrt;
+using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 

@@ -4,7 +4,10 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -59,6 +62,50 @@ TEST(RayRoot, MatchesBruteForceOnRandomCells)
     EXPECT_NEAR(s, *truth.first, 2e-4) << "case " << n;
   }
   EXPECT_GT(hits, 1500);
+}
+
+/// All changes of side of random cubics in 2000 steps; near misses are left out.
+TEST(RayRoot, LaterRootsAreAllTheOthers)
+{
+  std::mt19937 random(13);
+  std::uniform_real_distribution<float> any(-1.0F, 1.0F);
+  int found[4] = { 0, 0, 0, 0 };
+  for (int n = 0; n < 4000; ++n)
+  {
+    const glm::dvec4 exact = glm::vec4(any(random), any(random), any(random), any(random));
+    const auto f = [&](int step)
+    {
+      const double s = step / 2000.0, r = 1 - s;
+      return r * r * (r * exact.x + 3 * s * exact.y) + s * s * (3 * r * exact.z + s * exact.w);
+    };
+    std::vector<double> truth;
+    double nearest = std::min(std::abs(f(0)), std::abs(f(2000)));
+    for (int step = 1; step <= 2000; ++step)
+    {
+      if ((f(step) >= 0) != (f(step - 1) >= 0))
+        truth.push_back((step - 0.5) / 2000);
+      if (step < 2000 && (f(step) - f(step - 1)) * (f(step + 1) - f(step)) <= 0)
+        nearest = std::min(nearest, std::abs(f(step)));
+    }
+    if (nearest < 1e-4)
+      continue;
+    const glm::vec4 cubic(exact * (n % 2 ? 1.0 : 1e30)); // squares must not overflow
+    float s;
+    glm::vec2 later(0);
+    std::vector<double> roots;
+    if (hasp::glsl::HaspFirstRoot(cubic, s))
+    {
+      const int count = hasp::glsl::HaspLaterRoots(cubic, s, later);
+      roots = { s, later.x, later.y };
+      roots.resize(1 + count);
+    }
+    ASSERT_EQ(roots.size(), truth.size()) << "case " << n;
+    ++found[truth.size()];
+    for (std::size_t k = 0; k < truth.size(); ++k)
+      EXPECT_NEAR(roots[k], truth[k], 5e-4) << "case " << n; // half a step; rounding as above
+  }
+  EXPECT_GT(found[2], 300);
+  EXPECT_GT(found[3], 20);
 }
 
 TEST(RayRoot, BernsteinCoefficientsAreTheCubic)

@@ -126,3 +126,38 @@ HASP_FUNCTION bool HaspFirstRoot(vec4 c, HASP_OUT(float) s)
   s = HaspMonotoneRoot(c, from, to, valueFrom, valueTo);
   return true;
 }
+
+// The roots of that cubic in (s,1], where s is a root, ascending: 0 to 2 of them. The linear factor is
+// divided out, so s itself is not found again; what stays is a quadratic.
+HASP_FUNCTION int HaspLaterRoots(vec4 c, float s, HASP_OUT(vec2) later)
+{
+  later = vec2(0.0f);
+  // The cubic from s to 1 by de Casteljau; its first coefficient is 0, the others over u are these.
+  float r = 1.0f - s;
+  float yz = r * c.y + s * c.z, q1 = r * c.z + s * c.w;
+  float q0 = 3.0f * (r * yz + s * q1), q2 = c.w;
+  q1 = 1.5f * q1;
+  bool inside = q0 >= 0.0f;
+  if ((q1 >= 0.0f) == inside && (q2 >= 0.0f) == inside)
+    return 0;
+  float largest = max(max(abs(q0), abs(q1)), abs(q2));
+  q0 /= largest;
+  q1 /= largest;
+  q2 /= largest;
+  float A = q0 - 2.0f * q1 + q2, B = q1 - q0; // A u^2 + 2 B u + q0
+  float discriminant = B * B - A * q0;
+  if (!(discriminant >= 0.0f))
+    return 0;
+  float q = -(B + (B < 0.0f ? -1.0f : 1.0f) * sqrt(discriminant));
+  float u1 = q != 0.0f ? q0 / q : -1.0f, u2 = A != 0.0f ? q / A : -1.0f;
+  if ((q2 >= 0.0f) != inside) // one, which rounding may have put outside
+  {
+    bool first = abs(u1 - 0.5f) < abs(u2 - 0.5f);
+    later.x = s + r * min(max(first ? u1 : u2, 0.0f), 1.0f);
+    return 1;
+  }
+  if (!(min(u1, u2) > 0.0f && max(u1, u2) < 1.0f))
+    return 0;
+  later = vec2(s + r * min(u1, u2), s + r * max(u1, u2));
+  return 2;
+}
