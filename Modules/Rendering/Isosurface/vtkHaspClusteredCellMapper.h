@@ -26,6 +26,11 @@
  * and off-axis cameras (the eye comes from the full matrix). Inside is sample >= isovalue. Cells
  * with a NaN or infinite corner are left out.
  *
+ * Where VTK peels depths, each pixel shows every layer that the surface has there, sorted among
+ * those of other actors: within 2 of 255 of what its ray meets, as long as MaximumNumberOfPeels is
+ * half of the layers or more, OcclusionRatio is 0 and the peels have 16 bits a channel. The mapper
+ * sees to that: VTK has 8, which alone are 3 of 255 off with eight layers.
+ *
  * Scalar colours are vtkMapper's, off unless ScalarVisibility is on: lookup table, scalar range,
  * scalar mode, colour mode and InterpolateScalarsBeforeMapping mean what they mean there, for point
  * data. They are mapped at the stored corners, so a new lookup table extracts nothing. Where they

@@ -3,9 +3,11 @@
 #include "AttributeBuffers.h"
 #include "CellColors.h"
 #include "CellFrame.h"
+#include "CellLayers.h"
 #include "CellLayout.h"
 #include "CellScene.h"
 #include "CellSplat.h"
+#include "HaspGL.h"
 #include "PassShader.h"
 #include "RayRoot.h"
 #include "SelectionColor.h"
@@ -18,6 +20,7 @@
 #include "vtkHaspTracedCellFS.h"
 #include "vtkHaspTracedCellVS.h"
 
+#include "vtkActor.h"
 #include "vtkShaderProgram.h"
 
 #include <chrono>
@@ -53,6 +56,17 @@ std::string AttributeDefines(const AttributeBuffers& attributes)
   if (attributes.Tabled())
     text += "#define HASP_COLOR_TABLE\n";
   return text;
+}
+
+/// Of surfaces that others are seen through: all of them count, not the nearest alone.
+std::string LayerDefines(vtkActor* actor)
+{
+  if (!actor->IsRenderingTranslucentPolygonalGeometry())
+    return {};
+  GLint equation = GL_FUNC_ADD;
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &equation);
+  const bool peels = glIsEnabled(GL_BLEND) && equation == GL_MAX;
+  return std::string("#define HASP_LAYERS\n") + (peels ? "#define HASP_PEELS\n" : "");
 }
 
 } // namespace
@@ -91,7 +105,8 @@ vtkShaderProgram* CellProgram::Ready(vtkOpenGLRenderWindow* window,
     "#define HASP_SPLATS\n" };
   Variant variant{ pass, vtkHaspClusteredCellVS, vtkHaspClusteredCellFS,
     CornerDefines(mapper->GetCells()) + AttributeDefines(attributes) +
-      passDefines[static_cast<int>(pass)] };
+      passDefines[static_cast<int>(pass)] + (pass == CellPass::Shade ? LayerDefines(actor) : "") };
+  FillSlot(variant.fragment, "CellLayers", CellLayers);
   FillSlot(variant.vertex, "CellLayout", CellLayout);
   FillSlot(variant.vertex, "CellFrame", CellFrame);
   FillSlot(variant.fragment, "RayRoot", RayRoot);

@@ -1,5 +1,6 @@
 #include "PassShader.h"
 
+#include "FinePeels.h"
 #include "ShaderSlots.h"
 
 #include "vtkActor.h"
@@ -30,7 +31,8 @@ std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
 }
 
 /// VTK's passes write to gl_FragData[n], which core profiles lack: it becomes fragOutput<n>.
-/// Returns the declarations of those that our shader does not declare itself.
+/// Returns the declarations of those but the first, which our shaders declare themselves, each with
+/// a PASS_OUTPUT_<n> to tell.
 std::string NameOutputs(std::string& fragment)
 {
   std::string declarations;
@@ -45,9 +47,19 @@ std::string NameOutputs(std::string& fragment)
       used = true;
     }
     if (used && n > 0)
-      declarations += "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";\n";
+      declarations += "layout(location = " + std::to_string(n) + ") out vec4 " + name +
+                      ";\n#define PASS_OUTPUT_" + std::to_string(n) + "\n";
   }
   return declarations;
+}
+
+/// VTK's dual depth peeling takes depths within 1e-7 for those of one layer. Our shaders compute
+/// depths, and two cells that see the same point round it differently: some units of 2^-24 apart.
+void MergeRoundedDepths(std::string& fragment)
+{
+  const std::string theirs = "float epsilon = 0.0000001;", ours = "float epsilon = 0.0000005;";
+  if (const std::size_t at = fragment.find(theirs); at != std::string::npos)
+    fragment.replace(at, theirs.size(), ours);
 }
 
 } // namespace
@@ -59,9 +71,11 @@ vtkShaderProgram* ReadyPassShader(vtkOpenGLRenderWindow* window, vtkMapper* mapp
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
   for (vtkOpenGLRenderPass* one : passes)
   {
+    UseFinePeels(one);
     one->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
     one->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
   }
+  MergeRoundedDepths(fragment);
   FillSlot(vertex, "Defines", defines);
   FillSlot(fragment, "Defines", defines + NameOutputs(fragment));
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(

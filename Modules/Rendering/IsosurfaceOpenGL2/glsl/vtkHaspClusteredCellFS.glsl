@@ -74,6 +74,23 @@ bool ClipRay(out vec3 a, out vec3 b, out vec3 direction)
 #ifdef HASP_SPLATS
 //Hasp::CellSplat
 #else
+float DepthOf(vec3 place)
+{
+  vec2 clip = cellClip.zw + place.x * indexToClip[0].zw + place.y * indexToClip[1].zw +
+    place.z * indexToClip[2].zw;
+  return 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far);
+}
+
+vec4 ShadeHit(vec3 hit)
+{
+  vec3 position = (indexToView * vec4(vec3(cell.xyz) + hit, 1.0)).xyz;
+  vec3 normal = FaceEye(position, normalize(normalToView * -HaspTrilinearGradient(low, high, hit)));
+  return Shade(position, normal, CellMaterial(hit));
+}
+
+#ifdef HASP_LAYERS
+//Hasp::CellLayers
+#else
 void main()
 {
 #ifdef HASP_LABELS
@@ -85,11 +102,7 @@ void main()
     discard;
   vec3 hit = mix(a, b, s);
   bool own = all(greaterThanEqual(hit, vec3(0.0))) && all(lessThan(hit, vec3(1.0)));
-  vec3 shown = own ? hit : hit + SetBack * direction;
-  vec2 clip = cellClip.zw + shown.x * indexToClip[0].zw + shown.y * indexToClip[1].zw +
-    shown.z * indexToClip[2].zw;
-  gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.x / clip.y + gl_DepthRange.near + gl_DepthRange.far) +
-    (own ? 0.0 : SetBackDepth);
+  gl_FragDepth = DepthOf(own ? hit : hit + SetBack * direction) + (own ? 0.0 : SetBackDepth);
 
   //VTK::DepthPeeling::PreColor
 #ifdef HASP_HITS
@@ -101,10 +114,9 @@ void main()
 #elif defined(HASP_SELECTION)
   fragOutput0 = SelectionColor(uint(cell.w));
 #else
-  vec3 position = (indexToView * vec4(vec3(cell.xyz) + hit, 1.0)).xyz;
-  vec3 normal = FaceEye(position, normalize(normalToView * -HaspTrilinearGradient(low, high, hit)));
-  fragOutput0 = Shade(position, normal, CellMaterial(hit));
+  fragOutput0 = ShadeHit(hit);
 #endif
   //VTK::DepthPeeling::Impl
 }
+#endif
 #endif

@@ -66,6 +66,8 @@ const float Margin = 0.5; // see CellSplat.glsl
 const float Margin = 0.0;
 #endif
 
+const float Snap = 0.0625; // pixels; rasterisers snap to 1/16 pixel at the coarsest
+
 flat out vec4 low;
 flat out vec4 high;
 flat out vec4 cellClip;
@@ -190,14 +192,15 @@ void main()
   if (points)
   {
     vec2 size = (highest.xy - lowest.xy) * 0.5 * viewport;
-    gl_PointSize = max(size.x, size.y) + 0.0625; // rasterisers snap to 1/16 pixel at the coarsest
+    gl_PointSize = max(size.x, size.y) + Snap;
     gl_Position = vec4(0.5 * (lowest.xy + highest.xy), max(lowest.z, -1.0), 1.0);
     return;
   }
   // A cell around the eye has no rectangle: it gets the whole screen, on the near plane.
   // A cell behind the eye gets none.
   bool aroundEye = leastW < 1e-4 * mostW;
-  vec2 from = aroundEye ? vec2(-1.0) : lowest.xy, to = aroundEye ? vec2(1.0) : highest.xy;
+  vec2 from = aroundEye ? vec2(-1.0) : lowest.xy - Snap / viewport,
+       to = aroundEye ? vec2(1.0) : highest.xy + Snap / viewport;
   float depth = aroundEye ? -1.0 : max(lowest.z, -1.0);
   if (mostW <= 0.0)
     from = to = vec2(2.0);
