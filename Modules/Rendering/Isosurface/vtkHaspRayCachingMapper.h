@@ -71,7 +71,8 @@ public:
   {
     Automatic,      ///< the cheaper one of Cache and of drawing all active cells, measured; these
                     ///< where the surface is translucent, for rays find no more than its front
-    Cache,          ///< RayCaching
+    Cache,          ///< RayCaching; a translucent surface lacks what lies behind its front, and a
+                    ///< warning says so once
     Raycast,        ///< a ray a pixel on the GPU, at a fixed step from end to end; OpenGL 4.3
     RaycastSkipping ///< the same, but blocks of 8^3 cells without surface are passed in one step
   };

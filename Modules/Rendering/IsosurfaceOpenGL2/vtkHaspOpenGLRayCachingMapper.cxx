@@ -48,6 +48,7 @@ struct vtkHaspOpenGLRayCachingMapper::OpenGL
   double IsoValue = std::numeric_limits<double>::quiet_NaN();
   bool Unlit = false;                   ///< the last frame lacked the light that was asked for
   bool StoodIn = false;                 ///< that cells stand in for a raycast has been said
+  bool Partial = false;                 ///< the last picture is of a translucent front alone
   bool Changed = false;                 ///< volume or isovalue, since the last frame
   double CacheUpdateMilliseconds = 0.0; ///< what that cost the cache
   vtkNew<ErrorListener> Errors;         ///< of the mappers inside
@@ -243,6 +244,9 @@ void vtkHaspOpenGLRayCachingMapper::DrawCells(const Pass& pass, bool lit)
                                        ? DrawingChoice::Frame{ false, false, true }
                                      : timed ? choice.Next(changed, progress.Filled())
                                              : choice.Untimed(progress.Filled());
+  if (const bool partial = frame.cache && pass.translucent; partial != gl.Partial)
+    if ((gl.Partial = partial))
+      vtkWarningMacro("What rays meet first is drawn, not all layers: set the mode to Automatic.");
   if (frame.sample)
   {
     const hasp::Stopwatch watch;

@@ -384,6 +384,12 @@ TEST_F(RayCaching, IsDrawnTranslucent)
   scene.Show<std::int16_t>(hasp::AnalyticSphere({ 0, 0, 0 }, 15), ObliqueGrid(40, { 1, 1, 1 }));
   scene.Actor->GetProperty()->SetOpacity(0.5);
   scene.Renderer->SetBackground(0, 0, 1);
+  int warnings = 0;
+  vtkNew<vtkCallbackCommand> hear;
+  hear->SetClientData(&warnings);
+  hear->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  scene.Raycaster->AddObserver(vtkCommand::WarningEvent, hear);
   const std::size_t middle = 3 * (RaycastScene::PixelsX * (RaycastScene::PixelsY / 2) + 80);
   std::vector<unsigned char> colors;
   for (int frame = 0; frame < 20; ++frame)
@@ -391,6 +397,7 @@ TEST_F(RayCaching, IsDrawnTranslucent)
   EXPECT_GT(colors[middle], 30);      // of the surface
   EXPECT_GT(colors[middle + 2], 100); // of what is behind it
   EXPECT_TRUE(scene.Errors.empty());
+  EXPECT_EQ(warnings, 1) << "that layers may be missing";
 }
 
 } // namespace
