@@ -561,6 +561,22 @@
         <source>&amp;Brightest values, without bone&apos;s surface</source>
         <translation>&amp;Ljusaste värdena, utan benets yta</translation>
     </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Ljus</translation>
+    </message>
+    <message>
+        <source>&amp;Plain</source>
+        <translation>&amp;Vanligt</translation>
+    </message>
+    <message>
+        <source>&amp;Ambient occlusion: darker where surfaces are close</source>
+        <translation>&amp;Omgivningsskugga: mörkare där ytor är nära</translation>
+    </message>
+    <message>
+        <source>&amp;Traced: daylight with shadows</source>
+        <translation>&amp;Strålföljt: dagsljus med skuggor</translation>
+    </message>
 </context>
 <context>
     <name>ViewPresets</name>

@@ -9,6 +9,7 @@
 #include "View/SceneCamera.h"
 #include "View/SceneLayers.h"
 #include "View/SceneView.h"
+#include "View/ViewLight.h"
 
 #include "vtkRenderer.h"
 
@@ -27,7 +28,8 @@ struct PlanScene::Internals
   double isovalue = 0.0;        ///< that was told last
   FirstLook first;
   SceneLayers layers;
-  ScanLooks looks{ of, layers.skin };
+  ViewLight light{ of.view };
+  ScanLooks looks{ of, layers.skin, light };
 };
 
 PlanScene::PlanScene(PlanSession& plan, ScanShelf& scans, JobQueue& jobs, SceneView& view)
@@ -50,10 +52,11 @@ PlanScene::PlanScene(PlanSession& plan, ScanShelf& scans, JobQueue& jobs, SceneV
   {
     for (SceneLayer* layer : this->Self->layers.All())
       layer->Prepare();
+    this->Self->light.Prepare();
   };
   view.after = [this]
   {
-    bool refining = false;
+    bool refining = this->Self->light.Finish();
     for (const SceneLayer* layer : this->Self->layers.All())
       refining = refining || layer->IsRefining();
     return refining;
@@ -241,6 +244,7 @@ void PlanScene::ListResources(ResourceList& list) const
 {
   for (const SceneLayer* layer : this->Self->layers.All())
     layer->ListResources(list);
+  this->Self->light.ListResources(list);
 }
 
 } // namespace hasp

@@ -4,6 +4,7 @@ namespace hasp
 {
 
 class SkinSurface;
+class ViewLight;
 struct SceneContext;
 
 /// How the scan is shown besides its bone, as the user has it: of whichever plan, off at first. The
@@ -11,8 +12,13 @@ struct SceneContext;
 class ScanLooks
 {
 public:
-  /// Both outlive this.
-  ScanLooks(SceneContext& of, SkinSurface& skin) : Of(of), Skin(skin) {}
+  /// All outlive this.
+  ScanLooks(SceneContext& of, SkinSurface& skin, ViewLight& light) : Of(of), Skin(skin), Lit(light)
+  {
+  }
+
+  /// Of all that the view shows.
+  ViewLight& Light() const { return this->Lit; }
 
   ///@{
   /// Translucent, over bone.
@@ -33,6 +39,7 @@ public:
 private:
   SceneContext& Of;
   SkinSurface& Skin;
+  ViewLight& Lit;
 };
 
 } // namespace hasp

@@ -44,4 +44,6 @@ hasp_add_planner_part(View
     View/SceneLayers.h
     View/SkinSurface.cxx View/SkinSurface.h
     View/SurfaceProps.cxx View/SurfaceProps.h
+    View/ViewLight.cxx View/ViewLight.h
   LIBRARIES HaspPlannerModel HaspPlannerViews HaspSceneParts Hasp::KernelEvaluation Hasp::KernelSegmentation ${needed})
+target_link_libraries(HaspPlannerView PRIVATE $<TARGET_NAME_IF_EXISTS:Hasp::RenderingLight>) # HASP_WITH_LIGHT: of HaspSceneParts

@@ -2,7 +2,9 @@
 
 #include "Tools/Planner.h"
 #include "View/ScanLooks.h"
+#include "View/ViewLight.h"
 
+#include <QActionGroup>
 #include <QCoreApplication>
 #include <QInputDialog>
 #include <QMenu>
@@ -47,6 +49,29 @@ void AskSkin(Planner& planner)
     planner.scene.Looks().SetSkinValue(ask.doubleValue());
 }
 
+/// Of all that the view shows; plain alone where there is no other.
+void AddLight(QMenu& menu, PlanScene& scene)
+{
+  QMenu* light = menu.addMenu(Words::tr("&Light"));
+  light->setObjectName("menu.light");
+  auto* modes = new QActionGroup(light);
+  const auto add = [&](const QString& text, const char* name, ViewLight::Mode mode)
+  {
+    QAction* action = light->addAction(text);
+    action->setObjectName(name);
+    action->setCheckable(true);
+    action->setChecked(mode == ViewLight::Plain);
+    action->setEnabled(mode == ViewLight::Plain || ViewLight::IsThere());
+    modes->addAction(action);
+    QObject::connect(
+      action, &QAction::triggered, &scene, [&scene, mode] { scene.Looks().Light().SetMode(mode); });
+  };
+  add(Words::tr("&Plain"), "view.light.plain", ViewLight::Plain);
+  add(Words::tr("&Ambient occlusion: darker where surfaces are close"), "view.light.ambient",
+    ViewLight::AmbientOcclusion);
+  add(Words::tr("&Traced: daylight with shadows"), "view.light.traced", ViewLight::Traced);
+}
+
 } // namespace
 
 void AddSceneLooks(QMenu& menu, Planner& planner)
@@ -60,6 +85,7 @@ void AddSceneLooks(QMenu& menu, Planner& planner)
   QObject::connect(begins, &QAction::triggered, &planner.scene, [&planner] { AskSkin(planner); });
   AddSwitch(*looks, Words::tr("&Brightest values, without bone's surface"), "view.brightest",
     QKeySequence("Ctrl+B"), planner.scene, &ScanLooks::SetBrightest);
+  AddLight(*looks, planner.scene);
 }
 
 } // namespace hasp

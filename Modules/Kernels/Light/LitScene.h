@@ -18,6 +18,7 @@ struct LitBody
   std::shared_ptr<const TriangleTracer> mesh;
   glm::dmat4 bodyToWorld{ 1.0 }; ///< rigid, or with a scale; no shear needed, none refused
   std::shared_ptr<const SurfaceScattering> material;
+  glm::vec3 glow{ 0.0F }; ///< radiance that the eye alone sees of it, and no other body: a mark
 };
 
 /// A lamp without extent, as VTK's: a white body that faces it has radiance `color` at distance 1

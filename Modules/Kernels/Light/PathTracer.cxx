@@ -154,6 +154,7 @@ PathSample PathTracer<Points>::Radiance(
   const LitHit& hit, const glm::dvec3& towardsEye, Points& points) const
 {
   Path path;
+  path.radiance = this->Scene->Bodies()[hit.body].glow;
   this->Walk(hit, towardsEye, points, 1, path);
   return { path.radiance, path.rays };
 }

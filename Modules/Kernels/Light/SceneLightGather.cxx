@@ -165,7 +165,9 @@ void SceneLightCache::Gather(const Picture& seen, const LitHit& hit, std::size_t
   glm::vec3 lamps(0.0F);
   for (const LitLamp& lamp : seen.scene.Lamps())
     lamps += LampRadiance(seen.scene, lamp, hit, at, seen.request.shadows, tile.rays);
-  glm::vec3 base = kind == Kind::AmbientOcclusion ? glm::vec3(0.0F) : lamps;
+  glm::vec3 base = seen.scene.Bodies()[hit.body].glow;
+  if (kind != Kind::AmbientOcclusion)
+    base += lamps;
   if (!this->OwnSums.empty())
   {
     glm::vec4& sum = this->OwnSums[pixel];

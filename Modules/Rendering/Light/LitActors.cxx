@@ -114,15 +114,18 @@ bool LitActors::UpdateSurface(Entry& entry, vtkActor* actor, bool linear)
   return true;
 }
 
-void LitActors::UpdateMaterial(Entry& entry, vtkActor* actor, bool linear)
+void LitActors::UpdateMaterial(Entry& entry, vtkActor* actor, bool linear, double glow)
 {
   const hasp::SurfaceMaterial material = MaterialOf(actor->GetProperty(), linear);
   if (!entry.body.material || entry.body.material->Material() != material)
     entry.body.material = std::make_shared<const hasp::SurfaceScattering>(material);
+  vtkProperty* property = actor->GetProperty();
+  entry.body.glow =
+    static_cast<float>(glow) * Albedo(property->GetAmbientColor(), property->GetAmbient(), linear);
   entry.body.bodyToWorld = glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
 }
 
-void LitActors::Update(vtkProp* const* props, int count, bool linear)
+void LitActors::Update(vtkProp* const* props, int count, bool linear, double glow)
 {
   if (linear != this->Linear) // colours of meshes are others
     this->Entries.clear();
@@ -143,7 +146,7 @@ void LitActors::Update(vtkProp* const* props, int count, bool linear)
     Entry& entry = this->EntryOf(actor);
     if (this->UpdateSurface(entry, actor, linear))
     {
-      this->UpdateMaterial(entry, actor, linear);
+      this->UpdateMaterial(entry, actor, linear, glow);
       this->LastBodies.push_back(entry.body);
     }
     else

@@ -18,9 +18,10 @@ class vtkProp;
 class LitActors
 {
 public:
-  /// linear: are colours sRGB, and light linear? Trees of new surfaces are made: 30 ms a million
-  /// active cells, 0.2 s a million triangles. Throws std::runtime_error.
-  void Update(vtkProp* const* props, int count, bool linear);
+  /// linear: are colours sRGB, and light linear? glow: what ambient colours are multiplied by.
+  /// Trees of new surfaces are made: 30 ms a million active cells, 0.2 s a million triangles.
+  /// Throws std::runtime_error.
+  void Update(vtkProp* const* props, int count, bool linear, double glow);
   void Release() { *this = {}; }
 
   /// Of the last update, in the order of the props.
@@ -42,7 +43,7 @@ private:
   };
   Entry& EntryOf(vtkActor* actor);
   bool UpdateSurface(Entry& entry, vtkActor* actor, bool linear);
-  void UpdateMaterial(Entry& entry, vtkActor* actor, bool linear);
+  void UpdateMaterial(Entry& entry, vtkActor* actor, bool linear, double glow);
 
   std::vector<Entry> Entries;
   std::vector<hasp::LitBody> LastBodies;

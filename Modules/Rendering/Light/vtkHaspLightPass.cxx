@@ -36,7 +36,8 @@ namespace
 constexpr double White = 0.7;          // what mean light makes of a white surface
 constexpr double SlackOfSamples = 4.0; // pixels: half of one, on slopes of up to 83 degrees
 constexpr int StillFrames = 64;        // after which light that is kept is taken to be settled
-constexpr float KeptSamples = 16.0F;   // what it counts for beside paths of a pixel's own
+constexpr int KeptFrames = 4; // of a view at rest that is path traced; then its paths are better
+constexpr float KeptSamples = 16.0F; // what it counts for beside paths of a pixel's own
 
 hasp::PictureView ViewOf(vtkRenderer* renderer, const LightViewport& viewport)
 {
@@ -53,15 +54,15 @@ bool AreSame(const std::vector<hasp::LitBody>& a, const std::vector<hasp::LitBod
     [](const hasp::LitBody& x, const hasp::LitBody& y)
     {
       return x.cells == y.cells && x.mesh == y.mesh && x.bodyToWorld == y.bodyToWorld &&
-             x.material == y.material;
+             x.material == y.material && x.glow == y.glow;
     });
 }
 
 /// So that the mean light makes a white surface White.
-float ExposureFor(const hasp::LitScene& scene)
+float ExposureFor(const hasp::Environment& far, const std::vector<hasp::LitLamp>& lamps)
 {
-  double light = scene.Surroundings().Total() / (4.0 * std::numbers::pi);
-  for (const hasp::LitLamp& lamp : scene.Lamps())
+  double light = far.Total() / (4.0 * std::numbers::pi);
+  for (const hasp::LitLamp& lamp : lamps)
     light += (lamp.color.r + lamp.color.g + lamp.color.b) / 3.0;
   return light > 0.0 ? static_cast<float>(White / light) : 1.0F;
 }
@@ -223,13 +224,16 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
   if (!window || viewport.size.x < 1 || viewport.size.y < 1)
     return;
   const bool paths = this->Mode == Traced || this->Mode == PathTraced;
-  in.actors.Update(state->GetPropArray(), state->GetPropArrayCount(), paths);
   if (!paths)
     in.surroundings.Release();
   const std::shared_ptr<const hasp::Environment> far =
     paths ? in.surroundings.Of(renderer, this->EnvironmentFileName) : LitSurroundings::None();
   auto lamps =
     !paths || this->LampsInPaths ? LampsOf(renderer, paths) : std::vector<hasp::LitLamp>();
+  const float exposure = !paths                 ? 1.0F
+                         : this->Exposure > 0.0 ? static_cast<float>(this->Exposure)
+                                                : ExposureFor(*far, lamps);
+  in.actors.Update(state->GetPropArray(), state->GetPropArrayCount(), paths, 1.0 / exposure);
   const bool sameScene = in.scene && in.scene->SharedSurroundings() == far &&
                          in.scene->Lamps() == lamps &&
                          AreSame(in.scene->Bodies(), in.actors.Bodies());
@@ -249,9 +253,6 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
     in.traced = {};
     in.kept.Light(*in.scene, view, { in.depths, in.slack }, this->Request(), in.light);
   }
-  const float exposure = !paths                 ? 1.0F
-                         : this->Exposure > 0.0 ? static_cast<float>(this->Exposure)
-                                                : ExposureFor(*in.scene);
   in.picture.Draw(window, viewport, in.light, exposure, paths);
 }
 
@@ -285,7 +286,7 @@ void vtkHaspLightPass::TracePaths(bool same)
   hasp::SceneLightRequest request = this->Request();
   if (!this->TemporalAccumulation)
     request.kind = hasp::SceneLightRequest::Kind::Lamps; // for what is seen alone
-  if (!begun || this->TemporalAccumulation)
+  if (!begun || (this->TemporalAccumulation && in.still <= KeptFrames))
     in.kept.Light(*in.scene, in.view, { in.depths, in.slack }, request, in.seen);
   if (!begun)
   {

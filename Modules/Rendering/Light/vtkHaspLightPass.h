@@ -33,7 +33,8 @@
  * and index of refraction; else a coat as bright and smooth as Specular and SpecularPower say. In
  * the last two modes colours are taken as sRGB and the picture is encoded so, as VTK's physically
  * based shading does; in the others neither, as its Phong shading. Colours of scalars: those of
- * polydata's points and cells; not textures.
+ * polydata's points and cells; not textures. The ambient colour is added as it is, as a mark that
+ * lights nothing.
  *
  * Left as drawn, and casting no shadow: wireframes, points and lines, mappers of other kinds, and
  * cells with labels of which something is said. ListResources counts them. Limit: clipping planes
