@@ -94,8 +94,8 @@ void PathTracer<Points>::Surroundings(const LitHit& hit, const SurfaceScattering
 /// On by the surface's lobe: the next surface, or nothing where the path ends.
 template <typename Points>
 std::optional<LitHit> PathTracer<Points>::Scatter(const LitHit& hit,
-  const SurfaceScattering::At& at, const Environment& far, Points& points, int bounce,
-  Path& path) const
+  const SurfaceScattering::At& at, const Environment& far, bool weighted, Points& points,
+  int bounce, Path& path) const
 {
   const glm::dvec2 point = points.Next();
   const double choice = this->Scene->Scattering(hit.body).Diffuse() ? 0.0 : points.Next1();
@@ -123,7 +123,7 @@ std::optional<LitHit> PathTracer<Points>::Scatter(const LitHit& hit,
   if (this->Dark || (last && this->Scene->OccludedFrom(hit, sample.direction)))
     return std::nullopt;
   const glm::vec3 light = far.Radiance(sample.direction);
-  const double density = far.Samples() ? Largest(light) / far.Total() : 0.0; // far.Density's
+  const double density = weighted ? Largest(light) / far.Total() : 0.0; // far.Density's
   const double weight = sample.density / (sample.density + density);
   path.radiance += path.share * light * static_cast<float>(weight);
   return std::nullopt;
@@ -141,7 +141,8 @@ void PathTracer<Points>::Walk(
     const Environment& far = this->Scene->Surroundings();
     if (far.Samples())
       this->Surroundings(hit, at, far, points, path);
-    const std::optional<LitHit> next = this->Scatter(hit, at, far, points, bounce, path);
+    const std::optional<LitHit> next =
+      this->Scatter(hit, at, far, far.Samples(), points, bounce, path);
     if (!next)
       return;
     towardsEye = glm::normalize(hit.position - next->position);
@@ -178,10 +179,11 @@ PathSample PathTracer<Points>::WhiteRadiance(
   static const SurfaceScattering white({ glm::vec3(1.0F) });
   const SurfaceScattering::At at(white, glm::vec3(1.0F), hit.shading, hit.shading);
   const Environment& first = far ? *far : this->Scene->Surroundings();
+  const bool weighted = !far && first.Samples();
   Path path;
-  if (first.Samples())
+  if (weighted)
     this->Surroundings(hit, at, first, points, path);
-  if (const std::optional<LitHit> next = this->Scatter(hit, at, first, points, 1, path))
+  if (const std::optional<LitHit> next = this->Scatter(hit, at, first, weighted, points, 1, path))
     this->Walk(*next, glm::normalize(hit.position - next->position), points, 2, path);
   return { path.radiance, path.rays };
 }

@@ -51,7 +51,8 @@ public:
   /// That comes along a ray; the environment's where it meets nothing.
   PathSample Incoming(const glm::dvec3& origin, const glm::dvec3& direction, Points& points) const;
   /// What a white diffuse surface in its place would send out: irradiance over pi, without the
-  /// direct light of lamps. far: what lights it itself; null: the scene's environment. For light
+  /// direct light of lamps. far: what lights it itself, found by the lobe alone, so without small
+  /// bright parts; null: the scene's environment. For light
   /// that is kept on surfaces.
   PathSample WhiteRadiance(
     const LitHit& hit, Points& points, const Environment* far = nullptr) const;
@@ -67,7 +68,7 @@ private:
   void Surroundings(const LitHit& hit, const SurfaceScattering::At& at, const Environment& far,
     Points& points, Path& path) const;
   std::optional<LitHit> Scatter(const LitHit& hit, const SurfaceScattering::At& at,
-    const Environment& far, Points& points, int bounce, Path& path) const;
+    const Environment& far, bool weighted, Points& points, int bounce, Path& path) const;
   void Walk(LitHit hit, glm::dvec3 towardsEye, Points& points, int bounce, Path& path) const;
 
   const LitScene* Scene;
