@@ -280,7 +280,8 @@ TEST(SceneLightCache, WhatIsOutOfRangeIsRefused)
   {
     try
     {
-      cache.Light(scene, view, std::vector<float>(depths, 0.5F), request, picture);
+      const std::vector<float> given(depths, 0.5F);
+      cache.Light(scene, view, { given }, request, picture);
       ADD_FAILURE() << says;
     }
     catch (const std::invalid_argument& e)

@@ -241,7 +241,7 @@ TEST(SceneLightChanges, DrawnDepthsSayWhatIsSeen)
   SceneLightCache cache;
   LitPicture traced, drawn;
   cache.Light(scene, view, {}, lamps, traced);
-  cache.Light(scene, view, depths, lamps, drawn);
+  cache.Light(scene, view, { depths }, lamps, drawn);
   for (std::size_t n = 0; n < drawn.size(); ++n)
   {
     ASSERT_EQ(drawn[n].a, depths[n] < 1.0F ? 1.0F : 0.0F) << n;
@@ -253,7 +253,7 @@ TEST(SceneLightChanges, DrawnDepthsSayWhatIsSeen)
     depths[n] = n % 2 ? 1.0F : std::max(0.0F, depths[n] - 0.02F);
   for (const auto& request : { lamps, Open(10.0), Traced(2) })
   {
-    cache.Light(scene, view, depths, request, drawn);
+    cache.Light(scene, view, { depths }, request, drawn);
     for (std::size_t n = 0; n < drawn.size(); ++n)
       ASSERT_EQ(drawn[n].a, n % 3 == 0 ? 0.0F : traced[n].a) << n;
   }
