@@ -48,6 +48,21 @@ int Difference(const QColor& a, const QColor& b)
          std::abs(a.blue() - b.blue());
 }
 
+int Warmth(const QColor& colour)
+{
+  return colour.red() - colour.blue();
+}
+
+/// But for edges: what is opaque is traced or rasterised, whichever was the faster one.
+bool Alike(const QImage& a, const QImage& b)
+{
+  int other = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      other += Difference(a.pixelColor(x, y), b.pixelColor(x, y)) > 30;
+  return a.size() == b.size() && 100 * other < a.width() * a.height();
+}
+
 TEST_F(ScanLooksOfBalls, SkinIsThereWhileItIsOn)
 {
   this->desk.AddScan(this->balls.image, BallsHash);
@@ -62,8 +77,7 @@ TEST_F(ScanLooksOfBalls, SkinIsThereWhileItIsOn)
   const QImage with = this->desk.Picture("ScanWithSkin");
   EXPECT_GT(this->desk.UseOf("skin, active cells, host").bytes, 0U);
   EXPECT_EQ(this->desk.UseOf("skin").reason, "not listed");
-  EXPECT_GT(Difference(this->At(with, beside), this->At(without, beside)), 60);
-  EXPECT_GT(this->At(with, beside).red(), this->At(with, beside).blue() + 10);  // of its colour
+  EXPECT_GT(Warmth(this->At(with, beside)), Warmth(this->At(without, beside)) + 20);
   EXPECT_GT(Difference(this->At(with, middle), this->At(without, middle)), 10); // over bone
   EXPECT_GT(this->At(with, middle).red(), this->At(with, beside).red() + 30);   // bone is seen
 
@@ -74,7 +88,8 @@ TEST_F(ScanLooksOfBalls, SkinIsThereWhileItIsOn)
   EXPECT_EQ(this->desk.Props(), 1U);
   EXPECT_EQ(this->desk.UseOf("skin").reason, "switched off");
   EXPECT_EQ(this->desk.UseOf("skin").bytes, 0U);
-  EXPECT_EQ(this->desk.Picture("ScanWithoutSkinAgain"), without);
+  EXPECT_TRUE(Alike(this->desk.Picture("ScanWithoutSkinAgain"), without));
+  EXPECT_FALSE(Alike(with, without));
 }
 
 TEST_F(ScanLooksOfBalls, PicksGoThroughSkin)
@@ -101,7 +116,7 @@ TEST_F(ScanLooksOfBalls, SkinIsWhereItsValueIsAndAllOfItIsInSight)
   };
   const double bone = reach();
   this->Looks().SetSkin(true);
-  // Twice 5.26 mm, and twice -100 - ... are 3.26 mm; cells are a millimetre wide and turned.
+  // The values fall by 100 a mm: 5.26 mm on both sides, then 3.26; cells are 1 mm wide and turned.
   EXPECT_NEAR(reach() - bone, 2 * 5.26, 2.0);
   this->Looks().SetSkinValue(-100.0);
   EXPECT_NEAR(reach() - bone, 2 * 3.26, 2.0);
@@ -180,7 +195,8 @@ TEST_F(ScanLooksOfBalls, TheBrightestValuesStandForBoneWhileTheyAreOn)
   EXPECT_FALSE(volume);
   EXPECT_NE(this->desk.scene.ScanProp(), nullptr);
   EXPECT_EQ(this->desk.UseOf("brightest values, GPU").bytes, 0U);
-  EXPECT_EQ(this->desk.Picture("ScanBoneAgain"), bone);
+  EXPECT_TRUE(Alike(this->desk.Picture("ScanBoneAgain"), bone));
+  EXPECT_FALSE(Alike(brightest, bone));
 }
 
 TEST_F(ScanLooksOfBalls, AScanOfOneValueIsRefusedOnce)
