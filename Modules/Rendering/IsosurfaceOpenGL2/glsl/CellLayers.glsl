@@ -20,68 +20,95 @@ layout(location = 2) out vec4 fragOutput2;
 #endif
 #endif
 
-vec3 hits[3]; // nearest first
-int hitCount = 0;
+vec3 roots; // along the ray, ascending
+int rootCount = 0;
+vec3 rayFrom, rayTo;
 
-void AddHit(vec3 hit)
+// The hit of a root; false if it is another cell's.
+bool OwnHit(int number, out vec3 hit)
 {
+  hit = mix(rayFrom, rayTo, number == 0 ? roots.x : number == 1 ? roots.y : roots.z);
 #ifdef HASP_PEELS
   float reach = Reach();
 #else
   const float reach = 0.0;
 #endif
-  if (all(greaterThanEqual(hit, vec3(-reach))) && all(lessThan(hit, vec3(1.0 + reach))))
-    hits[hitCount++] = hit;
+  return all(greaterThanEqual(hit, vec3(-reach))) && all(lessThan(hit, vec3(1.0 + reach)));
 }
 
-// Where VTK's lines return, they return from here.
-void DrawFrom(int first)
+// False if there are none.
+bool FindRoots()
 {
-  gl_FragDepth = DepthOf(hits[first]);
-  //VTK::DepthPeeling::PreColor
-  vec4 color = ShadeHit(hits[first]);
-#ifndef HASP_PEELS
-  for (int n = first + 1; n < hitCount; ++n) // behind it
-  {
-    vec4 next = ShadeHit(hits[n]);
-    float share = (1.0 - color.a) * next.a, sum = color.a + share;
-    color = vec4(sum > 0.0 ? mix(color.rgb, next.rgb, share / sum) : color.rgb, sum);
-  }
+#ifdef HASP_LABELS
+  EnterFrame(label);
 #endif
-  fragOutput0 = color;
+  vec3 direction;
+  float s;
+  if (!ClipRay(rayFrom, rayTo, direction))
+    return false;
+  vec4 cubic = HaspRayBernstein(low, high, rayFrom, rayTo);
+  if (!HaspFirstRoot(cubic, s))
+    return false;
+  vec2 later;
+  rootCount = 1 + HaspLaterRoots(cubic, s, later);
+  roots = vec3(s, later);
+  return true;
+}
+
+#ifdef HASP_PEELS
+void DrawHit(vec3 hit) // VTK's lines return from here
+{
+  gl_FragDepth = DepthOf(hit);
+  //VTK::DepthPeeling::PreColor
+  fragOutput0 = ShadeHit(hit);
   //VTK::DepthPeeling::Impl
 }
 
 void main()
 {
-#ifdef HASP_LABELS
-  EnterFrame(label);
-#endif
-  vec3 a, b, direction;
-  float s;
-  if (!ClipRay(a, b, direction))
+  if (!FindRoots())
     discard;
-  vec4 cubic = HaspRayBernstein(low, high, a, b);
-  if (!HaspFirstRoot(cubic, s))
-    discard;
-  vec2 later;
-  int laterCount = HaspLaterRoots(cubic, s, later);
-  AddHit(mix(a, b, s));
-  if (laterCount > 0)
-    AddHit(mix(a, b, later.x));
-  if (laterCount > 1)
-    AddHit(mix(a, b, later.y));
-  if (hitCount == 0)
-    discard;
-  DrawFrom(0);
-#ifdef HASP_PEELS
-  for (int n = 1; n < hitCount; ++n)
+  vec4 largest0 = vec4(-2.0), largest1 = vec4(-2.0), largest2 = vec4(-2.0); // below what they write
+  bool any = false;
+  for (int n = 0; n < rootCount; ++n)
   {
-    vec4 written0 = fragOutput0, written1 = fragOutput1, written2 = fragOutput2;
-    DrawFrom(n);
-    fragOutput0 = max(fragOutput0, written0);
-    fragOutput1 = max(fragOutput1, written1);
-    fragOutput2 = max(fragOutput2, written2);
+    vec3 hit;
+    if (!OwnHit(n, hit))
+      continue;
+    any = true;
+    DrawHit(hit);
+    largest0 = max(largest0, fragOutput0);
+    largest1 = max(largest1, fragOutput1);
+    largest2 = max(largest2, fragOutput2);
   }
-#endif
+  if (!any)
+    discard;
+  fragOutput0 = largest0;
+  fragOutput1 = largest1;
+  fragOutput2 = largest2;
 }
+#else
+void main()
+{
+  if (!FindRoots())
+    discard;
+  vec3 hit;
+  int first = 0;
+  while (first < rootCount && !OwnHit(first, hit))
+    ++first;
+  if (first == rootCount)
+    discard;
+  gl_FragDepth = DepthOf(hit);
+  //VTK::DepthPeeling::PreColor
+  vec4 color = ShadeHit(hit);
+  for (int n = first + 1; n < rootCount; ++n) // behind it
+    if (OwnHit(n, hit))
+    {
+      vec4 next = ShadeHit(hit);
+      float share = (1.0 - color.a) * next.a, sum = color.a + share;
+      color = vec4(sum > 0.0 ? mix(color.rgb, next.rgb, share / sum) : color.rgb, sum);
+    }
+  fragOutput0 = color;
+  //VTK::DepthPeeling::Impl
+}
+#endif
