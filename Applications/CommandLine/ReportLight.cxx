@@ -61,7 +61,7 @@ void MeasureVolume(ReportContext& context)
 void ReportLight(ReportContext& context)
 {
   RequireReportVolume(context.settings.volume);
-  MeasureFurnace(context);
+  MeasureFurnace(context, context.settings.quick ? 512 : 4096);
   MeasureSphere(context);
   MeasureReciprocity(context);
   MeasureLightExtremes(context);

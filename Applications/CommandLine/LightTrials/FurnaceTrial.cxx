@@ -56,14 +56,14 @@ void Heat(Furnace& furnace, const LitScene& scene, const std::vector<SeenHit>& h
     if (off < furnace.worst)
       continue;
     furnace.worst = off;
-    char text[40];
-    std::snprintf(text, sizeof text, ", cosine to the eye %.2f",
-      glm::dot(hits[first].hit.normal, hits[first].towardsEye));
+    char text[60];
+    std::snprintf(text, sizeof text, ", cosine to the eye %.3g to %.3g",
+      double(first) / double(hits.size()), double(first + together) / double(hits.size()));
     furnace.where = where + (together < hits.size() ? text : "");
   }
 }
 
-/// `each` hits of a scene for each ring, seen from a cosine within it.
+/// `each` hits of a scene for each ring, seen from all around, evenly in the cosine.
 std::vector<SeenHit> RingsOf(const LitScene& scene, std::size_t each, std::uint64_t seed)
 {
   const std::vector<SeenHit> seen = SeenHits(scene, OrbitView(scene, 20.0, 32), each);
@@ -71,10 +71,9 @@ std::vector<SeenHit> RingsOf(const LitScene& scene, std::size_t each, std::uint6
   for (std::size_t n = 0; n < Rings * each; ++n)
   {
     SeenHit hit = seen[n % seen.size()];
-    RandomSequence points(SeedOf(seed, n), 0);
-    const glm::dvec2 p = points.Next();
-    const double cosine = (double(n / each) + p.x) / double(Rings),
-                 turn = p.y * glm::two_pi<double>(), sine = std::sqrt(1.0 - cosine * cosine);
+    const double cosine = (double(n) + 0.5) / double(Rings * each),
+                 turn = RandomSequence(SeedOf(seed, n), 0).Next1() * glm::two_pi<double>(),
+                 sine = std::sqrt(1.0 - cosine * cosine);
     hit.towardsEye = FrameAround(hit.hit.normal) *
                      glm::dvec3(sine * std::cos(turn), sine * std::sin(turn), cosine);
     hits.push_back(hit);
@@ -104,7 +103,7 @@ std::vector<std::pair<std::string, SurfaceMaterial>> Materials(const std::string
     std::snprintf(text, sizeof text, "specular %.2g, roughness %.2g", specular, roughness);
     all.emplace_back(text, SurfaceMaterial{ glm::vec3(1.0F), specular, roughness, metallic });
   };
-  for (const float roughness : { 0.03F, 0.2F, 0.5F, 1.0F })
+  for (const float roughness : { 0.03F, 0.1F, 0.2F, 0.3F, 0.5F, 1.0F })
   {
     if (kind == "metal")
       add(0.0F, roughness, 1.0F);
@@ -117,10 +116,8 @@ std::vector<std::pair<std::string, SurfaceMaterial>> Materials(const std::string
 
 } // namespace
 
-void MeasureFurnace(ReportContext& context)
+void MeasureFurnace(ReportContext& context, int samples)
 {
-  const bool quick = context.settings.quick;
-  const int samples = quick ? 512 : 4096;
   const std::uint64_t seed = context.settings.seed;
   const auto ball = CellsOf(AnalyticSphere({ 0, 0, 0 }, 25.0), 48, 30.0);
   constexpr std::size_t Each = 64;

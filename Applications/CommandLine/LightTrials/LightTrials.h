@@ -37,8 +37,8 @@ struct RayRival
 };
 
 /// light.furnace.diffuse, .coat, .metal: radiance 1 from everywhere on a ball that gives all back;
-/// .concave: on a gyroid, whose light bounces. Truth: 1.
-void MeasureFurnace(ReportContext& context);
+/// .concave: on a gyroid, whose light bounces. Truth: 1. samples: of each of 512 looks at a ball.
+void MeasureFurnace(ReportContext& context, int samples);
 
 /// light.sphere: what a sphere on a plane leaves of an even sky; .sky: of daylight.
 void MeasureSphere(ReportContext& context);
