@@ -8,6 +8,7 @@
 #include "ReportVolume.h"
 #include "RivalMesh.h"
 #include "RivalTriangles.h"
+#include "TransparencyTrial.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
@@ -68,6 +69,7 @@ void ReportLight(ReportContext& context)
   MeasureLightScales(context);
   MeasureOn(context, HeadScene(context.settings.quick ? 96 : 200, context.settings.seed, true));
   MeasureVolume(context);
+  MeasureTransparency(context);
   for (const char* id : { "light.furnace", "light.hybrid", "light.rays" })
     AddWorstLight(context, id);
   AddUnusedLight(context);

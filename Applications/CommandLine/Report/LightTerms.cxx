@@ -34,7 +34,11 @@ std::vector<ReportTerm> LightTerms()
       "pixel: the brightest sample, and mean: the light, of a map with one pixel of a million; "
       "black: light where there is none; inside: an eye in a hollow ball of bone; small, large, "
       "spacing: the same scene at other sizes, and with cells of 100:1" },
-    { "light.transparency", "light through translucent parts, by how that is drawn" },
+    { "light.transparency",
+      "pictures of so many translucent layers of cells and meshes, of 255, off all that each "
+      "pixel's ray meets, sorted on the CPU; peeled: depth peeling; weighted: VTK's default; "
+      "unsorted: "
+      "blended as drawn; time: peeling's over theirs" },
   };
 }
 
