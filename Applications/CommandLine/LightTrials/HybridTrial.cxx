@@ -191,7 +191,9 @@ void MeasureHybrid(ReportContext& context, const LightData& data, const HybridSe
   };
   for (const int pictures : { 1, 2, 4, 8 })
     AddRow(context, "light.hybrid.still." + std::to_string(pictures) + data.tag, rounds,
-      still(pictures), of + "; the view stays, " + std::to_string(pictures) + " pictures together",
+      still(pictures),
+      of + "; the view stays, " + std::to_string(pictures) +
+        (pictures > 1 ? " pictures together" : " picture"),
       false);
   AddRow(context, "light.hybrid.still" + data.tag, rounds, still(Pictures),
     of + "; the view stays, 16 pictures together; aim 0.2", data.tag.empty());
