@@ -228,6 +228,10 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
   const bool reflects = (request.kind == Kind::Traced || scene.Surroundings().Brightest() > 0.0) &&
                         std::any_of(scene.Bodies().begin(), scene.Bodies().end(),
                           [](const LitBody& body) { return !body.material->Diffuse(); });
+  if (!keeps || !stays)
+    this->OwnShares = {};
+  else if (this->OwnShares.empty())
+    this->OwnShares.assign(pixels, glm::vec4(0.0F));
   if (!reflects && !bright)
     this->OwnSums = {};
   else if (!stays || this->OwnSums.size() != pixels)

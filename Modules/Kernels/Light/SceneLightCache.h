@@ -122,6 +122,7 @@ private:
   std::unique_ptr<Seen> Last;
   std::vector<Tile> Tiles;
   std::unique_ptr<Parts> Far;
+  std::vector<glm::vec4> OwnShares; ///< of a pixel at rest; samples as alpha
   std::vector<glm::vec4> OwnSums; ///< of PixelsOwn, while the view stays; samples as alpha
   PictureView LastView;
   bool Fresh = true;                    ///< something was forgotten or aged since the last picture

@@ -16,8 +16,24 @@ using Kind = SceneLightRequest::Kind;
 // Samples, as ColorMean counts.
 constexpr float Few = 3.0F; // below this a pixel casts FirstPaths
 constexpr double FirstPaths = 2.0;
-constexpr float Settled = 256.0F; // and above this a view that stays casts no more than others
+constexpr float Settled = 256.0F;  // of its own, and then a pixel at rest casts no more
+constexpr double RestPaths = 2.0;  // that it casts until then
+constexpr float KeptAtRest = 24.0F; // what lattices know counts for beside a pixel's own samples
 constexpr float Plenty = 2048.0F; // and above this no more paths are cast
+
+std::uint32_t SeedOf(std::size_t pixel)
+{
+  return HashOf(static_cast<std::uint32_t>(pixel) ^ 0x3C6EF372U);
+}
+
+/// At rest what a pixel found by itself counts more and more: it is not blurred.
+ColorMean WithOwn(const ColorMean& kept, const glm::vec4& own)
+{
+  const float share = kept.samples > 0.0F ? KeptAtRest : 0.0F;
+  if (!(share + own.a > 0.0F))
+    return kept;
+  return { (share * kept.color + glm::vec3(own)) / (share + own.a), kept.samples + own.a };
+}
 
 /// Pixel n of a tile in Morton order: as LightCache's.
 glm::ivec2 InTile(int n)
@@ -64,9 +80,9 @@ std::optional<LitHit> SceneLightCache::Picture::HitOf(std::size_t pixel) const
   return this->scene.Trace(ray.origin, direction, from, to);
 }
 
-glm::vec3 SceneLightCache::Picture::Share(const LitHit& hit, Tile& tile) const
+glm::vec3 SceneLightCache::Picture::Share(
+  const LitHit& hit, SobolSequence& points, Tile& tile) const
 {
-  SobolSequence points(tile.seed, tile.points++);
   if (this->Traced())
   {
     const PathSample sample = this->paths.WhiteRadiance(hit, points, &this->soft);
@@ -185,27 +201,36 @@ void SceneLightCache::Gather(const Picture& seen, const LitHit& hit, std::size_t
                                                 : lamps + body * seen.Open(hit.shading);
   const LightPlace place = seen.places.At(hit.position, hit.normal);
   const Known known(*this->Blocks, finder, place);
-  const ColorMean mean = known.Mean(*this->Blocks);
-  if (mean.samples < Few)
-  {
-    tile.doubtful.push_back({ place, factor, static_cast<std::uint32_t>(pixel) });
-    tile.unknown += mean.samples == 0.0F;
-  }
+  ColorMean mean = known.Mean(*this->Blocks);
+  tile.unknown += mean.samples == 0.0F;
+  glm::vec4* own = this->OwnShares.empty() ? nullptr : &this->OwnShares[pixel];
+  if (own)
+    tile.due = own->a < Settled ? RestPaths : 0.0;
   else
-    picture[pixel] += glm::vec4(factor * mean.color, 0.0F);
-  tile.due += mean.samples < Few || (seen.stays && mean.samples < Settled) ? FirstPaths
-              : mean.samples < Plenty ? this->Settings.pathsAPixel
-                                      : 0.0;
+    tile.due += mean.samples < Few      ? FirstPaths
+                : mean.samples < Plenty ? this->Settings.pathsAPixel
+                                        : 0.0;
   const int paths = static_cast<int>(tile.due);
   tile.due -= paths;
   for (int n = 0; n < paths; ++n)
-    tile.samples.push_back({ place, seen.Share(hit, tile) });
-  if (paths == 0)
-    return;
-  if (!known.fine.whole)
+  {
+    SobolSequence points = own ? SobolSequence(SeedOf(pixel), static_cast<std::uint32_t>(own->a))
+                               : SobolSequence(tile.seed, tile.points++);
+    const glm::vec3 share = seen.Share(hit, points, tile);
+    tile.samples.push_back({ place, share });
+    if (own)
+      *own += glm::vec4(share, 1.0F);
+  }
+  if (paths > 0 && !known.fine.whole)
     this->Blocks->ListMissing(finder, place, tile.missing);
-  if (!known.coarse.whole)
+  if (paths > 0 && !known.coarse.whole)
     this->Blocks->ListMissing(finder, place.Coarser(), tile.missing);
+  if (own)
+    mean = WithOwn(mean, *own);
+  if (mean.samples < Few)
+    tile.doubtful.push_back({ place, factor, static_cast<std::uint32_t>(pixel) });
+  else
+    picture[pixel] += glm::vec4(factor * mean.color, 0.0F);
 }
 
 void SceneLightCache::CastPaths(const Picture& seen, std::int64_t number, LitPicture& picture)
@@ -252,7 +277,10 @@ void SceneLightCache::Settle(const Picture& seen, Tile& tile, LitPicture& pictur
     ColorMean mean = Known(*this->Blocks, finder, one.place).Mean(*this->Blocks);
     if (mean.samples == 0.0F) // the table is too small for this picture: a path of its own
       if (const auto hit = seen.HitOf(one.pixel))
-        mean.color = seen.Share(*hit, tile);
+      {
+        SobolSequence points(tile.seed, tile.points++);
+        mean.color = seen.Share(*hit, points, tile);
+      }
     picture[one.pixel] += glm::vec4(one.factor * mean.color, 0.0F);
   }
 }
