@@ -15,9 +15,10 @@ namespace
 
 constexpr int Ways = 8;
 constexpr std::uint32_t None = LightSpot::None;
-constexpr std::uint64_t Low = 0xFFFFFFFFU; // of a word
-constexpr int PlaceBits = 18;              // of a block along an axis
-constexpr float Whole = 128.0F;            // the weight of a sample: 2^25 of them fit into a sum
+constexpr std::uint64_t Low = 0xFFFFFFFFU;              // of a word
+constexpr std::uint64_t HalfFull = 0x8000000080000000U; // of the sums of a word, either
+constexpr int PlaceBits = 18;                           // of a block along an axis
+constexpr float Whole = 128.0F; // the weight of a sample: 2^25 of them fit into a sum
 
 /// Level, face and place of a block. A 1 on top, so that none is 0.
 LightBlocks::Key KeyOf(const LightPlace& place, const glm::ivec3& block)
@@ -193,6 +194,10 @@ void LightBlocks::AddColor(const LightSpot& spot, const glm::vec3& color, float 
     if (spot.sums[c] != None && spot.weights[c] != 0)
     {
       std::uint64_t* sum = &this->Sums[std::size_t(spot.sums[c]) * 2];
+      const auto now = [&](int n)
+      { return std::atomic_ref(sum[n]).load(std::memory_order_relaxed); };
+      if (((now(0) | now(1)) & HalfFull) != 0) // knows enough, and must not run over
+        continue;
       std::atomic_ref(sum[0]).fetch_add(first * spot.weights[c], std::memory_order_relaxed);
       std::atomic_ref(sum[1]).fetch_add(second * spot.weights[c], std::memory_order_relaxed);
     }

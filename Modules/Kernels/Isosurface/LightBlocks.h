@@ -81,7 +81,7 @@ public:
   static constexpr float ColorStep = 1.0F / 64.0F;
   ColorMean MeanColor(const LightSpot& spot) const;
   /// Adds one sample; round: in [0, 1), says whether parts of a ColorStep count up, so that their
-  /// mean is right. 30,000 samples of 17 fit into a sum.
+  /// mean is right. A sum that is half full takes no more: 15,000 samples of 17.
   void AddColor(const LightSpot& spot, const glm::vec3& color, float round);
 
   /// The blocks that the place's corners lie in and that are not there, appended; a place's weight

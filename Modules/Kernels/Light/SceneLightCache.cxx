@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -160,7 +161,9 @@ void SceneLightCache::Watch(const LitScene& scene, const SceneLightRequest& requ
   }
   else
   {
-    const bool ages = this->ForgetChanges(scene, request);
+    // Openness does not hang on the environment, but what coats and metals show of it adds up.
+    const bool ages = this->ForgetChanges(scene, request) ||
+                      !SameOwner(this->Last->environment, scene.SharedSurroundings());
     if (ages && traced)
       this->Blocks->Age(Aged);
     this->Fresh = this->Fresh || ages;
@@ -216,8 +219,10 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
     this->Forget();
     this->Blocks.reset();
   }
-  const bool stays = view == this->LastView && !this->Fresh;
+  const bool stays =
+    view == this->LastView && !this->Fresh && std::ranges::equal(drawn.depths, this->LastDepths);
   this->LastView = view;
+  this->LastDepths.assign(drawn.depths.begin(), drawn.depths.end());
   this->Fresh = false;
   ++this->Now;
   if (keeps)

@@ -71,9 +71,9 @@ using LitPicture = std::vector<glm::vec4>;
 /// Limit: light is blurred over about a corner's distance, most where normals are rough; corners of
 /// a room two of whose faces are within 45 degrees share light. Samples brighter than 127 times
 /// the open light count as that.
-/// Fixed memory: Bytes(), and 16 bytes a pixel where rays add up, and some 100 bytes a pixel of the
-/// first picture; twice the environment where it has bright parts. Threads: one; Light uses all
-/// cores inside. The same light with any number of them.
+/// Fixed memory: Bytes(), and 16 bytes a pixel where rays add up, 16 at rest, 4 where depths are
+/// given, and some 100 bytes a pixel of the first picture; twice the environment where it has
+/// bright parts. Threads: one; Light uses all cores inside. The same light with any number of them.
 class SceneLightCache
 {
 public:
@@ -123,8 +123,9 @@ private:
   std::vector<Tile> Tiles;
   std::unique_ptr<Parts> Far;
   std::vector<glm::vec4> OwnShares; ///< of a pixel at rest; samples as alpha
-  std::vector<glm::vec4> OwnSums; ///< of PixelsOwn, while the view stays; samples as alpha
+  std::vector<glm::vec4> OwnSums;   ///< of PixelsOwn, while the view stays; samples as alpha
   PictureView LastView;
+  std::vector<float> LastDepths;        ///< of what was drawn in it
   bool Fresh = true;                    ///< something was forgotten or aged since the last picture
   std::uint32_t Now = 0, OwnNumber = 0; ///< of pictures; of those in OwnSums
   std::int64_t RayCount = 0, NewPixelCount = 0;

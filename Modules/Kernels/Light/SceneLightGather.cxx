@@ -16,10 +16,10 @@ using Kind = SceneLightRequest::Kind;
 // Samples, as ColorMean counts.
 constexpr float Few = 3.0F; // below this a pixel casts FirstPaths
 constexpr double FirstPaths = 2.0;
-constexpr float Settled = 256.0F;  // of its own, and then a pixel at rest casts no more
-constexpr double RestPaths = 2.0;  // that it casts until then
+constexpr float Settled = 256.0F;   // of its own, and then a pixel at rest casts no more
+constexpr double RestPaths = 2.0;   // that it casts until then
 constexpr float KeptAtRest = 24.0F; // what lattices know counts for beside a pixel's own samples
-constexpr float Plenty = 2048.0F; // and above this no more paths are cast
+constexpr float Plenty = 2048.0F;   // and above this no more paths are cast
 
 std::uint32_t SeedOf(std::size_t pixel)
 {

@@ -116,14 +116,18 @@ TEST(LightBlockColors, WhatIsNoNumberOrNegativeAddsBlack)
   EXPECT_EQ(mean.samples, 2.0F);
 }
 
-TEST(LightBlockColors, ThirtyThousandSamplesOf17Fit)
+TEST(LightBlockColors, SumsThatAreFullEnoughKeepTheirMean)
 {
-  Kept kept;
-  const LightSpot spot = kept.At(Corner);
-  for (int n = 0; n < 30'000; ++n)
-    kept.blocks.AddColor(spot, glm::vec3(17.0F, 17.0F, 17.0F), 0.0F);
-  EXPECT_EQ(kept.blocks.MeanColor(spot).color, glm::vec3(17.0F));
-  EXPECT_EQ(kept.blocks.MeanColor(spot).samples, 30'000.0F);
+  for (const float bright : { 17.0F, LightBlocks::BrightestColor })
+  {
+    Kept kept;
+    const LightSpot spot = kept.At(Corner);
+    for (int n = 0; n < 60'000; ++n) // far more than fit
+      kept.blocks.AddColor(spot, glm::vec3(bright), 0.0F);
+    EXPECT_EQ(kept.blocks.MeanColor(spot).color, glm::vec3(bright));
+    EXPECT_GT(kept.blocks.MeanColor(spot).samples, 15'000.0F * 17.0F / bright);
+    EXPECT_LT(kept.blocks.MeanColor(spot).samples, 60'000.0F);
+  }
 }
 
 TEST(LightBlockColors, AgeKeepsMeans)

@@ -140,7 +140,7 @@ TEST(SceneLightChanges, AnotherEnvironmentIsSeenAtOnce)
   of.material = { glm::vec3(0.8F), 0.0F, 0.5F, 1.0F };
   const std::vector<hasp::LitBody> bodies = of.Bodies();
   const hasp::PictureView view = BallsView({ 28, 24 });
-  for (const auto& request : { Traced(2) })
+  for (const auto& request : { Traced(2), Open(20.0) })
   {
     SceneLightCache cache, fresh;
     LightOf(cache, { bodies, {}, Uniform(1.0) }, view, request, 32);
@@ -276,6 +276,32 @@ TEST(SceneLightChanges, ABodyThatIsNotDrawnIsNotLit)
   other.Light(without, view, {}, lamps, truth);
   for (std::size_t n = 0; n < drawn.size(); ++n)
     ASSERT_LT(glm::distance(drawn[n], truth[n]), 1e-5F) << n;
+}
+
+TEST(SceneLightChanges, AnotherDrawingOfTheSameViewIsSeenAtOnce)
+{
+  // A dark ball is drawn no more, but still there: what pixels added up of it is not what the
+  // bright plane behind it reflects.
+  TwoBalls of;
+  of.far = SoftSky();
+  of.material = { glm::vec3(0.8F), 0.0F, 0.5F, 1.0F };
+  std::vector<hasp::LitBody> bodies = of.Bodies();
+  bodies[0].material = Scattering({ glm::vec3(0.02F), 0.0F, 0.5F, 1.0F });
+  const LitScene scene(bodies, {}, of.far), without({ bodies[1], bodies[2] }, {}, of.far);
+  const hasp::PictureView view = BallsView({ 40, 34 });
+  const std::vector<float> all = DepthsOf(scene, view), some = DepthsOf(without, view);
+  SceneLightCache cache, fresh;
+  LitPicture picture, truth;
+  const auto light =
+    [&](SceneLightCache& by, const std::vector<float>& depths, int frames, LitPicture& lit)
+  {
+    for (int frame = 0; frame < frames; ++frame)
+      by.Light(scene, view, { depths }, Traced(2), lit);
+  };
+  light(cache, all, 32, picture);
+  light(cache, some, 16, picture);
+  light(fresh, some, 64, truth);
+  EXPECT_LT(ErrorOf(picture, truth, [&](std::size_t n) { return some[n] != all[n]; }), 0.1);
 }
 
 } // namespace
