@@ -134,6 +134,23 @@ TEST(SceneLightChanges, BlackEnvironmentsAndLampsLeaveNoLight)
     }
 }
 
+TEST(SceneLightChanges, LampsAndBouncesThatChangeLeaveNoLight)
+{
+  TwoBalls of;
+  of.lamps.emplace_back();
+  of.far = Uniform(0.0);
+  const std::vector<hasp::LitBody> bodies = of.Bodies();
+  const LitScene lit(bodies, of.lamps, of.far), dark(bodies, {}, of.far);
+  const hasp::PictureView view = BallsView({ 24, 20 });
+  const LitPicture direct = PathsOf(lit, view, 1, 1); // without noise: one ray a lamp
+  SceneLightCache cache;
+  const LitPicture bounced = LightOf(cache, lit, view, Traced(3), 16);
+  EXPECT_GT(ErrorOf(bounced, direct), 0.01) << "there is light to be forgotten";
+  EXPECT_LT(ErrorOf(LightOf(cache, lit, view, Traced(1)), direct), 1e-6);
+  LightOf(cache, lit, view, Traced(3), 16);
+  EXPECT_EQ(Largest(LightOf(cache, dark, view, Traced(3))), 0.0);
+}
+
 TEST(SceneLightChanges, AnotherEnvironmentIsSeenAtOnce)
 {
   TwoBalls of;

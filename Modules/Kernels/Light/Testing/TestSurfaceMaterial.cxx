@@ -49,7 +49,7 @@ std::vector<Named> White(float roughness)
 /// the balance heuristic. So lobes as narrow as 1e-3 and as wide as all are met.
 double GivenBack(const At& at, const glm::dvec3& out, double roughness)
 {
-  constexpr int Side = 96;
+  constexpr int Side = 64;
   const double a2 = std::pow(roughness, 4);
   const auto facetDensity = [&](const glm::dvec3& in)
   {
@@ -278,7 +278,7 @@ TEST(SurfaceMaterial, DirectionsFallAsTheirDensitySays)
 {
   for (const float roughness : { 0.5F, 0.75F, 1.0F }) // narrower lobes fall into one cell
     for (const Named& one : White(roughness))
-      for (const double cosine : { 0.9, 0.4, 0.15 })
+      for (const double cosine : { 0.9, 0.15 })
       {
         SCOPED_TRACE(std::string(one.name) + " " + std::to_string(cosine));
         const hasp::SurfaceScattering surface(one.material);
