@@ -9,6 +9,7 @@
 #include "RivalMesh.h"
 #include "RivalTriangles.h"
 #include "TransparencyTrial.h"
+#include "Windows.h"
 #include "vtkHaspVolumeView.h"
 
 #include "vtkImageData.h"
@@ -69,6 +70,7 @@ void ReportLight(ReportContext& context)
   MeasureLightScales(context);
   MeasureOn(context, HeadScene(context.settings.quick ? 96 : 200, context.settings.seed, true));
   MeasureVolume(context);
+  ChooseWindows();
   MeasureTransparency(context);
   for (const char* id : { "light.furnace", "light.hybrid", "light.rays" })
     AddWorstLight(context, id);

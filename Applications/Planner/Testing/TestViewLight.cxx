@@ -3,6 +3,8 @@
 #include "View/ScanLooks.h"
 #include "View/ViewLight.h"
 
+#include "vtkImageData.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 
 #include <QColor>

@@ -199,7 +199,7 @@ std::optional<LitHit> LitScene::Nearest(const Way& given) const
   std::optional<LitHit> nearest;
   for (std::uint32_t n = 0; n < this->Given.size(); ++n)
   {
-    if (!this->Enters(n, way))
+    if (!way.fromInBody(n) && !this->Enters(n, way))
       continue;
     const LitBody& body = this->Given[n];
     const Frame& frame = this->Frames[n];
@@ -237,7 +237,7 @@ bool LitScene::Any(const Way& way) const
 {
   for (std::uint32_t n = 0; n < this->Given.size(); ++n)
   {
-    if (!this->Enters(n, way))
+    if (!way.fromInBody(n) && !this->Enters(n, way))
       continue;
     const LitBody& body = this->Given[n];
     const Frame& frame = this->Frames[n];

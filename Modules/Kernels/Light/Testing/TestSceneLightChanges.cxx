@@ -289,7 +289,7 @@ TEST(SceneLightChanges, ABodyThatIsNotDrawnIsNotLit)
   hasp::SceneLightRequest lamps;
   lamps.kind = Kind::Lamps;
   LitPicture drawn, truth;
-  cache.Light(scene, view, DepthsOf(without, view), lamps, drawn);
+  cache.Light(scene, view, { DepthsOf(without, view) }, lamps, drawn);
   other.Light(without, view, {}, lamps, truth);
   for (std::size_t n = 0; n < drawn.size(); ++n)
     ASSERT_LT(glm::distance(drawn[n], truth[n]), 1e-5F) << n;
