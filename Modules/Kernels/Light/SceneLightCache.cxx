@@ -241,7 +241,8 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
     this->OwnSums = {};
   else if (!stays || this->OwnSums.size() != pixels)
     this->OwnSums.assign(pixels, glm::vec4(0.0F));
-  this->OwnNumber = stays ? this->OwnNumber + 1 : this->Now << 8U; // unlike those of other views
+  if (!stays)
+    this->OwnNumber = this->Now << 12U; // points unlike those of other views
 
   const PictureRays rays(view);
   const ViewPlaces places(

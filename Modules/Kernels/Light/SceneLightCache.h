@@ -59,8 +59,9 @@ using LitPicture = std::vector<glm::vec4>;
 /// and gloss are the pixel's own. So is direct light from small bright parts of the environment (a
 /// sun, windows: what is above 4 times its mean), by a ray a picture, for it has shadows with
 /// edges; that of lamps, without noise; and a coat's or a metal's reflections, by two rays. These
-/// rays' light adds up while the view stays. What a reflection meets is taken as diffuse, lit as it
-/// is known here.
+/// rays' light adds up while the view stays, and so do paths that each pixel then casts for itself,
+/// four a picture up to 256, which outweigh what is kept and blurred. What a reflection meets is
+/// taken as diffuse, lit as it is known here.
 ///
 /// Changes: a body that comes, goes, moves or is another surface makes the light in its box, old
 /// and new, and about it forgotten: within distanceMm for ambient occlusion, exactly, and within a
@@ -127,7 +128,7 @@ private:
   PictureView LastView;
   std::vector<float> LastDepths;        ///< of what was drawn in it
   bool Fresh = true;                    ///< something was forgotten or aged since the last picture
-  std::uint32_t Now = 0, OwnNumber = 0; ///< of pictures; of those in OwnSums
+  std::uint32_t Now = 0, OwnNumber = 0; ///< of pictures; of the first point in OwnSums
   std::int64_t RayCount = 0, NewPixelCount = 0;
 };
 

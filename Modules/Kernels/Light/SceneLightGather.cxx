@@ -17,7 +17,8 @@ using Kind = SceneLightRequest::Kind;
 constexpr float Few = 3.0F; // below this a pixel casts FirstPaths
 constexpr double FirstPaths = 2.0;
 constexpr float Settled = 256.0F;   // of its own, and then a pixel at rest casts no more
-constexpr double RestPaths = 2.0;   // that it casts until then
+constexpr double RestPaths = 4.0;   // that it casts until then
+constexpr float FewAtRest = 24.0F;  // below this what the picture itself adds is waited for
 constexpr float KeptAtRest = 24.0F; // what lattices know counts for beside a pixel's own samples
 constexpr float Plenty = 2048.0F;   // and above this no more paths are cast
 
@@ -27,12 +28,11 @@ std::uint32_t SeedOf(std::size_t pixel)
 }
 
 /// At rest what a pixel found by itself counts more and more: it is not blurred.
-ColorMean WithOwn(const ColorMean& kept, const glm::vec4& own)
+glm::vec3 WithOwn(const ColorMean& kept, const glm::vec4& own)
 {
   const float share = kept.samples > 0.0F ? KeptAtRest : 0.0F;
-  if (!(share + own.a > 0.0F))
-    return kept;
-  return { (share * kept.color + glm::vec3(own)) / (share + own.a), kept.samples + own.a };
+  return share + own.a > 0.0F ? (share * kept.color + glm::vec3(own)) / (share + own.a)
+                              : kept.color;
 }
 
 /// Pixel n of a tile in Morton order: as LightCache's.
@@ -116,7 +116,8 @@ glm::vec3 SceneLightCache::PixelsOwn(const Picture& seen, const LitHit& hit,
 {
   const SurfaceScattering::At at(
     seen.scene.Scattering(hit.body), hit.albedo, hit.shading, towardsEye);
-  SobolSequence points(HashOf(static_cast<std::uint32_t>(pixel)), this->OwnNumber);
+  SobolSequence points(HashOf(static_cast<std::uint32_t>(pixel)),
+    this->OwnNumber + static_cast<std::uint32_t>(this->OwnSums[pixel].a));
   glm::vec3 light(0.0F);
   if (seen.bright)
     light += at.BodyAlbedo() * seen.White(hit, points, tile);
@@ -201,7 +202,7 @@ void SceneLightCache::Gather(const Picture& seen, const LitHit& hit, std::size_t
                                                 : lamps + body * seen.Open(hit.shading);
   const LightPlace place = seen.places.At(hit.position, hit.normal);
   const Known known(*this->Blocks, finder, place);
-  ColorMean mean = known.Mean(*this->Blocks);
+  const ColorMean mean = known.Mean(*this->Blocks);
   tile.unknown += mean.samples == 0.0F;
   glm::vec4* own = this->OwnShares.empty() ? nullptr : &this->OwnShares[pixel];
   if (own)
@@ -225,12 +226,10 @@ void SceneLightCache::Gather(const Picture& seen, const LitHit& hit, std::size_t
     this->Blocks->ListMissing(finder, place, tile.missing);
   if (paths > 0 && !known.coarse.whole)
     this->Blocks->ListMissing(finder, place.Coarser(), tile.missing);
-  if (own)
-    mean = WithOwn(mean, *own);
-  if (mean.samples < Few)
+  if (mean.samples < (own ? FewAtRest : Few))
     tile.doubtful.push_back({ place, factor, static_cast<std::uint32_t>(pixel) });
   else
-    picture[pixel] += glm::vec4(factor * mean.color, 0.0F);
+    picture[pixel] += glm::vec4(factor * (own ? WithOwn(mean, *own) : mean.color), 0.0F);
 }
 
 void SceneLightCache::CastPaths(const Picture& seen, std::int64_t number, LitPicture& picture)
@@ -281,6 +280,8 @@ void SceneLightCache::Settle(const Picture& seen, Tile& tile, LitPicture& pictur
         SobolSequence points(tile.seed, tile.points++);
         mean.color = seen.Share(*hit, points, tile);
       }
+    if (!this->OwnShares.empty())
+      mean.color = WithOwn(mean, this->OwnShares[one.pixel]);
     picture[one.pixel] += glm::vec4(one.factor * mean.color, 0.0F);
   }
 }
