@@ -88,7 +88,7 @@ TEST(LightRows, FurnacesAreOneAndTheWorstIsTold)
   const Report report = Filled(
     [](ReportContext& context)
     {
-      MeasureFurnace(context, 128);
+      MeasureFurnace(context, 512);
       AddWorstLight(context, "light.furnace");
     });
   ExpectNearTheirBars(report, { "light.furnace", "light.furnace.diffuse", "light.furnace.coat",
