@@ -38,6 +38,9 @@ void RequireFittingLight(const SceneOptions& scene)
   if (drawing.mapper != "cells" && drawing.mapper != "mesh")
     throw Failure(ExitCode::WrongUse, "--path-trace is for --mapper cells and mesh, not " +
                                         drawing.mapper + "; leave one of them out");
+  if (scene.light.eyesApart && drawing.interactive)
+    throw Failure(ExitCode::WrongUse, "--path-trace goes on from frame to frame of one eye; leave "
+                                      "out --stereo, or take hasp render, which waits for both");
   if (drawing.ambientOcclusionMm)
     throw Failure(
       ExitCode::WrongUse, "--path-trace darkens by itself; leave out --ambient-occlusion");

@@ -18,7 +18,8 @@ namespace hasp
 
 bool SharesLight(const LightChoices& light, const SurfaceDrawing& drawing, std::size_t surfaces)
 {
-  return light.pathSamples || (drawing.Lit() && drawing.mapper == "cells" && surfaces > 0);
+  return light.pathSamples ||
+         (drawing.Lit() && drawing.mapper == "cells" && surfaces > 0 && !light.eyesApart);
 }
 
 #if HASP_WITH_LIGHT
@@ -88,7 +89,9 @@ SceneLight::~SceneLight()
 
 bool SceneLight::Refining() const
 {
-  return this->Self->pass->IsRefining();
+  // Openness is refined by the scene's frames.
+  return this->Self->pass->GetMode() == vtkHaspLightPass::PathTraced &&
+         this->Self->pass->IsRefining();
 }
 
 void SceneLight::SetProgress(std::function<void(double share)> progress)

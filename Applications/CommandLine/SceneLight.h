@@ -19,6 +19,7 @@ struct LightChoices
   std::optional<int> pathSamples; ///< of a pixel; nothing: no paths
   int bounces = 3;
   std::string environment; ///< .hdr file; empty: daylight
+  bool eyesApart = false;  ///< two eyes are drawn in turn, or by two renderers: nothing is shared
 };
 
 /// Do all surfaces of a scene share one light: paths, or the mappers' own light where there are

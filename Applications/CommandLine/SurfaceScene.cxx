@@ -32,8 +32,10 @@ constexpr int AmbientFrames = 4; // until openness has added up: half the noise 
 constexpr int WindowFrames = 4;  // at rest after the last find, in which ways are compared
 constexpr double Specular = 0.2, SpecularPower = 20.0;
 
-/// A lamp to the upper left of the viewer, which stays there for both eyes, before the headlight.
-void AddLamp(vtkRenderer* renderer)
+/// A lamp to the upper left of the viewer, which stays there for both eyes, before the headlight,
+/// if there is to be one: paths have light from everywhere, and one that moves with the camera
+/// would leave nothing of what is kept.
+void AddLamp(vtkRenderer* renderer, bool headlight)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   double at[3], to[3], up[3], right[3];
@@ -51,6 +53,8 @@ void AddLamp(vtkRenderer* renderer)
   lamp->SetFocalPoint(to);
   lamp->SetIntensity(0.8);
   renderer->AddLight(lamp);
+  if (!headlight)
+    return;
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
   head->SetIntensity(0.3);
@@ -128,7 +132,7 @@ SurfaceScene::SurfaceScene(
     session.resources.push_back({ "surfaces", 0, 0.0, "no --surface was given" });
   PlaceCamera(renderer, options.camera);
   if (options.drawing.shadows)
-    AddLamp(renderer);
+    AddLamp(renderer, !options.light.pathSamples);
   if (options.drawing.ambientOcclusionMm)
     this->LeastFrames = AmbientFrames;
   if (options.drawing.interactive)
@@ -219,7 +223,8 @@ bool SurfaceScene::WantsFrame(int mostFrames)
   this->Quiet = refining ? 0 : this->Quiet + 1;
   ++this->Frames;
   return this->Frames < this->LeastFrames ||
-         (may && this->Quiet < this->QuietFrames && this->Frames < mostFrames);
+         (may && this->Quiet < this->QuietFrames &&
+           (this->Frames < mostFrames || (this->Light && this->Light->Refining())));
 }
 
 } // namespace hasp

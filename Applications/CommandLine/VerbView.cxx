@@ -66,9 +66,9 @@ void RequireFitting(const Choices& choices)
     refuse("--head is where the head is before a screen; give --screen or --hmd too");
   if (!choices.head.source.empty() && !choices.output.empty())
     refuse("--output draws one picture; it waits for no head: leave out --head");
-  const bool two = choices.stereo.layout == StereoLayoutName(StereoLayout::DualWindow);
-  if (!choices.output.empty() &&
-      (two || choices.stereo.layout == StereoLayoutName(StereoLayout::QuadBuffer)))
+  const auto is = [&](StereoLayout l) { return choices.stereo.layout == StereoLayoutName(l); };
+  const bool two = is(StereoLayout::DualWindow);
+  if (!choices.output.empty() && (two || is(StereoLayout::QuadBuffer)))
     refuse("--output writes one picture, and --stereo " + choices.stereo.layout +
            " makes two; left and right draw one eye each");
   if (choices.rightAt && !two)
@@ -99,8 +99,7 @@ void RunOpenXR(Choices& choices, Session& session)
     throw Failure(ExitCode::CannotDraw, "--stereo openxr: " + lack);
   if (choices.stereo.Placed() || !choices.head.source.empty() || !choices.output.empty())
     throw Failure(ExitCode::WrongUse,
-      "--stereo openxr has its own screen, eyes and head; leave out --screen, --hmd, --lens, "
-      "--mirror, --head and --output");
+      "--stereo openxr has its own: leave out --screen, --hmd, --lens, --mirror, --head, --output");
   const LoadedScene loaded = ReadScene(choices.scene, choices.options, session);
   const OpenXRView view = MakeOpenXRView();
   view.interactor->Initialize();
@@ -137,7 +136,8 @@ void RunRecorded(
 
 void Run(Choices choices, Session& session)
 {
-  if (choices.stereo.layout == StereoChoices::OpenXR)
+  if (choices.options.light.eyesApart = choices.stereo.Any();
+      choices.stereo.layout == StereoChoices::OpenXR)
     return RunOpenXR(choices, session);
   for (const std::string& file : { choices.output, choices.stereo.sketch })
     if (!file.empty())

@@ -38,6 +38,8 @@ void ViewLight::SetMode(Mode mode)
     return;
   this->Chosen = mode;
   this->Better.stop();
+  if (this->Made)
+    this->Made->frames = 0;
   if (mode == Plain)
   {
     this->Of.Renderer()->SetPass(nullptr);

@@ -110,6 +110,16 @@ glm::vec3 SceneLightCache::Picture::White(
   return glm::vec3(glm::dvec3(sample.radiance) * (cosine / (sample.density * glm::pi<double>())));
 }
 
+glm::vec3 SceneLightCache::Picture::Lamps(const LitHit& hit, Tile& tile) const
+{
+  static const SurfaceScattering white({ glm::vec3(1.0F) });
+  const SurfaceScattering::At at(white, glm::vec3(1.0F), hit.shading, hit.shading);
+  glm::vec3 light(0.0F);
+  for (const LitLamp& lamp : this->scene.Lamps())
+    light += LampRadiance(this->scene, lamp, hit, at, this->request.shadows, tile.rays);
+  return light;
+}
+
 /// What a pixel's own rays say of it: direct light of the environment's bright parts, and gloss.
 glm::vec3 SceneLightCache::PixelsOwn(const Picture& seen, const LitHit& hit,
   const glm::dvec3& towardsEye, std::size_t pixel, Tile& tile, LightBlockFinder& finder)
@@ -151,7 +161,7 @@ glm::vec3 SceneLightCache::Gloss(const Picture& seen, const LitHit& hit,
   ++tile.rays;
   if (const auto met = seen.scene.TraceFrom(hit, gloss.direction))
   {
-    if (!seen.Traced()) // lamps and open sky alone: nothing is known of its light
+    if (!seen.Traced() || seen.request.paths.bounces < 2) // a reflection is a second surface
       return light;
     const LightPlace place = seen.places.At(met->position, met->normal);
     const ColorMean known = Known(*this->Blocks, finder, place).Mean(*this->Blocks);
@@ -164,7 +174,7 @@ glm::vec3 SceneLightCache::Gloss(const Picture& seen, const LitHit& hit,
       tile.rays += sample.rays;
       white = sample.radiance;
     }
-    return light + gloss.weight * met->albedo * white;
+    return light + gloss.weight * met->albedo * (white + seen.Lamps(*met, tile));
   }
   const double weight =
     far.Samples() ? gloss.density / (gloss.density + far.Density(gloss.direction)) : 1.0;

@@ -43,6 +43,8 @@ struct SceneLightCache::Picture
   std::optional<LitHit> HitOf(std::size_t pixel) const;
   /// One sample of the light at a hit, as a share of its Reference.
   glm::vec3 Share(const LitHit& hit, SobolSequence& points, Tile& tile) const;
+  /// The direct light of lamps on a white surface.
+  glm::vec3 Lamps(const LitHit& hit, Tile& tile) const;
   /// One sample of the direct light that the environment's bright parts give a white surface.
   glm::vec3 White(const LitHit& hit, SobolSequence& points, Tile& tile) const;
   glm::dvec3 TowardsEye(const LitHit& hit) const

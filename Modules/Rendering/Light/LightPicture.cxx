@@ -32,6 +32,8 @@ int ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
   if (samples > 1)
   {
     const OneSampleScope copy(drawn, viewport.origin, size);
+    if (!copy.Ready())
+      throw std::runtime_error("light: the window has no depth that can be read");
     readFrom(glm::ivec2(0));
   }
   else
@@ -44,6 +46,8 @@ int ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
 void LightPicture::Draw(vtkOpenGLRenderWindow* window, const LightViewport& viewport,
   const hasp::LitPicture& picture, float exposure, bool encoded)
 {
+  if (picture.size() != std::size_t(viewport.size.x) * std::size_t(viewport.size.y))
+    throw std::logic_error("light: the picture has another size than the viewport");
   if (!this->Texture || this->Texture->GetContext() != window)
   {
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();

@@ -10,6 +10,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
 #include <glm/common.hpp>
@@ -74,7 +75,7 @@ bool LitActors::UpdateSurface(Entry& entry, vtkActor* actor, bool linear)
 {
   vtkMapper* mapper = actor->GetMapper();
   vtkProperty* property = actor->GetProperty();
-  if (!mapper || property->GetRepresentation() != VTK_SURFACE)
+  if (!mapper || property->GetRepresentation() != VTK_SURFACE || !property->GetLighting())
     return false;
   if (entry.mapper != mapper)
   {
@@ -125,22 +126,20 @@ void LitActors::UpdateMaterial(Entry& entry, vtkActor* actor, bool linear, doubl
   entry.body.bodyToWorld = glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
 }
 
-void LitActors::Update(vtkProp* const* props, int count, bool linear, double glow)
+void LitActors::Update(vtkPropCollection* props, bool linear, double glow)
 {
   if (linear != this->Linear) // colours of meshes are others
-    this->Entries.clear();
+    std::erase_if(this->Entries, [](const Entry& entry) { return entry.body.mesh != nullptr; });
   this->Linear = linear;
   this->LastBodies.clear();
   this->LeftOutCount = 0;
   std::erase_if(this->Entries,
-    [&](const Entry& entry)
-    {
-      return !entry.actor || std::find(props, props + count,
-                               static_cast<vtkProp*>(entry.actor.Get())) == props + count;
-    });
-  for (int n = 0; n < count; ++n)
+    [&](const Entry& entry) { return !entry.actor || props->IsItemPresent(entry.actor) == 0; });
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
   {
-    auto* actor = vtkActor::SafeDownCast(props[n]);
+    auto* actor = vtkActor::SafeDownCast(prop);
     if (!actor || !actor->GetVisibility() || !actor->HasOpaqueGeometry())
       continue;
     Entry& entry = this->EntryOf(actor);

@@ -11,19 +11,17 @@
 
 class vtkActor;
 class vtkMapper;
-class vtkProp;
+class vtkPropCollection;
 
-/// The opaque actors of a renderer as bodies that share light; trees are kept while surfaces stay.
-/// Threads: RENDER.
+/// The opaque actors of a renderer, in sight or not, as bodies that share light; trees are kept
+/// while surfaces stay. Threads: RENDER.
 class LitActors
 {
 public:
   /// linear: are colours sRGB, and light linear? glow: what ambient colours are multiplied by.
   /// Trees of new surfaces are made: 30 ms a million active cells, 0.2 s a million triangles.
   /// Throws std::runtime_error.
-  void Update(vtkProp* const* props, int count, bool linear, double glow);
-  void Release() { *this = {}; }
-
+  void Update(vtkPropCollection* props, bool linear, double glow);
   /// Of the last update, in the order of the props.
   const std::vector<hasp::LitBody>& Bodies() const { return this->LastBodies; }
   /// Opaque actors that are left as they were drawn.

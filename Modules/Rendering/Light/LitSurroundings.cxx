@@ -30,10 +30,11 @@ hasp::EnvironmentMap MapOf(vtkImageData* image)
   vtkDataArray* values = image->GetPointData()->GetScalars();
   int size[3];
   image->GetDimensions(size);
-  if (!values || size[2] != 1 || values->GetNumberOfComponents() < 3)
+  if (!values || size[2] != 1 || values->GetNumberOfComponents() < 3 || size[0] > 16384 ||
+      size[1] > 8192)
     throw std::invalid_argument(
-      "the environment texture is no picture with red, green and blue; give it one of latitude and "
-      "longitude, from vtkHDRReader say");
+      "the environment texture is no picture with red, green and blue of at most 16384 x 8192 "
+      "pixels; give it one of latitude and longitude, from vtkHDRReader say");
   hasp::EnvironmentMap map;
   map.size = { size[0], size[1] };
   map.pixels.resize(static_cast<std::size_t>(values->GetNumberOfTuples()));
@@ -60,6 +61,18 @@ double TurnOf(const glm::dvec3& up, const glm::dvec3& right)
   return std::atan2(glm::dot(glm::cross(forward, right), z), glm::dot(forward, right));
 }
 
+std::shared_ptr<const hasp::Environment> MadeOf(
+  vtkImageData* image, const std::string& fileName, const double* up, const double* right)
+{
+  const glm::dvec3 upwards = glm::make_vec3(up);
+  const double turn = TurnOf(upwards, glm::make_vec3(right));
+  return std::make_shared<const hasp::Environment>(!fileName.empty()
+                                                     ? hasp::ReadRadianceFile(fileName)
+                                                   : image ? MapOf(image)
+                                                           : hasp::MakeSky({}),
+    upwards, turn);
+}
+
 } // namespace
 
 const std::shared_ptr<const hasp::Environment>& LitSurroundings::Of(
@@ -75,18 +88,23 @@ const std::shared_ptr<const hasp::Environment>& LitSurroundings::Of(
   key.time = image ? image->GetMTime() : 0;
   const double *up = renderer->GetEnvironmentUp(), *right = renderer->GetEnvironmentRight();
   key.axes = { up[0], up[1], up[2], right[0], right[1], right[2] };
-  if (this->Made && key == this->Last)
+  if (key == this->Last && this->Made)
     return this->Made;
+  if (key == this->Last && !this->Fault.empty())
+    throw std::runtime_error(this->Fault);
   const hasp::Stopwatch watch;
   this->Made = nullptr;
-  const glm::dvec3 upwards = glm::make_vec3(up);
-  const double turn = TurnOf(upwards, glm::make_vec3(right));
-  this->Made =
-    std::make_shared<const hasp::Environment>(!fileName.empty() ? hasp::ReadRadianceFile(fileName)
-                                              : image           ? MapOf(image)
-                                                                : hasp::MakeSky({}),
-      upwards, turn);
   this->Last = key;
+  this->Fault.clear();
+  try
+  {
+    this->Made = MadeOf(image, fileName, up, right);
+  }
+  catch (const std::exception& e)
+  {
+    this->Fault = e.what();
+    throw;
+  }
   this->Spent = watch.Milliseconds();
   return this->Made;
 }

@@ -36,6 +36,7 @@ private:
   };
   Key Last;
   std::shared_ptr<const hasp::Environment> Made;
+  std::string Fault; ///< of Last, if nothing could be made of it; it is not tried again
   double Spent = 0.0;
 };
 

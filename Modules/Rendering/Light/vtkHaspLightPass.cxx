@@ -27,13 +27,14 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 vtkStandardNewMacro(vtkHaspLightPass);
 
 namespace
 {
 
-constexpr double White = 0.7;          // what mean light makes of a white surface
+constexpr double White = 0.55;         // what mean light makes of a white surface
 constexpr double SlackOfSamples = 4.0; // pixels: half of one, on slopes of up to 83 degrees
 constexpr int StillFrames = 64;        // after which light that is kept is taken to be settled
 constexpr int KeptFrames = 4; // of a view at rest that is path traced; then its paths are better
@@ -115,14 +116,22 @@ struct vtkHaspLightPass::Internals
   hasp::ProgressivePaths paths;
   hasp::PathTracedPicture traced;
 
-  hasp::PictureView view;      ///< of the last picture
-  hasp::ProgressiveWork begun; ///< what paths work at
+  hasp::PictureView view;                     ///< of the last picture
+  std::optional<hasp::ProgressiveWork> begun; ///< what paths work at
   std::vector<float> depths;
   double slack = 0.0; ///< pixels by which they may lie beside a pixel's centre
   hasp::LitPicture light;
   hasp::LitPicture seen; ///< what is kept, beside paths
   LightPicture picture;
-  int still = 0; ///< pictures of the same view, light and scene
+  /// What the last picture was asked to be.
+  struct Wish
+  {
+    int mode = -1;
+    hasp::SceneLightRequest request;
+    bool temporal = false;
+    bool operator==(const Wish&) const = default;
+  } wish;
+  int still = 0; ///< pictures of the same view, wish and scene
   double milliseconds = 0.0;
   std::string complaint;
 };
@@ -207,6 +216,8 @@ void vtkHaspLightPass::Light(const vtkRenderState* state)
   }
   catch (const std::exception& e)
   {
+    this->Internal->begun.reset();
+    this->Internal->still = 0;
     if (this->Internal->complaint != e.what())
       vtkErrorMacro("Light is not drawn: " << e.what());
     this->Internal->complaint = e.what();
@@ -233,15 +244,17 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
   const float exposure = !paths                 ? 1.0F
                          : this->Exposure > 0.0 ? static_cast<float>(this->Exposure)
                                                 : ExposureFor(*far, lamps);
-  in.actors.Update(state->GetPropArray(), state->GetPropArrayCount(), paths, 1.0 / exposure);
+  in.actors.Update(renderer->GetViewProps(), paths, 1.0 / exposure);
   const bool sameScene = in.scene && in.scene->SharedSurroundings() == far &&
                          in.scene->Lamps() == lamps &&
                          AreSame(in.scene->Bodies(), in.actors.Bodies());
   if (!sameScene)
     in.scene = std::make_shared<const hasp::LitScene>(in.actors.Bodies(), std::move(lamps), far);
   const hasp::PictureView view = ViewOf(renderer, viewport);
-  const bool same = sameScene && view == in.view && in.still > 0;
+  const Internals::Wish wish{ this->Mode, this->Request(), this->TemporalAccumulation };
+  const bool same = sameScene && view == in.view && wish == in.wish && in.still > 0;
   in.view = view;
+  in.wish = wish;
   in.still = same ? in.still + 1 : 1;
 
   in.slack = ReadDepths(viewport, in.depths) > 1 ? SlackOfSamples : 0.0;
@@ -250,7 +263,9 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
   else
   {
     in.paths.Release();
+    in.begun.reset();
     in.traced = {};
+    in.seen = {};
     in.kept.Light(*in.scene, view, { in.depths, in.slack }, this->Request(), in.light);
   }
   in.picture.Draw(window, viewport, in.light, exposure, paths);
@@ -263,7 +278,7 @@ hasp::SceneLightRequest vtkHaspLightPass::Request() const
   request.kind = this->Mode == Lamps              ? Kind::Lamps
                  : this->Mode == AmbientOcclusion ? Kind::AmbientOcclusion
                                                   : Kind::Traced;
-  request.shadows = this->Shadows;
+  request.shadows = this->Shadows || this->Mode == PathTraced; // its paths always cast them
   request.distanceMm = this->AmbientOcclusionDistance;
   request.paths.bounces = this->Bounces;
   return request;
@@ -276,8 +291,7 @@ void vtkHaspLightPass::TracePaths(bool same)
   Internals& in = *this->Internal;
   hasp::ProgressiveWork work{ in.scene, in.view, { { this->Bounces }, 0, true },
     this->SamplesPerPixel };
-  const bool begun =
-    same && work.settings.paths == in.begun.settings.paths && work.samples == in.begun.samples;
+  const bool begun = same && in.begun && work.samples == in.begun->samples;
   if (!begun)
   {
     in.paths.Cancel(); // its rays would take the cores from what follows
@@ -290,8 +304,9 @@ void vtkHaspLightPass::TracePaths(bool same)
     in.kept.Light(*in.scene, in.view, { in.depths, in.slack }, request, in.seen);
   if (!begun)
   {
-    in.begun = work;
-    in.paths.Start(std::move(work));
+    in.begun.reset();
+    in.paths.Start(work);
+    in.begun = std::move(work);
   }
   for (int n = 0; this->WaitForSamples && in.paths.Running() && n < this->SamplesPerPixel;)
   {
@@ -318,9 +333,10 @@ void vtkHaspLightPass::TracePaths(bool same)
 bool vtkHaspLightPass::IsRefining() const
 {
   const Internals& in = *this->Internal;
-  return this->Mode == PathTraced ? in.traced.samples < this->SamplesPerPixel
-         : this->Mode == Lamps    ? false
-                                  : in.still < StillFrames;
+  return !in.complaint.empty()      ? false // another frame says the same
+         : this->Mode == PathTraced ? in.traced.samples < this->SamplesPerPixel
+         : this->Mode == Lamps      ? false
+                                    : in.still < StillFrames;
 }
 
 int vtkHaspLightPass::GetSamples() const
@@ -348,7 +364,8 @@ void vtkHaspLightPass::ListResources(hasp::ResourceList& list) const
     this->Mode == PathTraced ? std::to_string(in.traced.samples) + " samples a pixel"
                              : "not PathTraced: no thread" });
   list.push_back({ "light, picture",
-    in.picture.Bytes() + in.light.size() * sizeof(glm::vec4) + in.depths.size() * sizeof(float),
+    in.picture.Bytes() + (in.light.size() + in.seen.size()) * sizeof(glm::vec4) +
+      in.depths.size() * sizeof(float) + in.traced.Bytes(),
     in.milliseconds, "of the last frame" });
 }
 

@@ -36,9 +36,14 @@
  * polydata's points and cells; not textures. The ambient colour is added as it is, as a mark that
  * lights nothing.
  *
- * Left as drawn, and casting no shadow: wireframes, points and lines, mappers of other kinds, and
- * cells with labels of which something is said. ListResources counts them. Limit: clipping planes
- * cut what is seen, not what casts shadow; PathTraced does not see them at all.
+ * Left as drawn, and casting no shadow: wireframes, points and lines, what is unlit, mappers of
+ * other kinds, and cells with labels of which something is said. ListResources counts them. Limits:
+ * clipping planes cut what is seen, not what casts shadow; PathTraced does not see them at all, and
+ * its smooth edges let through what was drawn there. Scalar colours of cells, edges and the
+ * renderer's FXAA and SSAO are not seen; volumes are drawn after all surfaces.
+ *
+ * One pass is for one renderer, and one eye: with two eyes in turn each begins anew what adds up,
+ * though kept light serves both.
  *
  * Threads: RENDER; rays use all cores inside the call. PathTraced has a WORKER while it works.
  * Needs Embree (HASP_ENABLE_EMBREE), else there is no such class. OpenGL 3.2.
@@ -120,7 +125,7 @@ public:
 
   ///@{
   /// What radiance is multiplied by in Traced and PathTraced. 0, the default: so that the mean
-  /// light of the environment (and lamps) makes a white surface 0.7.
+  /// light of the environment (and lamps) makes a white surface 0.55.
   vtkSetClampMacro(Exposure, double, 0.0, 1e30);
   vtkGetMacro(Exposure, double);
   ///@}

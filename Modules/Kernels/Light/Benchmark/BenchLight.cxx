@@ -87,19 +87,6 @@ std::vector<glm::vec4> Paths(const hasp::LitScene& scene, const hasp::PictureVie
   return pixels;
 }
 
-void WritePpm(const char* path, const std::vector<glm::vec4>& pixels, int side)
-{
-  std::FILE* file = std::fopen(path, "wb");
-  std::fprintf(file, "P6 %d %d 255\n", side, side);
-  for (int y = side - 1; y >= 0; --y)
-    for (int x = 0; x < side; ++x)
-      for (int c = 0; c < 3; ++c)
-        std::fputc(int(255.0 * std::pow(std::min(1.0, double(pixels[std::size_t(y) * side + x][c])),
-                                 1 / 2.2)),
-          file);
-  std::fclose(file);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -166,8 +153,6 @@ int main(int argc, char** argv)
         std::printf(
           "%8d %.4f %8.0f %.2f\n", n, Error(lit, truth), all, still.Rays() / spent * 1e-3);
     }
-    WritePpm("kept.ppm", lit, side);
-    WritePpm("truth.ppm", truth, side);
     hasp::SceneLightCache moving;
     std::printf("kept, moving\n   frame   RMSE   CPU ms of the frame\n");
     for (int n = 0; n < frames; ++n)
@@ -180,6 +165,5 @@ int main(int argc, char** argv)
         std::printf(
           "%8d %.4f %8.0f\n", n + 1, Error(lit, Paths(scene, now, bounces, 256, 98)), spent);
     }
-    WritePpm("moving.ppm", lit, side);
   }
 }

@@ -141,6 +141,7 @@ TEST(LightPass, KeptLightIsThatOfPaths)
   scene.Pass->WaitForSamplesOn();
   scene.Pass->TemporalAccumulationOff();
   const auto truth = scene.Draw();
+  ASSERT_EQ(scene.Pass->GetSamples(), 256);
   EXPECT_LT(Difference(kept, truth), 6.0); // edges are smooth in one and not in the other
   EXPECT_LT(Difference(kept, truth), Difference(first, truth));
 }

@@ -142,6 +142,49 @@ TEST(LightPassChanges, PathsGoOnFromFrameToFrameAndBeginAnewWhenTheViewMoves)
   }
 }
 
+TEST(LightPassChanges, PathsBeginAnewAfterOtherModesOfTheSameView)
+{
+  LightTestScene scene;
+  scene.AddCellBall(20, { 0, 0, 0 }, 0.8);
+  scene.Look({ 0, -130, 60 });
+  for (int n = 0; n < 3; ++n) // all settings as they are at first
+  {
+    scene.Pass->SetModeToTraced();
+    scene.Draw();
+    EXPECT_EQ(scene.Pass->GetSamples(), 0);
+    scene.Pass->SetModeToPathTraced();
+    scene.Pass->WaitForSamplesOn();
+    scene.Draw();
+    EXPECT_EQ(scene.Pass->GetSamples(), 256);
+    EXPECT_FALSE(scene.Pass->IsRefining());
+  }
+}
+
+TEST(LightPassChanges, ABodyOutOfSightCastsItsShadow)
+{
+  LightTestScene scene;
+  scene.AddFloor(40, 0);
+  scene.AddCellBall(10, { 0, 0, 200 }); // far above the view
+  scene.AddLamp({ 0, 0, 1000 });
+  scene.Look({ 0, -90, 60 });
+  scene.Pass->SetModeToLamps();
+  const auto pixels = scene.Draw();
+  EXPECT_LE(scene.Grey(pixels, { 0, 0, 0 }), 2);
+  EXPECT_GE(scene.Grey(pixels, { 15, 0, 0 }), 240);
+}
+
+TEST(LightPassChanges, AnotherWishIsAnotherPicture)
+{
+  LightTestScene scene;
+  scene.AddCellBall(20, { 0, 0, 0 }, 0.8);
+  scene.Look({ 0, -130, 60 });
+  scene.Draw(64);
+  EXPECT_FALSE(scene.Pass->IsRefining());
+  scene.Pass->SetBounces(1);
+  scene.Draw();
+  EXPECT_TRUE(scene.Pass->IsRefining());
+}
+
 TEST(LightPassChanges, WhatIsWrongIsSaidOnceAndThePictureIsAsDrawn)
 {
   LightTestScene scene;
@@ -154,6 +197,7 @@ TEST(LightPassChanges, WhatIsWrongIsSaidOnceAndThePictureIsAsDrawn)
   scene.Pass->SetEnvironmentFileName("/no/such/folder/sky.hdr");
   const auto wrong = scene.Draw(3);
   EXPECT_EQ(errors->Count, 1);
+  EXPECT_FALSE(scene.Pass->IsRefining());
   EXPECT_NE(errors->Text.find("sky.hdr"), std::string::npos) << errors->Text;
   EXPECT_EQ(errors->Text.find("/no/such"), std::string::npos) << errors->Text;
   scene.Renderer->SetPass(nullptr);
