@@ -193,42 +193,59 @@ LitHit LitScene::HitOfMesh(std::uint32_t body, const Way& way, const TriangleHit
   return hit;
 }
 
+/// In a body's coordinates; a way that leaves its mesh starts a little off it.
+struct LitScene::Local
+{
+  glm::dvec3 origin, along;
+  double tMin;
+
+  CellRay In(const GridGeometry& g, double tMax) const
+  {
+    return { g.WorldToIndex(this->origin), glm::transpose(g.direction) * this->along / g.spacing,
+      this->tMin, tMax };
+  }
+};
+
+LitScene::Local LitScene::LocalTo(std::uint32_t body, const Way& way) const
+{
+  const Frame& frame = this->Frames[body];
+  Local local{ glm::dvec3(frame.toBody * glm::dvec4(way.origin, 1.0)),
+    frame.directionToBody * way.direction, way.tMin };
+  if (const auto& mesh = this->Given[body].mesh; mesh && way.fromInBody(body))
+  {
+    local.origin += mesh->Clearance() * glm::normalize(frame.directionToBody * way.from->normal);
+    local.tMin = 0.0;
+  }
+  return local;
+}
+
 std::optional<LitHit> LitScene::Nearest(const Way& given) const
 {
   Way way = given;
   std::optional<LitHit> nearest;
+  const auto take = [&](const LitHit& hit)
+  {
+    nearest = hit;
+    way.tMax = hit.t;
+  };
   for (std::uint32_t n = 0; n < this->Given.size(); ++n)
   {
     if (!way.fromInBody(n) && !this->Enters(n, way))
       continue;
     const LitBody& body = this->Given[n];
-    const Frame& frame = this->Frames[n];
-    const glm::dvec3 along = frame.directionToBody * way.direction;
-    if (body.cells)
+    const Local local = this->LocalTo(n, way);
+    if (body.mesh)
     {
-      const GridGeometry& g = body.cells->Cells().geometry;
-      std::optional<CellHit> hit;
-      if (way.fromInBody(n))
-        hit = body.cells->TraceFrom(way.from->cell, along, way.tMax);
-      else
-        hit = body.cells->Trace(
-          { g.WorldToIndex(glm::dvec3(frame.toBody * glm::dvec4(way.origin, 1.0))),
-            glm::transpose(g.direction) * along / g.spacing, way.tMin, way.tMax });
+      const auto hit = body.mesh->Trace(local.origin, local.along, local.tMin, way.tMax);
       if (hit && (!nearest || hit->t < nearest->t))
-        nearest = this->HitOfCells(n, way, *hit);
+        take(this->HitOfMesh(n, way, *hit));
+      continue;
     }
-    else
-    {
-      glm::dvec3 origin(frame.toBody * glm::dvec4(way.origin, 1.0));
-      if (way.fromInBody(n))
-        origin += body.mesh->Clearance() * glm::normalize(frame.directionToBody * way.from->normal);
-      const auto hit =
-        body.mesh->Trace(origin, along, way.fromInBody(n) ? 0.0 : way.tMin, way.tMax);
-      if (hit && (!nearest || hit->t < nearest->t))
-        nearest = this->HitOfMesh(n, way, *hit);
-    }
-    if (nearest)
-      way.tMax = nearest->t;
+    const auto hit = way.fromInBody(n)
+                       ? body.cells->TraceFrom(way.from->cell, local.along, way.tMax)
+                       : body.cells->Trace(local.In(body.cells->Cells().geometry, way.tMax));
+    if (hit && (!nearest || hit->t < nearest->t))
+      take(this->HitOfCells(n, way, *hit));
   }
   return nearest;
 }
@@ -240,26 +257,11 @@ bool LitScene::Any(const Way& way) const
     if (!way.fromInBody(n) && !this->Enters(n, way))
       continue;
     const LitBody& body = this->Given[n];
-    const Frame& frame = this->Frames[n];
-    const glm::dvec3 along = frame.directionToBody * way.direction;
-    if (body.cells && way.fromInBody(n))
-    {
-      if (body.cells->OccludedFrom(way.from->cell, along, way.tMax))
-        return true;
-      continue;
-    }
-    glm::dvec3 origin(frame.toBody * glm::dvec4(way.origin, 1.0));
-    if (body.cells)
-    {
-      const GridGeometry& g = body.cells->Cells().geometry;
-      if (body.cells->Occluded({ g.WorldToIndex(origin),
-            glm::transpose(g.direction) * along / g.spacing, way.tMin, way.tMax }))
-        return true;
-      continue;
-    }
-    if (way.fromInBody(n))
-      origin += body.mesh->Clearance() * glm::normalize(frame.directionToBody * way.from->normal);
-    if (body.mesh->Occluded(origin, along, way.fromInBody(n) ? 0.0 : way.tMin, way.tMax))
+    const Local local = this->LocalTo(n, way);
+    if (body.mesh ? body.mesh->Occluded(local.origin, local.along, local.tMin, way.tMax)
+        : way.fromInBody(n)
+          ? body.cells->OccludedFrom(way.from->cell, local.along, way.tMax)
+          : body.cells->Occluded(local.In(body.cells->Cells().geometry, way.tMax)))
       return true;
   }
   return false;

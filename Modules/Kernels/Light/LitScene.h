@@ -102,6 +102,8 @@ private:
     glm::dmat4 toBody;
     glm::dmat3 directionToBody, normalToWorld;
   };
+  struct Local;
+  Local LocalTo(std::uint32_t body, const Way& way) const;
   bool Enters(std::uint32_t body, const Way& way) const;
   std::optional<LitHit> Nearest(const Way& way) const;
   bool Any(const Way& way) const;
