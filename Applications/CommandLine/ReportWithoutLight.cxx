@@ -2,12 +2,16 @@
 #include "MeasuredRows.h"
 #include "ReportLight.h"
 #include "ReportRegistry.h"
+#include "TransparencyTrial.h"
+#include "Windows.h"
 
 namespace hasp
 {
 
 void ReportLight(ReportContext& context)
 {
+  ChooseWindows();
+  MeasureTransparency(context);
   for (const char* id :
     { "light.furnace", "light.sphere", "light.reciprocity", "light.energy", "light.sobol.ao",
       "light.sobol.bounce1", "light.sobol.bounce3", "light.hybrid", "light.rays", "light.extreme" })
