@@ -21,10 +21,12 @@ namespace
 constexpr double Bar = 0.5;
 constexpr float Infinite = std::numeric_limits<float>::infinity();
 constexpr std::int64_t Grain = 4096; // rays a task, as the rival's
+constexpr std::size_t LeastRays = 400'000;
 
-/// Rays that leave what the view shows, cosine-weighted. Ours leave the hit itself; the rival's
-/// start half a voxel above it, for its triangles lie elsewhere. What both meet is compared by the
-/// latter.
+/// Rays that leave what the view shows, cosine-weighted, as light asks for them: one a pixel, then
+/// the next one of each; so many that threads do not begin and end while they are timed. Ours leave
+/// the hit itself; the rival's start half a voxel above it, for its triangles lie elsewhere. What
+/// both meet is compared by the latter.
 struct Leaving
 {
   std::vector<const LitHit*> hits;
@@ -32,11 +34,12 @@ struct Leaving
   std::vector<WorldRay> raised;
 };
 
-Leaving RaysFrom(const std::vector<SeenHit>& seen, int each, double voxelMm, std::uint64_t seed)
+Leaving RaysFrom(const std::vector<SeenHit>& seen, double voxelMm, std::uint64_t seed)
 {
   Leaving rays;
-  for (std::size_t n = 0; n < seen.size(); ++n)
-    for (int k = 0; k < each; ++k)
+  const auto each = int(LeastRays / std::max<std::size_t>(1, seen.size())) + 1;
+  for (int k = 0; k < each; ++k)
+    for (std::size_t n = 0; n < seen.size(); ++n)
     {
       RandomSequence points(SeedOf(seed, n), static_cast<std::uint32_t>(k));
       const LitHit& hit = seen[n].hit;
@@ -177,7 +180,7 @@ void MeasureRays(ReportContext& context, const LightData& data, const RayRival& 
     triangles({ BodyOf(data.mesh, bone) }, {}, sky);
   const PictureView view = OrbitView(cells, 0.0, context.settings.quick ? 192 : 512);
   const std::vector<SeenHit> seen = SeenHits(cells, view);
-  const Leaving rays = RaysFrom(seen, 4, data.voxelMm, context.settings.seed);
+  const Leaving rays = RaysFrom(seen, data.voxelMm, context.settings.seed);
   const auto count = double(rays.hits.size());
   std::vector<float> ours(rays.hits.size()), theirs(rays.hits.size());
   TraceAll(ours,

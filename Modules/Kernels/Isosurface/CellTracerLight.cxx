@@ -18,9 +18,9 @@ namespace
 
 /// Towards a world direction.
 CellRay RayFrom(
-  const CellHit& hit, const GridGeometry& g, const glm::dvec3& direction, double distanceMm)
+  const CellHit& hit, const glm::dmat3& toIndex, const glm::dvec3& direction, double distanceMm)
 {
-  return { hit.Position(), glm::transpose(g.direction) * direction / g.spacing, 0.0, distanceMm };
+  return { hit.Position(), toIndex * direction, 0.0, distanceMm };
 }
 
 void Require(bool condition, const char* what, double value, const char* range)
@@ -48,7 +48,8 @@ bool CellTracer::OccludedFrom(
 {
   CellWalkRay walk;
   CellWalkEntry entry;
-  if (!this->Embree->Enter(RayFrom(hit, this->Cells().geometry, direction, distance), walk, entry))
+  if (!this->Embree->Enter(
+        RayFrom(hit, this->Embree->DirectionToIndex(), direction, distance), walk, entry))
     return false;
   walk.fromSurface = true;
   walk.startInside = hit.fromInside;
@@ -60,7 +61,8 @@ std::optional<CellHit> CellTracer::TraceFrom(
 {
   CellWalkRay walk;
   CellWalkEntry entry;
-  if (!this->Embree->Enter(RayFrom(hit, this->Cells().geometry, direction, distance), walk, entry))
+  if (!this->Embree->Enter(
+        RayFrom(hit, this->Embree->DirectionToIndex(), direction, distance), walk, entry))
     return std::nullopt;
   walk.fromSurface = true;
   walk.startInside = hit.fromInside;
@@ -145,7 +147,7 @@ std::uint32_t CellTracer::Sees(std::span<const CellHit> hits, const glm::dvec4& 
       seen |= bit;
     else if (way /= length; glm::dot(way, this->Outwards(hit)) > 0.0)
     {
-      rays.Set(static_cast<int>(n), RayFrom(hit, g, way, distance));
+      rays.Set(static_cast<int>(n), RayFrom(hit, this->Embree->DirectionToIndex(), way, distance));
       cast |= bit;
       inside |= hit.fromInside ? bit : 0U;
     }

@@ -84,6 +84,9 @@ CellTracer::Scene::Scene(std::shared_ptr<const ClusteredCells> cells, const std:
   const ClusteredCells& c = *this->Shared;
   c.geometry.Validate();
   const glm::ivec3 last = this->CellCounts = c.geometry.Cells();
+  this->ToIndex = glm::transpose(c.geometry.direction);
+  for (int axis = 0; axis < 3; ++axis)
+    this->ToIndex[axis] /= c.geometry.spacing;
   Require(c.levels.size() == (c.precision == CellPrecision::Compact ? 128 : 0),
     "the cells have " + std::to_string(c.levels.size()) +
       " levels; compact ones have 128 and exact ones none");

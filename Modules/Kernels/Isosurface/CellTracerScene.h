@@ -20,6 +20,7 @@ public:
 
   const ClusteredCells& Cells() const { return *this->Shared; }
   std::size_t Bytes() const;
+  const glm::dmat3& DirectionToIndex() const { return this->ToIndex; } ///< from the world's, mm
 
   /// BeginWalk, and false if there are no cells.
   bool Enter(const CellRay& ray, CellWalkRay& walk, CellWalkEntry& entry) const;
@@ -47,6 +48,7 @@ private:
   std::shared_ptr<const ClusteredCells> Shared;
   std::vector<CellBox> Boxes;
   glm::ivec3 CellCounts{ 0 }; ///< of the volume
+  glm::dmat3 ToIndex;
   CellStore Store;
   CellPacketWalk WalkPacket;
   float Margin; ///< voxels by which Embree's boxes are larger: what float may round off

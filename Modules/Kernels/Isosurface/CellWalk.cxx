@@ -134,7 +134,7 @@ HASP_INLINE bool WalkBox(const CellStore& store, std::uint32_t n, CellWalkRay& r
     if (last)
       return false;
     ticks = until;
-    place += static_cast<std::uint32_t>(ray.step[Bits(crossing) & 7]);
+    place += static_cast<std::uint32_t>(ray.Step(Bits(crossing) & 7));
     left += crossing;
     next = (next + (ray.delta & crossing)) | NeverWhere(left == 0);
     cellF += (Float4)((Int4)ray.cellStep & crossing);
@@ -178,11 +178,12 @@ HASP_INLINE void FinishDirectionOf(CellWalkRay& walk)
     Least(Most(walk.inverse, one * -1e20), one * 1e20) * TicksPerVoxel, Float4);
   walk.delta =
     __builtin_convertvector(Least(Most(walk.inverseF, -walk.inverseF), Splat(LongWay)), Int4);
-  walk.cellStep = __builtin_convertvector(walk.forwards * 2 - 1, Float4);
-  const std::int32_t x = walk.forwards[0] * 2 - 1, y = walk.forwards[1] * 16 - 8,
-                     z = walk.forwards[2] * 128 - 64;
-  const std::int32_t steps[8] = { 0, x, y, x + y, z, z + x, z + y, z + x + y };
-  std::copy(steps, steps + 8, walk.step);
+  const Int4 sign = walk.forwards * 2 - 1, by = sign * Int4{ 1, 8, 64, 0 };
+  walk.cellStep = __builtin_convertvector(sign, Float4);
+  // 0, x, y, x + y; with z the same again. Stored whole: loads wait for what is stored in parts.
+  const Int4 plane =
+    __builtin_shufflevector(by, by, 3, 0, 3, 0) + __builtin_shufflevector(by, by, 3, 3, 1, 1);
+  walk.step = { plane, plane + __builtin_shufflevector(by, by, 2, 2, 2, 2) };
 }
 
 HASP_CLONES void CellWalkRay::FinishDirection()

@@ -3,6 +3,8 @@
 #include "Isosurface/CellTracer.h"
 #include "Isosurface/CellVectors.h"
 
+#include <array>
+
 namespace hasp
 {
 
@@ -60,7 +62,7 @@ struct CellWalkRay
   Float4 cellStep;             ///< +-1
   Int4 delta;                  ///< ticks from a face to the next
   Int4 forwards;               ///< 1 where direction is not negative, else 0
-  std::int32_t step[8];        ///< change of the place when axes cross, by their bits
+  std::array<Int4, 2> step;    ///< change of the place when axes cross, by their bits
   bool fromSurface = false;    ///< starts on the surface: that root does not count
   bool startInside = false;    ///< and goes to the inside
 
@@ -71,6 +73,7 @@ struct CellWalkRay
   /// What follows from direction and inverse.
   void FinishDirection();
 
+  std::int32_t Step(int axes) const { return this->step[axes >> 2][axes & 3]; }
   double End() const { return this->inverse[3]; }
   bool Hit() const { return this->t < std::numeric_limits<double>::infinity(); }
 };

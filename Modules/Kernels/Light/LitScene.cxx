@@ -87,21 +87,10 @@ double LitScene::Box::Size() const
 /// A ray in the world, and the hit that it leaves.
 struct LitScene::Way
 {
-  glm::dvec3 origin, direction, inverse;
+  const glm::dvec3 &origin, &direction;
   double tMin, tMax;
   const LitHit* from;
   bool fromInBody(std::uint32_t body) const { return this->from && this->from->body == body; }
-
-  Way(
-    const glm::dvec3& start, const glm::dvec3& along, double least, double most, const LitHit* left)
-    : origin(start),
-      direction(along),
-      inverse(1.0 / along),
-      tMin(least),
-      tMax(most),
-      from(left)
-  {
-  }
 };
 
 LitScene::LitScene(std::vector<LitBody> bodies, std::vector<LitLamp> lamps,
@@ -140,12 +129,12 @@ LitScene::LitScene(std::vector<LitBody> bodies, std::vector<LitLamp> lamps,
 bool LitScene::Enters(std::uint32_t body, const Way& way) const
 {
   const Box& box = this->Boxes[body];
-  const glm::dvec3 u = (box.low - way.origin) * way.inverse,
-                   v = (box.high - way.origin) * way.inverse;
+  const glm::dvec3 u = (box.low - way.origin) / way.direction,
+                   v = (box.high - way.origin) / way.direction;
   double from = way.tMin, to = way.tMax;
   for (int a = 0; a < 3; ++a)
   {
-    if (way.direction[a] == 0.0) // 0 times infinity within a face
+    if (way.direction[a] == 0.0) // 0 / 0 within a face
     {
       if (way.origin[a] < box.low[a] || way.origin[a] > box.high[a])
         return false;
@@ -199,18 +188,24 @@ struct LitScene::Local
   glm::dvec3 origin, along;
   double tMin;
 
-  CellRay In(const GridGeometry& g, double tMax) const
+  CellRay InCells(const LitBody& body, double tMax) const
   {
+    const GridGeometry& g = body.cells->Cells().geometry;
     return { g.WorldToIndex(this->origin), glm::transpose(g.direction) * this->along / g.spacing,
       this->tMin, tMax };
   }
 };
 
+glm::dvec3 LitScene::AlongIn(std::uint32_t body, const Way& way) const
+{
+  return this->Frames[body].directionToBody * way.direction;
+}
+
 LitScene::Local LitScene::LocalTo(std::uint32_t body, const Way& way) const
 {
   const Frame& frame = this->Frames[body];
-  Local local{ glm::dvec3(frame.toBody * glm::dvec4(way.origin, 1.0)),
-    frame.directionToBody * way.direction, way.tMin };
+  Local local{ glm::dvec3(frame.toBody * glm::dvec4(way.origin, 1.0)), this->AlongIn(body, way),
+    way.tMin };
   if (const auto& mesh = this->Given[body].mesh; mesh && way.fromInBody(body))
   {
     local.origin += mesh->Clearance() * glm::normalize(frame.directionToBody * way.from->normal);
@@ -219,9 +214,8 @@ LitScene::Local LitScene::LocalTo(std::uint32_t body, const Way& way) const
   return local;
 }
 
-std::optional<LitHit> LitScene::Nearest(const Way& given) const
+std::optional<LitHit> LitScene::Nearest(Way way) const
 {
-  Way way = given;
   std::optional<LitHit> nearest;
   const auto take = [&](const LitHit& hit)
   {
@@ -233,37 +227,38 @@ std::optional<LitHit> LitScene::Nearest(const Way& given) const
     if (!way.fromInBody(n) && !this->Enters(n, way))
       continue;
     const LitBody& body = this->Given[n];
-    const Local local = this->LocalTo(n, way);
     if (body.mesh)
     {
+      const Local local = this->LocalTo(n, way);
       const auto hit = body.mesh->Trace(local.origin, local.along, local.tMin, way.tMax);
       if (hit && (!nearest || hit->t < nearest->t))
         take(this->HitOfMesh(n, way, *hit));
       continue;
     }
     const auto hit = way.fromInBody(n)
-                       ? body.cells->TraceFrom(way.from->cell, local.along, way.tMax)
-                       : body.cells->Trace(local.In(body.cells->Cells().geometry, way.tMax));
+                       ? body.cells->TraceFrom(way.from->cell, this->AlongIn(n, way), way.tMax)
+                       : body.cells->Trace(this->LocalTo(n, way).InCells(body, way.tMax));
     if (hit && (!nearest || hit->t < nearest->t))
       take(this->HitOfCells(n, way, *hit));
   }
   return nearest;
 }
 
+bool LitScene::Blocks(std::uint32_t number, const Way& way) const
+{
+  const LitBody& body = this->Given[number];
+  if (body.cells && way.fromInBody(number))
+    return body.cells->OccludedFrom(way.from->cell, this->AlongIn(number, way), way.tMax);
+  const Local local = this->LocalTo(number, way);
+  return body.mesh ? body.mesh->Occluded(local.origin, local.along, local.tMin, way.tMax)
+                   : body.cells->Occluded(local.InCells(body, way.tMax));
+}
+
 bool LitScene::Any(const Way& way) const
 {
   for (std::uint32_t n = 0; n < this->Given.size(); ++n)
-  {
-    if (!way.fromInBody(n) && !this->Enters(n, way))
-      continue;
-    const LitBody& body = this->Given[n];
-    const Local local = this->LocalTo(n, way);
-    if (body.mesh ? body.mesh->Occluded(local.origin, local.along, local.tMin, way.tMax)
-        : way.fromInBody(n)
-          ? body.cells->OccludedFrom(way.from->cell, local.along, way.tMax)
-          : body.cells->Occluded(local.In(body.cells->Cells().geometry, way.tMax)))
+    if ((way.fromInBody(n) || this->Enters(n, way)) && this->Blocks(n, way))
       return true;
-  }
   return false;
 }
 

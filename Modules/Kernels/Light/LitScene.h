@@ -104,8 +104,10 @@ private:
   };
   struct Local;
   Local LocalTo(std::uint32_t body, const Way& way) const;
+  glm::dvec3 AlongIn(std::uint32_t body, const Way& way) const; ///< all that a way off cells needs
+  bool Blocks(std::uint32_t number, const Way& way) const;
   bool Enters(std::uint32_t body, const Way& way) const;
-  std::optional<LitHit> Nearest(const Way& way) const;
+  std::optional<LitHit> Nearest(Way way) const;
   bool Any(const Way& way) const;
   LitHit HitOfCells(std::uint32_t body, const Way& way, const CellHit& hit) const;
   LitHit HitOfMesh(std::uint32_t body, const Way& way, const TriangleHit& hit) const;

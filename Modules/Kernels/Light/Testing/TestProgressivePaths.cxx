@@ -52,7 +52,9 @@ TEST(ProgressivePaths, BeginAnewAndEndWheneverTheyAreTold)
       paths.WaitFor(1);
     PathTracedPicture picture;
     if (paths.Latest(picture))
+    {
       EXPECT_EQ(picture.size, glm::ivec2(16));
+    }
     if (random() % 2 == 0)
     {
       paths.Cancel();
