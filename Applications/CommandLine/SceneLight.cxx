@@ -94,6 +94,11 @@ bool SceneLight::Refining() const
          this->Self->pass->IsRefining();
 }
 
+void SceneLight::SetWaitForSamples(bool wait)
+{
+  this->Self->pass->SetWaitForSamples(wait);
+}
+
 void SceneLight::SetProgress(std::function<void(double share)> progress)
 {
   this->Self->progress = std::move(progress);
@@ -124,6 +129,8 @@ bool SceneLight::Refining() const
 {
   return false;
 }
+
+void SceneLight::SetWaitForSamples(bool) {}
 
 void SceneLight::SetProgress(std::function<void(double share)>) {}
 

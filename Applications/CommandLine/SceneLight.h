@@ -38,7 +38,11 @@ public:
   SceneLight(const SceneLight&) = delete;
   SceneLight& operator=(const SceneLight&) = delete;
 
+  /// Will paths of the same view be better? They are traced on a thread of their own.
   bool Refining() const;
+  /// Does a frame end only when a path traced picture has all its samples? At first if the drawing
+  /// is not interactive.
+  void SetWaitForSamples(bool wait);
   /// Share of a path traced picture's samples, while its frame is drawn.
   void SetProgress(std::function<void(double share)> progress);
   void ListResources(ResourceList& list) const;

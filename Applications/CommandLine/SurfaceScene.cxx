@@ -30,6 +30,8 @@ constexpr std::array<std::array<double, 3>, 4> SurfaceColors{ { { 0.35, 0.70, 0.
 
 constexpr int AmbientFrames = 4; // until openness has added up: half the noise of one
 constexpr int WindowFrames = 4;  // at rest after the last find, in which ways are compared
+constexpr int FrameMs = 1;       // a timer's shortest: soon, after what else happens
+constexpr int PathsMs = 100;     // of paths between two frames, which take cores from them
 constexpr double Specular = 0.2, SpecularPower = 20.0;
 
 /// A lamp to the upper left of the viewer, which stays there for both eyes, before the headlight,
@@ -212,19 +214,26 @@ void SurfaceScene::SetFrameProgress(std::function<void(double share)> progress)
     this->Light->SetProgress(std::move(progress));
 }
 
+void SurfaceScene::SetWaitForPaths(bool wait)
+{
+  if (this->Light)
+    this->Light->SetWaitForSamples(wait);
+}
+
 bool SurfaceScene::WantsFrame(int mostFrames)
 {
-  bool may = this->Light != nullptr, refining = this->Light && this->Light->Refining();
+  const bool paths = this->Light && this->Light->Refining();
+  bool may = this->Light != nullptr, refining = false;
   for (const SurfaceActor& surface : this->Surfaces)
   {
     may |= bool(surface.refining);
     refining |= surface.refining && surface.refining();
   }
-  this->Quiet = refining ? 0 : this->Quiet + 1;
+  this->NextMs = paths && !refining ? PathsMs : FrameMs;
+  this->Quiet = refining || paths ? 0 : this->Quiet + 1;
   ++this->Frames;
   return this->Frames < this->LeastFrames ||
-         (may && this->Quiet < this->QuietFrames &&
-           (this->Frames < mostFrames || (this->Light && this->Light->Refining())));
+         (may && this->Quiet < this->QuietFrames && (this->Frames < mostFrames || paths));
 }
 
 } // namespace hasp

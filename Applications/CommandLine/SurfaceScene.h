@@ -59,6 +59,12 @@ public:
   void Restart() { this->Frames = this->Quiet = 0; }
   /// Call after each frame: will another one show more? Ends after mostFrames in any case.
   bool WantsFrame(int mostFrames);
+  /// When it wants one: milliseconds until that is worth its time. What frames refine is better at
+  /// once; paths need no frames, only time.
+  int NextFrameMs() const { return this->NextMs; }
+  /// Does a frame end only when all paths of its picture are traced? For pictures in files; a
+  /// scene that is not interactive begins so.
+  void SetWaitForPaths(bool wait);
   /// Is told the share of a long frame that is done, while it is drawn: of paths.
   void SetFrameProgress(std::function<void(double share)> progress);
   /// Of the frames that it takes in any case, the share that has been drawn.
@@ -76,6 +82,7 @@ private:
   int LeastFrames = 1;
   int QuietFrames = 1;       ///< without a find, until the picture is taken to be complete
   int Frames = 0, Quiet = 0; ///< since the last change; without a find, in a row
+  int NextMs = 1;
 };
 
 } // namespace hasp

@@ -192,6 +192,7 @@ void Run(Choices choices, Session& session)
   else
   {
     session.progress.Step("drawing");
+    scene.SetFrameProgress([&session](double share) { session.progress.Share(share); });
     WriteFile(choices.output, PngFile(view.DrawComplete()));
     session.result["output"] = FileLabel(choices.output);
   }
@@ -210,8 +211,7 @@ void AddViewVerb(CLI::App& app, Session& session)
   auto choices = std::make_shared<Choices>();
   SurfaceDrawing& drawing = choices->options.drawing;
   drawing.interactive = true;
-  const auto& mappers = SurfaceMappers();
-  if (std::find(mappers.begin(), mappers.end(), "raycaching") != mappers.end())
+  if (std::ranges::count(SurfaceMappers(), "raycaching") > 0)
     drawing.mapper = "raycaching"; // an isovalue that changes all the time
   CLI::App* verb =
     app.add_subcommand("view", "Show a volume in a window, with a slider for its isovalue");

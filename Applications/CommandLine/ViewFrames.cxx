@@ -69,12 +69,14 @@ void ViewFrames::Draw()
 
 void ViewFrames::DrawComplete()
 {
+  this->Scene.SetWaitForPaths(true); // frames meanwhile would take cores from them
   this->Draw();
   this->Ticking = true;
   while (this->Refining && !this->Stopped)
     this->Draw();
   this->Draw();
   this->Ticking = false;
+  this->Scene.SetWaitForPaths(false);
 }
 
 void ViewFrames::Stop()
@@ -109,7 +111,9 @@ void ViewFrames::End()
 /// For the next frame, if there may be one.
 void ViewFrames::Wait()
 {
-  if (this->Refining || this->SaysOld)
+  if (this->Refining)
+    this->Timer.Start(this->Scene.NextFrameMs());
+  else if (this->SaysOld)
     this->Timer.Start();
   else if (this->Tracked())
     this->Timer.Start(TrackerMs);

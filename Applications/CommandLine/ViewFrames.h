@@ -17,9 +17,10 @@ namespace hasp
 class StereoView;
 class SurfaceScene;
 
-/// The frames of a window: one when something asks for it, and more while the scene refines, or
-/// when the head of a tracked viewer has moved: a timer asks the tracker 120 times a second. Where
-/// nothing refines and nobody is tracked, nothing runs. RENDER thread.
+/// The frames of a window: one when something asks for it, and more while the scene refines, at
+/// once or at the pace of its paths, or when the head of a tracked viewer has moved: a timer asks
+/// the tracker 120 times a second. Where nothing refines and nobody is tracked, nothing runs.
+/// RENDER thread.
 class ViewFrames
 {
 public:
@@ -37,7 +38,8 @@ public:
   ViewFrames& operator=(const ViewFrames&) = delete;
 
   void Draw();
-  /// Until nothing new is found, and once more with the text of the last frame.
+  /// Until nothing new is found and all paths are traced, and once more with the text of the last
+  /// frame.
   void DrawComplete();
   /// For good.
   void Stop();

@@ -20,7 +20,7 @@ std::string ViewKeys()
          "  Right Up + / Left Down -   raise / lower the isovalue by 1% of its range\n"
          "  Page Up / Page Down        by 10%\n"
          "  p   where the pointer's surface is, mm LPS     r   back to the first view\n"
-         "  s   save the window as hasp-view-1.png (-2, ...) in the current folder\n"
+         "  s   save the window as it is: hasp-view-1.png (-2, ...) in the current folder\n"
          "  q Esc   quit\n";
 }
 

@@ -54,7 +54,8 @@ public:
   /// Draws the first frame and handles events until the user closes the window. Throws Failure:
   /// CannotDraw.
   void Run();
-  /// Draws until nothing new is found; what the window then shows. Throws Failure: CannotDraw.
+  /// Draws until nothing new is found and all paths are traced; what the window then shows. Throws
+  /// Failure: CannotDraw.
   vtkSmartPointer<vtkImageData> DrawComplete();
   /// What the surfaces held when the user closed the window, or as they are.
   ResourceList Resources() const;

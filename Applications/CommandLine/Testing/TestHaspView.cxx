@@ -86,6 +86,22 @@ TEST_F(HaspView, TheCompleteWindowIsWritten)
   EXPECT_GT(ReadBytes(this->Path("w.png")).size(), 2 * ReadBytes(this->Path("far.png")).size());
 }
 
+TEST_F(HaspView, TheWindowIsWrittenWithAllItsPaths)
+{
+  this->Phantom();
+  TestScreen screen;
+  REQUIRE_SCREEN(screen);
+  const HaspRun run = RunHasp(this->View({ "--mapper", "cells", "--path-trace", "12", "--explain",
+                                "--output", this->Path("w.png") }),
+    {}, screen.Display());
+  if (!HASP_WITH_EMBREE)
+    return ExpectFailure(run, 4, "Embree");
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(run.err.find("ERR"), std::string::npos) << run.err; // nor when it lets go of the GPU
+  EXPECT_EQ(this->Size("w.png"), std::make_pair(200, 150));
+  EXPECT_NE(run.out.find("12 samples a pixel"), std::string::npos) << run.out;
+}
+
 TEST_F(HaspView, VolumesAreShownWithoutASurface)
 {
   this->Phantom();

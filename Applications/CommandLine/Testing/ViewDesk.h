@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace hasp::testing
 {
@@ -56,17 +57,20 @@ struct Desk
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   std::set<int> timers; ///< that were created and have not been fired: one-shot, all of them
   int created = 0;
+  int lastMs = 0; ///< of the timer created last
   Session session;
   SceneOptions options;
   std::unique_ptr<SurfaceScene> scene;
   std::unique_ptr<ViewWindow> view;
 
-  explicit Desk(const std::string& mapper = "raycaching", double isoValue = 80.0)
+  explicit Desk(
+    const std::string& mapper = "raycaching", double isoValue = 80.0, LightChoices light = {})
   {
     this->session.quiet = true;
     this->options.isoValue = isoValue;
     this->options.drawing.mapper = mapper;
     this->options.drawing.interactive = true;
+    this->options.light = std::move(light);
     this->window->SetSize(Size, Size);
     this->window->AddRenderer(this->renderer);
     this->interactor->SetRenderWindow(this->window);
@@ -87,6 +91,7 @@ struct Desk
     const int id = this->interactor->GetTimerEventId();
     this->interactor->SetTimerEventPlatformId(id);
     this->timers.insert(id);
+    this->lastMs = this->interactor->GetTimerEventDuration();
     ++this->created;
   }
   void Fire(int id)
