@@ -10,6 +10,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #endif
 
@@ -84,7 +85,13 @@ SceneLight::SceneLight(
 
 SceneLight::~SceneLight()
 {
-  this->Self->renderer->SetPass(nullptr);
+  Parts& self = *this->Self;
+  self.renderer->SetPass(nullptr); // which leaves the GPU's part of it to the pass
+  if (vtkRenderWindow* window = self.renderer->GetRenderWindow())
+  {
+    window->MakeCurrent();
+    self.pass->ReleaseGraphicsResources(window);
+  }
 }
 
 bool SceneLight::Refining() const

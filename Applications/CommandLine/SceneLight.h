@@ -34,6 +34,8 @@ public:
   /// Sets the renderer's pass; the renderer must outlive this. Throws Failure: BadInput for a file
   /// that is no environment, CannotDraw in a build without Embree.
   SceneLight(vtkRenderer* renderer, const LightChoices& light, const SurfaceDrawing& drawing);
+  /// Frees what the pass holds on the GPU if the renderer is still in a window, which then is
+  /// current.
   ~SceneLight();
   SceneLight(const SceneLight&) = delete;
   SceneLight& operator=(const SceneLight&) = delete;

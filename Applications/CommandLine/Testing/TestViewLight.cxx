@@ -2,11 +2,14 @@
 #include "ViewDesk.h"
 #include "vtkHaspLightPass.h"
 
+#include "vtkSmartPointer.h"
+
 namespace
 {
 
 using namespace hasp;
 using hasp::testing::Desk;
+using hasp::testing::Size;
 
 constexpr int Endless = 1 << 20; // more samples than any test waits for
 
@@ -20,6 +23,15 @@ LightChoices Paths(int samples)
 vtkHaspLightPass* PassOf(const Desk& desk)
 {
   return vtkHaspLightPass::SafeDownCast(desk.renderer->GetPass());
+}
+
+std::size_t PictureBytes(const vtkHaspLightPass* pass)
+{
+  ResourceList list;
+  pass->ListResources(list);
+  return std::find_if(list.begin(), list.end(),
+    [](const ResourceUse& use) { return use.resource == "light, picture"; })
+    ->bytes;
 }
 
 TEST(ViewLight, PathsAreShownTenTimesASecondAndFindsAtOnce)
@@ -58,6 +70,18 @@ TEST(ViewLight, ACompletePictureWaitsForItsPathsInOneFrame)
   EXPECT_LE(told, 1.0);
   EXPECT_FALSE(PassOf(desk)->GetWaitForSamples()) << "a window that is turned must not wait";
   desk.scene->SetFrameProgress({});
+}
+
+TEST(ViewLight, WhatIsDroppedLeavesTheGpu)
+{
+  Desk desk("cells", 80.0, Paths(Endless));
+  const vtkSmartPointer<vtkHaspLightPass> pass = PassOf(desk);
+  ASSERT_TRUE(pass);
+  const std::size_t before = PictureBytes(pass);
+  desk.view.reset();
+  desk.scene.reset();
+  EXPECT_FALSE(desk.renderer->GetPass());
+  EXPECT_GE(before - PictureBytes(pass), std::size_t(Size) * Size * 16); // its textures
 }
 
 } // namespace
