@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hasp
 {
@@ -37,8 +38,10 @@ FrameView::FrameView(QWidget* parent)
   this->Target->AddRenderer(this->Scene);
   this->setRenderWindow(this->Target);
   this->Coming.setSingleShot(true);
+  this->Later.setSingleShot(true);
   this->Settling.setSingleShot(true);
   connect(&this->Coming, &QTimer::timeout, this, &FrameView::Frame);
+  connect(&this->Later, &QTimer::timeout, this, &FrameView::Draw);
   connect(&this->Settling, &QTimer::timeout, this, &FrameView::Settle);
 
   QVTKInteractor* interactor = this->interactor();
@@ -63,23 +66,42 @@ void FrameView::Draw()
   this->Coming.start(static_cast<int>(std::clamp<qint64>(LeastFrameMs - since, 0, LeastFrameMs)));
 }
 
-void FrameView::DrawNow()
+void FrameView::DrawNow(const ProgressFunction& progress)
 {
   const double share = this->Scale;
   this->Rescale(1.0);
-  for (int frame = 0; frame < MostRefinements; ++frame)
+  this->Awaited = &progress;
+  for (int frame = 0; frame < MostRefinements && !this->GivenUp; ++frame)
   {
     this->Frame();
     if (!this->Coming.isActive()) // nobody asks for more
       break;
   }
+  this->Awaited = nullptr;
   if (this->IsHeld())
     this->Rescale(share); // of the drag
+  if (this->GivenUp)
+    std::rethrow_exception(std::exchange(this->GivenUp, nullptr));
 }
 
-QImage FrameView::Picture()
+/// Within a frame, through which nothing may be thrown.
+bool FrameView::Report(double share)
 {
-  this->DrawNow();
+  try
+  {
+    if (this->Awaited && !this->GivenUp)
+      ReportProgress(*this->Awaited, share);
+  }
+  catch (...)
+  {
+    this->GivenUp = std::current_exception();
+  }
+  return this->Awaited && !this->GivenUp;
+}
+
+QImage FrameView::Picture(const ProgressFunction& progress)
+{
+  this->DrawNow(progress);
   if (!this->isValid() || !this->isVisible())
     return {};
   return this->grab().toImage();
@@ -104,6 +126,7 @@ void FrameView::Frame()
 void FrameView::DrawFrame()
 {
   this->Coming.stop();
+  this->Later.stop();
   this->Drawing = true;
   this->Missed = false;
   this->SinceFrame.start();
@@ -112,7 +135,8 @@ void FrameView::DrawFrame()
   this->Prepare();
   const Stopwatch watch;
   this->Target->Render();
-  this->Took = watch.Milliseconds();
+  if (!this->Awaited) // else it may have waited for light, and says nothing of the next one
+    this->Took = watch.Milliseconds();
   ++this->Drawn;
   std::copy_n(this->Target->GetSize(), 2, this->DrawnSize.begin());
   const bool more = this->after && this->after();

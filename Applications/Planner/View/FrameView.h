@@ -1,4 +1,5 @@
 #pragma once
+#include "Grid/Progress.h"
 #include "View/QtRenderWindow.h"
 
 #include "vtkNew.h"
@@ -9,6 +10,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <array>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -44,22 +46,35 @@ public:
   vtkRenderer* Renderer() const { return this->Scene; }
   /// A frame soon, 120 a second at most. Safe anywhere on RENDER, also within a frame.
   void Draw();
-  /// A frame now, complete: of all pixels, refined. Nothing while the view is not seen.
-  void DrawNow();
+  /// A frame after that time, unless one comes before.
+  void DrawIn(int ms) { this->Later.start(ms); }
+  /// A frame now, complete: of all pixels, refined, as at rest whatever moves. Nothing while the
+  /// view is not seen. Where light is traced this takes seconds to minutes; `progress`, which draws
+  /// nothing, is told of that and may end it: Cancelled, and the view goes on as ever.
+  void DrawNow(const ProgressFunction& progress = {});
   /// The same as a picture, with marks and letters; null while the view is not seen.
-  QImage Picture();
+  QImage Picture(const ProgressFunction& progress = {});
   /// Something moves: frames may have fewer pixels until 300 ms after the last call.
   void Moving();
   bool IsMoving() const { return this->Settling.isActive(); }
   /// A frame is to come.
-  bool IsWaiting() const { return this->Coming.isActive() || this->Settling.isActive(); }
+  bool IsWaiting() const
+  {
+    return this->Coming.isActive() || this->Later.isActive() || this->Settling.isActive();
+  }
 
   /// Called before each frame, and after it: true asks for one more (a mapper that refines).
   std::function<void()> before;
   std::function<bool()> after;
+  ///@{
+  /// For these two, and what is drawn between them: is it a frame of DrawNow, and the share of it
+  /// that is there; false, also where it is none: nobody waits for the rest.
+  bool IsCompleting() const { return this->Awaited != nullptr; }
+  bool Report(double share);
+  ///@}
 
-  /// Frames drawn since it was made; milliseconds of the last one; pixels along an axis, of all, in
-  /// [0.5, 1].
+  /// Frames drawn since it was made; milliseconds of the last one but DrawNow's; pixels along an
+  /// axis, of all, in [0.5, 1].
   unsigned long long Frames() const { return this->Drawn; }
   double LastMs() const { return this->Took; }
   double Share() const { return this->Scale; }
@@ -107,7 +122,9 @@ private:
   vtkNew<vtkRenderer> Scene;
   ViewMarks* Marks;
   std::vector<unsigned long> Observers; ///< of the interactor
-  QTimer Coming, Settling;
+  QTimer Coming, Later, Settling;
+  const ProgressFunction* Awaited = nullptr; ///< DrawNow's
+  std::exception_ptr GivenUp;                ///< what it said
   QElapsedTimer SinceFrame;
   unsigned long long Drawn = 0;
   double Took = 0.0, Scale = 1.0;

@@ -5,24 +5,52 @@
 #if HASP_WITH_LIGHT
 #include "vtkHaspLightPass.h"
 
+#include "vtkCommand.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+
+#include <algorithm>
 #endif
 
 namespace hasp
 {
+
+#if HASP_WITH_LIGHT
 
 namespace
 {
 
 constexpr int BetterMs = 100;      // between frames of paths
 constexpr int DarkeningFrames = 8; // of a view at rest: openness of some hundred samples
+constexpr int StillFrames = 64;    // by which the pass refines openness, for the share done
 
 } // namespace
 
-#if HASP_WITH_LIGHT
-
 struct ViewLight::Pass
 {
+  explicit Pass(SceneView& view) : of(view)
+  {
+    this->pass->AddObserver(vtkCommand::ProgressEvent, this, &Pass::Tell);
+  }
+  ~Pass()
+  {
+    // Parts of VTK's passes need the window to free what they have on the GPU.
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->of.renderWindow());
+    window->PushContext();
+    this->pass->ReleaseGraphicsResources(window);
+    window->PopContext();
+  }
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
+
+  /// While the pass waits for samples.
+  void Tell(vtkObject*, unsigned long, void* share)
+  {
+    if (!this->of.Report(*static_cast<double*>(share)))
+      this->pass->WaitForSamplesOff();
+  }
+
+  SceneView& of;
   vtkNew<vtkHaspLightPass> pass;
   int frames = 0; ///< at rest
 };
@@ -37,7 +65,6 @@ void ViewLight::SetMode(Mode mode)
   if (mode == this->Chosen)
     return;
   this->Chosen = mode;
-  this->Better.stop();
   if (this->Made)
     this->Made->frames = 0;
   if (mode == Plain)
@@ -47,7 +74,7 @@ void ViewLight::SetMode(Mode mode)
   }
   else if (!this->Made)
   {
-    this->Made = std::make_unique<Pass>();
+    this->Made = std::make_unique<Pass>(this->Of);
     this->Made->pass->ShadowsOff(); // the view's two lamps go with the viewer
     // Patients stand along z and look along -y: daylight comes from before the face.
     this->Of.Renderer()->SetEnvironmentUp(0, 0, 1);
@@ -61,8 +88,9 @@ void ViewLight::Prepare()
 {
   if (!this->Made)
     return;
-  const bool rests = !this->Of.IsMoving();
+  const bool complete = this->Of.IsCompleting(), rests = complete || !this->Of.IsMoving();
   this->Made->frames = rests ? this->Made->frames + 1 : 0;
+  this->Made->pass->SetWaitForSamples(complete);
   this->Made->pass->SetMode(this->Chosen == AmbientOcclusion ? vtkHaspLightPass::AmbientOcclusion
                             : rests                          ? vtkHaspLightPass::PathTraced
                                                              : vtkHaspLightPass::Traced);
@@ -72,16 +100,32 @@ bool ViewLight::Finish()
 {
   if (!this->Made)
     return false;
+  if (this->Of.IsCompleting())
+    return this->Complete();
   if (this->Of.IsMoving())
   {
-    this->Better.start(BetterMs); // till it rests
+    this->Of.DrawIn(BetterMs); // till it rests
     return false;
   }
   if (this->Chosen == AmbientOcclusion)
     return this->Made->frames < DarkeningFrames;
   if (this->Made->pass->IsRefining())
-    this->Better.start(BetterMs);
+    this->Of.DrawIn(BetterMs);
   return false;
+}
+
+/// Also with all paths, for the pass shows what it keeps on surfaces beside them.
+bool ViewLight::Complete()
+{
+  const Pass& made = *this->Made;
+  if (made.frames >= DarkeningFrames && !made.pass->IsRefining())
+    return false;
+  const bool awaited = this->Of.Report(
+    this->Chosen == Traced ? double(made.pass->GetSamples()) / made.pass->GetSamplesPerPixel()
+                           : std::min(1.0, double(made.frames) / StillFrames));
+  if (!awaited)
+    this->Of.DrawIn(BetterMs); // better as ever
+  return awaited;
 }
 
 void ViewLight::ListResources(ResourceList& list) const
@@ -119,11 +163,7 @@ void ViewLight::ListResources(ResourceList& list) const
 
 #endif
 
-ViewLight::ViewLight(SceneView& view) : Of(view)
-{
-  this->Better.setSingleShot(true);
-  QObject::connect(&this->Better, &QTimer::timeout, this, [this] { this->Of.Draw(); });
-}
+ViewLight::ViewLight(SceneView& view) : Of(view) {}
 
 ViewLight::~ViewLight()
 {

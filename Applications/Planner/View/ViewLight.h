@@ -1,9 +1,6 @@
 #pragma once
 #include "Grid/ResourceUse.h"
 
-#include <QObject>
-#include <QTimer>
-
 #include <memory>
 
 namespace hasp
@@ -13,10 +10,11 @@ class SceneView;
 
 /// The light of a 3D view: as VTK shades, darkened where bone and parts are close, or traced. While
 /// something moves, traced light is what is kept on surfaces; at rest paths make it better, ten
-/// frames a second until there are 256 a pixel, and give up at once when something moves.
+/// frames a second until there are 256 a pixel, and give up at once when something moves. Complete
+/// frames (FrameView::DrawNow) have all of them, and openness of the 64 frames that refine it.
 ///
 /// Threads: RENDER. Plain light has nothing; the others what vtkHaspLightPass says, and its WORKER.
-class ViewLight : public QObject
+class ViewLight
 {
 public:
   enum Mode
@@ -30,9 +28,12 @@ public:
 
   /// The view outlives this.
   explicit ViewLight(SceneView& view);
-  ~ViewLight() override;
+  ~ViewLight();
+  ViewLight(const ViewLight&) = delete;
+  ViewLight& operator=(const ViewLight&) = delete;
 
-  void SetMode(Mode mode); ///< what is not there stays Plain
+  /// What is not there stays Plain. That lets go of all that the others have, at once.
+  void SetMode(Mode mode);
   Mode GetMode() const { return this->Chosen; }
 
   void Prepare(); ///< right before a frame
@@ -41,10 +42,10 @@ public:
 
 private:
   struct Pass;
+  bool Complete(); ///< as Finish, of a frame that is to be complete
   SceneView& Of;
   Mode Chosen = Plain;
   std::unique_ptr<Pass> Made;
-  QTimer Better; ///< asks for frames while paths are traced
 };
 
 } // namespace hasp

@@ -5,7 +5,7 @@
 #include "Output/PartMaking.h"
 #include "Output/RedParts.h"
 #include "Planning/DurableFile.h"
-#include "View/SliceView.h"
+#include "View/SceneView.h"
 #include "Window/PlannerMeasure.h"
 #include "Window/PlannerWindow.h"
 #include "Window/UsePanel.h"
@@ -127,6 +127,7 @@ void PlannerScript::LookForRed()
 void PlannerScript::Shoot()
 {
   this->Window.Parts().views.DrawAll();
+  this->Window.Parts().views.Scene().DrawNow(); // with settled light
   QApplication::processEvents();
   const QImage picture = this->Window.grab().toImage();
   if (!picture.save(QString::fromStdString(this->Options.screenshot), "PNG"))
