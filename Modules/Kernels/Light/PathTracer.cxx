@@ -42,6 +42,7 @@ template <typename Points>
 struct PathTracer<Points>::Path
 {
   glm::vec3 radiance{ 0.0F }, share{ 1.0F }; ///< of what comes next, that reaches the eye
+  glm::dvec3 direction{ 0.0 }; ///< of its last ray, from the surface; its way may have no length
   int rays = 0;
 };
 
@@ -117,6 +118,7 @@ std::optional<LitHit> PathTracer<Points>::Scatter(const LitHit& hit,
   if (last && this->Dark)
     return std::nullopt;
   ++path.rays;
+  path.direction = sample.direction;
   if (!last)
     if (auto next = this->Scene->TraceFrom(hit, sample.direction))
       return next;
@@ -145,7 +147,7 @@ void PathTracer<Points>::Walk(
       this->Scatter(hit, at, far, far.Samples(), points, bounce, path);
     if (!next)
       return;
-    towardsEye = glm::normalize(hit.position - next->position);
+    towardsEye = -path.direction;
     hit = *next;
   }
 }
@@ -184,7 +186,7 @@ PathSample PathTracer<Points>::WhiteRadiance(
   if (weighted)
     this->Surroundings(hit, at, first, points, path);
   if (const std::optional<LitHit> next = this->Scatter(hit, at, first, weighted, points, 1, path))
-    this->Walk(*next, glm::normalize(hit.position - next->position), points, 2, path);
+    this->Walk(*next, -path.direction, points, 2, path);
   return { path.radiance, path.rays };
 }
 

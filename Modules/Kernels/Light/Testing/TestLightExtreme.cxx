@@ -1,4 +1,5 @@
 // Light at the edges of what there is: sizes, spacings, one bright pixel, black, a camera inside.
+#include "Isosurface/Hemisphere.h"
 #include "Light/Testing/LitPictures.h"
 
 namespace
@@ -62,6 +63,38 @@ TEST(LightExtreme, SizeAndPlaceChangeNothing)
     EXPECT_NEAR(sum, mean, 0.01 * mean) << scale;
     EXPECT_NEAR(other, mean, 0.02 * mean) << scale;
   }
+}
+
+TEST(LightExtreme, WhatIsMetWhereTheRayBeganIsLitAllTheSame)
+{
+  // Whole numbers and rays along the grid: hits lie on faces and edges of cells, whose neighbours
+  // a ray that leaves meets at once, after no way at all.
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> rough(-2, 2);
+  const hasp::GridGeometry grid{ glm::ivec3(24), glm::dvec3(0.0), glm::dvec3(1.0),
+    glm::dmat3(1.0) };
+  const auto cells =
+    TracedCells(grid, [&](const glm::dvec3& p) { return 12.0 - p.z + rough(random); });
+  const auto coat = Scattering({ glm::vec3(0.8F), 0.04F, 0.4F });
+  const LitScene scene({ Body(cells, coat) }, { hasp::LitLamp() }, SoftSky());
+  const PathTracer<SobolSequence> tracer(scene, { 4 });
+  int met = 0, atOnce = 0;
+  for (int y = 1; y < 23; ++y)
+    for (int x = 1; x < 23; ++x)
+      if (const auto hit = scene.Trace({ x, y, 30.0 }, { 0, 0, -1 }))
+        for (std::uint32_t k = 0; k < 64; ++k)
+        {
+          SobolSequence points(static_cast<std::uint32_t>(24 * y + x), k), same = points;
+          const auto next = scene.TraceFrom(*hit, hasp::CosineAround(hit->normal, points.Next()));
+          atOnce += next && next->position == hit->position;
+          const glm::vec3 light = tracer.Radiance(*hit, { 0, 0, 1 }, points).radiance;
+          const glm::vec3 white = tracer.WhiteRadiance(*hit, same).radiance;
+          ASSERT_TRUE(glm::dot(light, light) < 1e12F) << x << " " << y << " " << k;
+          ASSERT_TRUE(glm::dot(white, white) < 1e12F) << x << " " << y << " " << k;
+          ++met;
+        }
+  EXPECT_GT(met, 20'000);
+  EXPECT_GT(atOnce, 10) << "else this tests nothing";
 }
 
 TEST(LightExtreme, MeshesAndCellsOfAnySizeNeitherLeakNorShadeThemselves)
