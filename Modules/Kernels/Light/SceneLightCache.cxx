@@ -32,6 +32,13 @@ void Require(bool condition, const char* what, double value, const char* range)
       std::string("SceneLightCache: ") + what + " " + std::to_string(value) + " must be " + range);
 }
 
+/// `= {}` would keep its memory.
+template <typename T>
+void Free(std::vector<T>& values)
+{
+  values = std::vector<T>();
+}
+
 template <typename Body>
 void EachTile(const glm::i64vec2& tiles, const Body& body)
 {
@@ -85,7 +92,12 @@ SceneLightCache::~SceneLightCache() = default;
 
 std::size_t SceneLightCache::Bytes() const
 {
-  return this->Blocks ? this->Blocks->Bytes() : 0;
+  const auto bytesOf = [](const std::unique_ptr<const Environment>& part)
+  { return part ? part->Bytes() : 0; };
+  return (this->Blocks ? this->Blocks->Bytes() : 0) +
+         (this->Far ? bytesOf(this->Far->soft) + bytesOf(this->Far->bright) : 0) +
+         (this->OwnShares.capacity() + this->OwnSums.capacity()) * sizeof(glm::vec4) +
+         this->LastDepths.capacity() * sizeof(float);
 }
 
 void SceneLightCache::Forget()
@@ -211,7 +223,7 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
   this->RayCount = this->NewPixelCount = 0;
   if (pixels == 0 || scene.Bounds().Size() == 0.0)
     return;
-  const bool keeps = request.kind != Kind::Lamps;
+  const bool keeps = request.kind == Kind::Traced || request.kind == Kind::AmbientOcclusion;
   if (keeps)
     this->Watch(scene, request);
   else
@@ -222,7 +234,10 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
   const bool stays =
     view == this->LastView && !this->Fresh && std::ranges::equal(drawn.depths, this->LastDepths);
   this->LastView = view;
-  this->LastDepths.assign(drawn.depths.begin(), drawn.depths.end());
+  if (keeps)
+    this->LastDepths.assign(drawn.depths.begin(), drawn.depths.end());
+  else
+    Free(this->LastDepths);
   this->Fresh = false;
   ++this->Now;
   if (keeps)
@@ -230,15 +245,16 @@ void SceneLightCache::Light(const LitScene& scene, const PictureView& view,
   this->PartEnvironment(scene, request);
   const Environment* bright = this->Far ? this->Far->bright.get() : nullptr;
   const Environment& soft = this->Far && this->Far->soft ? *this->Far->soft : scene.Surroundings();
-  const bool reflects = (request.kind == Kind::Traced || scene.Surroundings().Brightest() > 0.0) &&
+  const bool reflects = request.kind != Kind::Coverage &&
+                        (request.kind == Kind::Traced || scene.Surroundings().Brightest() > 0.0) &&
                         std::any_of(scene.Bodies().begin(), scene.Bodies().end(),
                           [](const LitBody& body) { return !body.material->Diffuse(); });
   if (!keeps || !stays)
-    this->OwnShares = {};
+    Free(this->OwnShares);
   else if (this->OwnShares.empty())
     this->OwnShares.assign(pixels, glm::vec4(0.0F));
   if (!reflects && !bright)
-    this->OwnSums = {};
+    Free(this->OwnSums);
   else if (!stays || this->OwnSums.size() != pixels)
     this->OwnSums.assign(pixels, glm::vec4(0.0F));
   if (!stays)

@@ -26,6 +26,7 @@ struct SceneLightRequest
 {
   enum class Kind
   {
+    Coverage,         ///< no light: what is seen, as alpha; no cache
     Lamps,            ///< and the environment, with nothing between; no cache
     AmbientOcclusion, ///< the same, times the share of the hemisphere that is open
     Traced            ///< paths
@@ -59,9 +60,9 @@ using LitPicture = std::vector<glm::vec4>;
 /// and gloss are the pixel's own. So is direct light from small bright parts of the environment (a
 /// sun, windows: what is above 4 times its mean), by a ray a picture, for it has shadows with
 /// edges; that of lamps, without noise; and a coat's or a metal's reflections, by two rays. These
-/// rays' light adds up while the view stays, and so do paths that each pixel then casts for itself,
-/// four a picture up to 256, which outweigh what is kept and blurred. What a reflection meets is
-/// taken as diffuse, lit as it is known here.
+/// rays' light adds up while the view stays (not that of Lamps), and so do paths that each pixel
+/// then casts for itself, four a picture up to 256, which outweigh what is kept and blurred. What a
+/// reflection meets is taken as diffuse, lit as it is known here.
 ///
 /// Changes: a body that comes, goes, moves or is another surface makes the light in its box, old
 /// and new, and about it forgotten: within distanceMm for ambient occlusion, exactly, and within a
@@ -72,7 +73,7 @@ using LitPicture = std::vector<glm::vec4>;
 /// Limit: light is blurred over about a corner's distance, most where normals are rough; corners of
 /// a room two of whose faces are within 45 degrees share light. Samples brighter than 127 times
 /// the open light count as that.
-/// Fixed memory: Bytes(), and 16 bytes a pixel where rays add up, 16 at rest, 4 where depths are
+/// Fixed memory: the table, and 16 bytes a pixel where rays add up, 16 at rest, 4 where depths are
 /// given, and some 100 bytes a pixel of the first picture; twice the environment where it has
 /// bright parts. Threads: one; Light uses all cores inside. The same light with any number of them.
 class SceneLightCache
@@ -93,7 +94,7 @@ public:
 
   void Forget(); ///< everything
 
-  std::size_t Bytes() const; ///< of the table; 0 until light is first kept
+  std::size_t Bytes() const; ///< but for the tiles'; 0 until light is first kept
   std::int64_t Rays() const { return this->RayCount; } ///< in the last picture
   /// In it, pixels that knew nothing of their light before.
   std::int64_t NewPixels() const { return this->NewPixelCount; }

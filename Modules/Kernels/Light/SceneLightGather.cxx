@@ -186,6 +186,11 @@ void SceneLightCache::Gather(const Picture& seen, const LitHit& hit, std::size_t
   LightBlockFinder& finder, LitPicture& picture)
 {
   const Kind kind = seen.request.kind;
+  if (kind == Kind::Coverage)
+  {
+    picture[pixel] = { 0.0F, 0.0F, 0.0F, 1.0F };
+    return;
+  }
   const glm::dvec3 towardsEye = seen.TowardsEye(hit);
   const SurfaceScattering& material = seen.scene.Scattering(hit.body);
   const SurfaceScattering::At at(material, hit.albedo, hit.shading, towardsEye);

@@ -15,6 +15,33 @@
 #include <stdexcept>
 #include <string>
 
+namespace
+{
+
+/// Room for a viewport's pixels, four floats each; `pixels` are copied there if given.
+void MakePixels(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window,
+  const glm::ivec2& size, const glm::vec4* pixels)
+{
+  if (!texture || texture->GetContext() != window)
+  {
+    texture = vtkSmartPointer<vtkTextureObject>::New();
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  }
+  if (!texture->Create2DFromRaw(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y), 4,
+        VTK_FLOAT, const_cast<glm::vec4*>(pixels)))
+    throw std::runtime_error("light: the GPU has no room for a picture of " +
+                             std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels");
+}
+
+std::size_t BytesOf(const vtkSmartPointer<vtkTextureObject>& texture)
+{
+  return texture ? std::size_t(texture->GetWidth()) * texture->GetHeight() * sizeof(glm::vec4) : 0;
+}
+
+} // namespace
+
 int ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
 {
   const glm::ivec2& size = viewport.size;
@@ -43,24 +70,36 @@ int ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
   return std::max(1, static_cast<int>(samples));
 }
 
+void LightPicture::KeepBehind(vtkOpenGLRenderWindow* window, const LightViewport& viewport)
+{
+  const glm::ivec2 &size = viewport.size, &from = viewport.origin;
+  MakePixels(this->Behind, window, size, nullptr);
+  GLint drawn = 0, read = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  const GLboolean scissored = glIsEnabled(GL_SCISSOR_TEST);
+  GLuint copy = 0;
+  glGenFramebuffers(1, &copy);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn));
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, copy);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Behind->GetHandle(), 0);
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(from.x, from.y, from.x + size.x, from.y + size.y, 0, 0, size.x, size.y,
+    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (scissored)
+    glEnable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+  glDeleteFramebuffers(1, &copy);
+}
+
 void LightPicture::Draw(vtkOpenGLRenderWindow* window, const LightViewport& viewport,
   const hasp::LitPicture& picture, float exposure, bool encoded)
 {
   if (picture.size() != std::size_t(viewport.size.x) * std::size_t(viewport.size.y))
     throw std::logic_error("light: the picture has another size than the viewport");
-  if (!this->Texture || this->Texture->GetContext() != window)
-  {
-    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-    this->Texture->SetContext(window);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  }
-  if (!this->Texture->Create2DFromRaw(static_cast<unsigned>(viewport.size.x),
-        static_cast<unsigned>(viewport.size.y), 4, VTK_FLOAT,
-        const_cast<glm::vec4*>(picture.data())))
-    throw std::runtime_error("light: the GPU has no room for a picture of " +
-                             std::to_string(viewport.size.x) + " x " +
-                             std::to_string(viewport.size.y) + " pixels");
+  MakePixels(this->Texture, window, viewport.size, picture.data());
   vtkOpenGLState* state = window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable depth(state, GL_DEPTH_TEST), blend(state, GL_BLEND),
     cull(state, GL_CULL_FACE);
@@ -76,17 +115,20 @@ void LightPicture::Draw(vtkOpenGLRenderWindow* window, const LightViewport& view
     window->GetShaderCache()->ReadyShaderProgram(vtkHaspLightVS, vtkHaspLightFS, "");
   if (!program)
     throw std::runtime_error("light: the shaders did not compile");
+  const auto& behind = this->Behind ? this->Behind : this->Texture; // nobody asks for it
   this->Texture->Activate();
+  behind->Activate();
   program->SetUniformi("light", this->Texture->GetTextureUnit());
+  program->SetUniformi("behind", behind->GetTextureUnit());
   program->SetUniform2i("firstPixel", &viewport.origin.x);
   program->SetUniformf("exposure", exposure);
   program->SetUniformi("encoded", encoded);
   DrawViewportTriangle();
+  behind->Deactivate();
   this->Texture->Deactivate();
 }
 
 std::size_t LightPicture::Bytes() const
 {
-  return this->Texture ? std::size_t(this->Texture->GetWidth()) * this->Texture->GetHeight() * 16
-                       : 0;
+  return BytesOf(this->Texture) + BytesOf(this->Behind);
 }

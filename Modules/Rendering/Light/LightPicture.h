@@ -12,6 +12,7 @@ class vtkOpenGLRenderWindow;
 struct LightViewport
 {
   glm::ivec2 origin{ 0 }, size{ 0 };
+  bool Empty() const { return this->size.x < 1 || this->size.y < 1; }
 };
 
 /// Depth of what has been drawn in the viewport, [0, 1] a pixel, row by row from the lowest; with
@@ -20,19 +21,27 @@ struct LightViewport
 int ReadDepths(const LightViewport& viewport, std::vector<float>& depths);
 
 /// Draws pictures of light over what was drawn, without touching depth. Threads: RENDER, with the
-/// context current. 16 bytes a pixel of texture, from the first picture on.
+/// context current. 16 bytes a pixel of texture, from the first picture on, and as many for what is
+/// behind. Both throw std::runtime_error if the GPU has no room.
 class LightPicture
 {
 public:
+  /// Added to the coverage of a pixel: what it does not cover shows what is behind, not what was
+  /// drawn over that.
+  static constexpr float ShowsBehind = 2.0F;
+
+  /// Keeps what the viewport shows now as what is behind: before anything is drawn, the background.
+  void KeepBehind(vtkOpenGLRenderWindow* window, const LightViewport& viewport);
   /// picture: radiance times coverage, and coverage. encoded: radiance is linear, and shown as
-  /// sRGB; else as it is. Throws std::runtime_error if the GPU has no room.
+  /// sRGB; else as it is.
   void Draw(vtkOpenGLRenderWindow* window, const LightViewport& viewport,
     const hasp::LitPicture& picture, float exposure, bool encoded);
-  void Release() { this->Texture = nullptr; }
+  void ReleaseBehind() { this->Behind = nullptr; }
+  void Release() { this->Texture = this->Behind = nullptr; }
   std::size_t Bytes() const;
 
 private:
-  vtkSmartPointer<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkTextureObject> Texture, Behind;
 };
 
 #endif

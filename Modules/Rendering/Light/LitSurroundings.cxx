@@ -18,6 +18,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -155,4 +156,13 @@ std::vector<hasp::LitLamp> LampsOf(vtkRenderer* renderer, bool linear)
     lamps.push_back(lamp);
   }
   return lamps;
+}
+
+float ExposureFor(const hasp::Environment& far, const std::vector<hasp::LitLamp>& lamps)
+{
+  constexpr double White = 0.55;
+  double light = far.Total() / (4.0 * std::numbers::pi);
+  for (const hasp::LitLamp& lamp : lamps)
+    light += (lamp.color.r + lamp.color.g + lamp.color.b) / 3.0;
+  return light > 0.0 ? static_cast<float>(White / light) : 1.0F;
 }

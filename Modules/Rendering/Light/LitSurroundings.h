@@ -40,6 +40,10 @@ private:
   double Spent = 0.0;
 };
 
+/// What radiance is multiplied by, so that the mean light makes a white surface 0.55; 1 in the
+/// dark.
+float ExposureFor(const hasp::Environment& far, const std::vector<hasp::LitLamp>& lamps);
+
 /// The renderer's lights that are switched on, in the world. `linear`: are their colours sRGB?
 std::vector<hasp::LitLamp> LampsOf(vtkRenderer* renderer, bool linear);
 

@@ -22,11 +22,11 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkTranslucentPass.h"
+#include "vtkWeakPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 vtkStandardNewMacro(vtkHaspLightPass);
@@ -34,11 +34,18 @@ vtkStandardNewMacro(vtkHaspLightPass);
 namespace
 {
 
-constexpr double White = 0.55;         // what mean light makes of a white surface
 constexpr double SlackOfSamples = 4.0; // pixels: half of one, on slopes of up to 83 degrees
 constexpr int StillFrames = 64;        // after which light that is kept is taken to be settled
 constexpr int KeptFrames = 4; // of a view at rest that is path traced; then its paths are better
 constexpr float KeptSamples = 16.0F; // what it counts for beside paths of a pixel's own
+
+LightViewport ViewportOf(vtkRenderer* renderer)
+{
+  LightViewport viewport;
+  renderer->GetTiledSizeAndOrigin(
+    &viewport.size.x, &viewport.size.y, &viewport.origin.x, &viewport.origin.y);
+  return viewport;
+}
 
 hasp::PictureView ViewOf(vtkRenderer* renderer, const LightViewport& viewport)
 {
@@ -59,15 +66,6 @@ bool AreSame(const std::vector<hasp::LitBody>& a, const std::vector<hasp::LitBod
     });
 }
 
-/// So that the mean light makes a white surface White.
-float ExposureFor(const hasp::Environment& far, const std::vector<hasp::LitLamp>& lamps)
-{
-  double light = far.Total() / (4.0 * std::numbers::pi);
-  for (const hasp::LitLamp& lamp : lamps)
-    light += (lamp.color.r + lamp.color.g + lamp.color.b) / 3.0;
-  return light > 0.0 ? static_cast<float>(White / light) : 1.0F;
-}
-
 } // namespace
 
 /// Draws what is opaque, and then its light.
@@ -80,8 +78,11 @@ public:
 
   void Render(const vtkRenderState* state) override
   {
+    const bool ready = this->Owner->IsMine(state->GetRenderer()) &&
+                       this->Owner->Try(&vtkHaspLightPass::KeepBehind, state);
     this->Superclass::Render(state);
-    this->Owner->Light(state);
+    if (ready)
+      this->Owner->Try(&vtkHaspLightPass::Compose, state);
   }
 };
 vtkStandardNewMacro(vtkHaspLightPass::Opaque);
@@ -133,6 +134,7 @@ struct vtkHaspLightPass::Internals
   } wish;
   int still = 0; ///< pictures of the same view, wish and scene
   double milliseconds = 0.0;
+  vtkWeakPointer<vtkRenderer> owner, refused;
   std::string complaint;
 };
 
@@ -204,15 +206,29 @@ vtkRenderPass* vtkHaspLightPass::Translucency(const vtkRenderState* state)
   return in.peeling;
 }
 
-/// The scene of this frame's actors and its light, over what was drawn.
-void vtkHaspLightPass::Light(const vtkRenderState* state)
+/// False, and said once, in a second renderer.
+bool vtkHaspLightPass::IsMine(vtkRenderer* renderer)
+{
+  Internals& in = *this->Internal;
+  if (!in.owner || in.owner == renderer || in.owner->GetPass() != this)
+  {
+    in.owner = renderer;
+    return true;
+  }
+  if (in.refused != renderer)
+    vtkErrorMacro("Light is not drawn: another renderer has this pass; give each one of its own");
+  in.refused = renderer;
+  return false;
+}
+
+/// A step of a frame; false, and said once, where it fails.
+bool vtkHaspLightPass::Try(
+  void (vtkHaspLightPass::*step)(const vtkRenderState*), const vtkRenderState* state)
 {
   try
   {
-    const hasp::Stopwatch watch;
-    this->Compose(state);
-    this->Internal->milliseconds = watch.Milliseconds();
-    this->Internal->complaint.clear();
+    (this->*step)(state);
+    return true;
   }
   catch (const std::exception& e)
   {
@@ -221,18 +237,31 @@ void vtkHaspLightPass::Light(const vtkRenderState* state)
     if (this->Internal->complaint != e.what())
       vtkErrorMacro("Light is not drawn: " << e.what());
     this->Internal->complaint = e.what();
+    return false;
   }
 }
 
+/// The background lies behind smooth edges.
+void vtkHaspLightPass::KeepBehind(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const LightViewport viewport = ViewportOf(renderer);
+  if (this->Mode != PathTraced)
+    this->Internal->picture.ReleaseBehind();
+  else if (window && !viewport.Empty())
+    this->Internal->picture.KeepBehind(window, viewport);
+}
+
+/// The scene of this frame's actors and its light, over what was drawn.
 void vtkHaspLightPass::Compose(const vtkRenderState* state)
 {
+  const hasp::Stopwatch watch;
   Internals& in = *this->Internal;
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  LightViewport viewport;
-  renderer->GetTiledSizeAndOrigin(
-    &viewport.size.x, &viewport.size.y, &viewport.origin.x, &viewport.origin.y);
-  if (!window || viewport.size.x < 1 || viewport.size.y < 1)
+  const LightViewport viewport = ViewportOf(renderer);
+  if (!window || viewport.Empty())
     return;
   const bool paths = this->Mode == Traced || this->Mode == PathTraced;
   if (!paths)
@@ -259,16 +288,18 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
 
   in.slack = ReadDepths(viewport, in.depths) > 1 ? SlackOfSamples : 0.0;
   if (this->Mode == PathTraced)
-    this->TracePaths(same);
+    this->TracePaths(window, same);
   else
   {
     in.paths.Release();
     in.begun.reset();
     in.traced = {};
-    in.seen = {};
+    in.seen = hasp::LitPicture(); // {} would keep its memory
     in.kept.Light(*in.scene, view, { in.depths, in.slack }, this->Request(), in.light);
   }
   in.picture.Draw(window, viewport, in.light, exposure, paths);
+  in.complaint.clear();
+  in.milliseconds = watch.Milliseconds();
 }
 
 hasp::SceneLightRequest vtkHaspLightPass::Request() const
@@ -286,7 +317,7 @@ hasp::SceneLightRequest vtkHaspLightPass::Request() const
 
 /// Paths of each pixel, begun anew where the view or the scene is another, and what is kept as far
 /// as that is wanted.
-void vtkHaspLightPass::TracePaths(bool same)
+void vtkHaspLightPass::TracePaths(vtkRenderWindow* window, bool same)
 {
   Internals& in = *this->Internal;
   hasp::ProgressiveWork work{ in.scene, in.view, { { this->Bounces }, 0, true },
@@ -299,7 +330,7 @@ void vtkHaspLightPass::TracePaths(bool same)
   }
   hasp::SceneLightRequest request = this->Request();
   if (!this->TemporalAccumulation)
-    request.kind = hasp::SceneLightRequest::Kind::Lamps; // for what is seen alone
+    request.kind = hasp::SceneLightRequest::Kind::Coverage;
   if (!begun || (this->TemporalAccumulation && in.still <= KeptFrames))
     in.kept.Light(*in.scene, in.view, { in.depths, in.slack }, request, in.seen);
   if (!begun)
@@ -308,7 +339,8 @@ void vtkHaspLightPass::TracePaths(bool same)
     in.paths.Start(work);
     in.begun = std::move(work);
   }
-  for (int n = 0; this->WaitForSamples && in.paths.Running() && n < this->SamplesPerPixel;)
+  for (int n = 0; this->WaitForSamples && in.paths.Running() && n < this->SamplesPerPixel &&
+                  window->CheckAbortStatus() == 0;)
   {
     in.paths.WaitFor(n + 1);
     n = std::max(n + 1, in.paths.Samples());
@@ -316,17 +348,29 @@ void vtkHaspLightPass::TracePaths(bool same)
     this->InvokeEvent(vtkCommand::ProgressEvent, &share);
   }
   in.paths.Latest(in.traced);
+  this->MixPaths();
+}
 
+/// What paths found, and what is kept as if it were so many of them. Where something was drawn,
+/// what they do not cover shows the background.
+void vtkHaspLightPass::MixPaths()
+{
+  Internals& in = *this->Internal;
   const float kept = this->TemporalAccumulation ? KeptSamples : 0.0F;
+  const auto own = static_cast<float>(in.traced.samples);
   in.light.assign(in.seen.size(), glm::vec4(0.0F));
+  if (!(kept + own > 0.0F))
+    return;
   for (std::size_t n = 0; n < in.light.size(); ++n)
   {
-    if (in.seen[n].a == 0.0F && in.depths[n] < 1.0F)
+    const bool drawn = in.depths[n] < 1.0F;
+    if (in.seen[n].a == 0.0F && drawn)
       continue; // of somebody who takes no part
-    const auto own = static_cast<float>(in.traced.samples);
     const glm::vec4 traced = own > 0.0F ? in.traced.Pixel(n) : glm::vec4(0.0F);
-    if (kept + own > 0.0F)
-      in.light[n] = (kept * in.seen[n] + own * traced) / (kept + own);
+    in.light[n] = (kept * in.seen[n] + own * traced) / (kept + own);
+    // With several samples a pixel, the depth is one's and others may have been drawn.
+    if (drawn || (in.slack > 0.0 && traced.a > 0.0F))
+      in.light[n].a += LightPicture::ShowsBehind;
   }
 }
 

@@ -39,11 +39,13 @@
  * Left as drawn, and casting no shadow: wireframes, points and lines, what is unlit, mappers of
  * other kinds, and cells with labels of which something is said. ListResources counts them. Limits:
  * clipping planes cut what is seen, not what casts shadow; PathTraced does not see them at all, and
- * its smooth edges let through what was drawn there. Scalar colours of cells, edges and the
+ * behind its smooth edges lies the background, not a vtkSkybox; with the window's multisamples
+ * some pixels there keep a sample of what was drawn. Scalar colours of cells, edges and the
  * renderer's FXAA and SSAO are not seen; volumes are drawn after all surfaces.
  *
- * One pass is for one renderer, and one eye: with two eyes in turn each begins anew what adds up,
- * though kept light serves both.
+ * One pass is for one renderer: in another, while the first has it still, it is an error and
+ * draws no light. With two eyes in turn each begins anew what adds up, though kept light serves
+ * both.
  *
  * Threads: RENDER; rays use all cores inside the call. PathTraced has a WORKER while it works.
  * Needs Embree (HASP_ENABLE_EMBREE), else there is no such class. OpenGL 3.2.
@@ -58,6 +60,9 @@
 
 #include <memory> // for unique_ptr
 #include <string> // for the file's name
+
+class vtkRenderWindow;
+class vtkRenderer;
 
 namespace hasp
 {
@@ -137,7 +142,8 @@ public:
   ///@}
   ///@{
   /// Does Render return only when PathTraced has all samples? For pictures in files. Meanwhile
-  /// ProgressEvent tells the share of samples. Default off.
+  /// ProgressEvent tells the share of samples, and the window's AbortRender (its AbortCheckEvent is
+  /// where to ask for it) gives up: the picture then has the samples there are. Default off.
   vtkSetMacro(WaitForSamples, bool);
   vtkGetMacro(WaitForSamples, bool);
   vtkBooleanMacro(WaitForSamples, bool);
@@ -173,9 +179,12 @@ private:
   class Selection;
   struct Internals;
   vtkRenderPass* Translucency(const vtkRenderState* state);
-  void Light(const vtkRenderState* state);
+  bool IsMine(vtkRenderer* renderer);
+  bool Try(void (vtkHaspLightPass::*step)(const vtkRenderState*), const vtkRenderState* state);
+  void KeepBehind(const vtkRenderState* state);
   void Compose(const vtkRenderState* state);
-  void TracePaths(bool same);
+  void TracePaths(vtkRenderWindow* window, bool same);
+  void MixPaths();
   hasp::SceneLightRequest Request() const;
 
   int Mode = Traced;

@@ -2,12 +2,14 @@
 #extension GL_ARB_explicit_attrib_location : enable
 // Puts traced light over what was drawn.
 //
-// in   light        radiance times coverage, coverage; a texel a pixel of the viewport
+// in   light        radiance times coverage, coverage; a texel a pixel of the viewport. 2 is added
+//                   to the coverage where the rest shows what is behind, not what was drawn
+// in   behind       what was there before anything was drawn
 // in   firstPixel   of the viewport, in the window
 // in   exposure     what radiance is multiplied by
 // in   encoded      is radiance linear, and shown as sRGB?
 // out  fragOutput0  colour times coverage, coverage: for blending with 1 and 1 - alpha
-uniform sampler2D light;
+uniform sampler2D light, behind;
 uniform ivec2 firstPixel;
 uniform float exposure;
 uniform bool encoded;
@@ -26,9 +28,14 @@ vec3 Encode(vec3 linear)
 
 void main()
 {
-  vec4 met = texelFetch(light, ivec2(gl_FragCoord.xy) - firstPixel, 0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - firstPixel;
+  vec4 met = texelFetch(light, pixel, 0);
   if (met.a <= 0.0)
     discard;
-  vec3 color = clamp(exposure * met.rgb / met.a, 0.0, 1.0);
-  fragOutput0 = vec4((encoded ? Encode(color) : color) * met.a, met.a);
+  bool showsBehind = met.a >= 2.0;
+  float coverage = showsBehind ? met.a - 2.0 : met.a;
+  vec3 color = clamp(exposure * met.rgb / max(coverage, 1e-6), 0.0, 1.0);
+  fragOutput0 = vec4((encoded ? Encode(color) : color) * coverage, coverage);
+  if (showsBehind)
+    fragOutput0 += (1.0 - coverage) * texelFetch(behind, pixel, 0);
 }
