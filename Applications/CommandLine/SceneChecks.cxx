@@ -41,6 +41,9 @@ void RequireFittingLight(const SceneOptions& scene)
   if (scene.light.eyesApart && drawing.interactive)
     throw Failure(ExitCode::WrongUse, "--path-trace goes on from frame to frame of one eye; leave "
                                       "out --stereo, or take hasp render, which waits for both");
+  if (drawing.blendNormals)
+    throw Failure(
+      ExitCode::WrongUse, "--path-trace meets the cells themselves; leave out --blend-normals");
   if (drawing.ambientOcclusionMm)
     throw Failure(
       ExitCode::WrongUse, "--path-trace darkens by itself; leave out --ambient-occlusion");
@@ -63,6 +66,14 @@ void RequireFittingValues(const SceneChoices& choices, const std::string& mapper
 }
 
 } // namespace
+
+void ChooseMapperForLight(SceneOptions& scene, bool chosen)
+{
+  if (chosen)
+    return;
+  if (scene.light.pathSamples || (scene.drawing.Lit() && !scene.surfaces.empty()))
+    scene.drawing.mapper = "cells";
+}
 
 void RequireFittingOptions(const SceneChoices& choices, const SceneOptions& scene)
 {

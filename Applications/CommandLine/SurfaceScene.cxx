@@ -29,6 +29,7 @@ constexpr std::array<std::array<double, 3>, 4> SurfaceColors{ { { 0.35, 0.70, 0.
   { 0.90, 0.62, 0.00 }, { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 } } };
 
 constexpr int AmbientFrames = 4; // until openness has added up: half the noise of one
+constexpr int SharedFrames = 16; // the same of light that surfaces share: 4 rays a pixel and frame
 constexpr int WindowFrames = 4;  // at rest after the last find, in which ways are compared
 constexpr int FrameMs = 1;       // a timer's shortest: soon, after what else happens
 constexpr int PathsMs = 100;     // of paths between two frames, which take cores from them
@@ -60,6 +61,7 @@ void AddLamp(vtkRenderer* renderer, bool headlight)
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
   head->SetIntensity(0.3);
+  head->SetShadowAttenuation(0.0F); // it fills the lamp's shadows
   renderer->AddLight(head);
 }
 
@@ -136,7 +138,7 @@ SurfaceScene::SurfaceScene(
   if (options.drawing.shadows)
     AddLamp(renderer, !options.light.pathSamples);
   if (options.drawing.ambientOcclusionMm)
-    this->LeastFrames = AmbientFrames;
+    this->LeastFrames = this->Light ? SharedFrames : AmbientFrames;
   if (options.drawing.interactive)
     this->QuietFrames = WindowFrames;
 }

@@ -2,7 +2,7 @@
 #include "Files.h"
 #include "HeadChoices.h"
 #include "PictureFile.h"
-#include "SceneChoices.h"
+#include "SceneChecks.h"
 #include "SecondWindow.h"
 #include "Session.h"
 #include "StereoView.h"
@@ -231,8 +231,7 @@ void AddViewVerb(CLI::App& app, Session& session)
   verb->footer(ViewKeys() + "\n"
                             "Examples:\n"
                             "  hasp view head.mha\n"
-                            "  hasp view head.mha --isovalue 300 --ambient-occlusion 25 --shadows\n"
-                            "  hasp view head.mha --surface guide.stl --view right\n"
+                            "  hasp view head.mha --ambient-occlusion 25 --surface guide.stl\n"
                             "  hasp view head.mha --stereo interlaced --screen 520x292 "
                             "--full-screen --head opentrack\n"
                             "  hasp view head.mha --stereo anaglyph --screen 520x320 --head mouse\n"
@@ -243,6 +242,7 @@ void AddViewVerb(CLI::App& app, Session& session)
     [&session, choices, verb]
     {
       choices->squarePixels = verb->count("--resolution") == 0;
+      ChooseMapperForLight(choices->options, verb->count("--mapper") > 0);
       session.run = [&session, choices] { Run(*choices, session); };
     });
 }

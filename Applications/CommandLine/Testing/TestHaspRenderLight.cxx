@@ -97,6 +97,7 @@ TEST_F(HaspRenderLight, WhatDoesNotGoTogetherIsRefused)
   ExpectFailure(this->Render({ "--bounces", "2" }), 1, "--path-trace");
   ExpectFailure(this->Render({ "--path-trace", "0" }), 1, "--path-trace");
   ExpectFailure(this->Render({ "--path-trace", "2", "--bounces", "65" }), 1, "--bounces");
+  ExpectFailure(this->Render({ "--path-trace", "2", "--blend-normals" }), 1, "--blend-normals");
   ExpectFailure(this->Render({ "--path-trace", "2", "--ambient-occlusion", "25" }), 1, "leave out");
   for (const std::string mapper : { "vtk", "mip", "raycast", "raycaching" })
     ExpectFailure(

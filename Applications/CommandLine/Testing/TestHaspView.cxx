@@ -91,9 +91,9 @@ TEST_F(HaspView, TheWindowIsWrittenWithAllItsPaths)
   this->Phantom();
   TestScreen screen;
   REQUIRE_SCREEN(screen);
-  const HaspRun run = RunHasp(this->View({ "--mapper", "cells", "--path-trace", "12", "--explain",
-                                "--output", this->Path("w.png") }),
-    {}, screen.Display());
+  const HaspRun run =
+    RunHasp(this->View({ "--path-trace", "12", "--explain", "--output", this->Path("w.png") }), {},
+      screen.Display());
   if (!HASP_WITH_EMBREE)
     return ExpectFailure(run, 4, "Embree");
   ASSERT_EQ(run.exitCode, 0) << run.err;

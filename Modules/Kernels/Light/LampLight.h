@@ -18,7 +18,7 @@ struct LampLight
   LampLight(const LitLamp& lamp, const glm::dvec3& place);
 };
 
-/// Radiance towards the eye of the lamp's light on a surface; 0 where it does not reach, if
+/// Radiance towards the eye of the lamp's light on a surface; less or 0 where it does not reach, if
 /// shadows are wanted. Counts its rays.
 template <typename Count>
 glm::vec3 LampRadiance(const LitScene& scene, const LitLamp& lamp, const LitHit& hit,
@@ -28,10 +28,11 @@ glm::vec3 LampRadiance(const LitScene& scene, const LitLamp& lamp, const LitHit&
   if (light.color == glm::vec3(0.0F) || !(glm::dot(light.direction, hit.normal) > 0.0))
     return glm::vec3(0.0F);
   const glm::vec3 given = at.Evaluate(light.direction) * light.color * glm::pi<float>();
-  if (given == glm::vec3(0.0F) || !shadows)
+  if (given == glm::vec3(0.0F) || !shadows || lamp.shadow == 0.0F)
     return given;
   ++rays;
-  return scene.OccludedFrom(hit, light.direction, light.distance) ? glm::vec3(0.0F) : given;
+  return scene.OccludedFrom(hit, light.direction, light.distance) ? (1.0F - lamp.shadow) * given
+                                                                  : given;
 }
 
 } // namespace hasp

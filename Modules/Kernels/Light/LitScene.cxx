@@ -71,6 +71,9 @@ void Check(const LitLamp& lamp, std::size_t number)
                                 " needs a finite direction that is not 0 (w 0, not " +
                                 std::to_string(w) +
                                 ") or place (w 1), and a finite colour of at least 0");
+  if (!(lamp.shadow >= 0.0F && lamp.shadow <= 1.0F))
+    throw std::invalid_argument("LitScene: lamp " + std::to_string(number) + " has a shadow of " +
+                                std::to_string(lamp.shadow) + "; it must be in [0, 1]");
   if (!(std::isfinite(reach.x + reach.y + reach.z) && reach.x + reach.y + reach.z > 0.0F) ||
       std::min({ reach.x, reach.y, reach.z }) < 0.0F)
     throw std::invalid_argument("LitScene: lamp " + std::to_string(number) +

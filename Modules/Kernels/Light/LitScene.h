@@ -30,6 +30,7 @@ struct LitLamp
   glm::vec3 attenuation{ 1.0F, 0.0F, 0.0F }; ///< constant, linear, quadratic, of w 1
   glm::dvec3 axis{ 0.0 };                    ///< of a spot, unit, away from the lamp
   double leastCosine = -1.0, exponent = 0.0; ///< of a spot: its cone, and how it falls off
+  float shadow = 1.0F; ///< share of its light that what lies between takes away, [0, 1]
 
   bool operator==(const LitLamp&) const = default;
 };
@@ -61,7 +62,7 @@ public:
   /// Some microseconds a body and 0.1 us a cluster: what is dear is shared, so that a moved body
   /// costs no tree. Throws std::invalid_argument: a body without surface or with both, or without
   /// material, a matrix that cannot be inverted, a lamp without direction, with a w that is neither
-  /// 0 nor 1 or with colours or attenuations below 0, no environment.
+  /// 0 nor 1, with colours or attenuations below 0 or a shadow out of range, no environment.
   LitScene(std::vector<LitBody> bodies, std::vector<LitLamp> lamps,
     std::shared_ptr<const Environment> environment);
 

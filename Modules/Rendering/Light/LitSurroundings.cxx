@@ -138,6 +138,7 @@ std::vector<hasp::LitLamp> LampsOf(vtkRenderer* renderer, bool linear)
       lamp.color[c] = static_cast<float>(
         std::max(0.0, light->GetIntensity()) *
         (linear ? double(LinearOf(std::clamp(color[c], 0.0, 1.0))) : std::max(0.0, color[c])));
+    lamp.shadow = std::clamp(light->GetShadowAttenuation(), 0.0F, 1.0F);
     if (light->GetPositional())
     {
       lamp.place = glm::dvec4(glm::make_vec3(from), 1.0);

@@ -26,8 +26,9 @@
  * Environment of the last two: the Radiance file of EnvironmentFileName (.hdr, in latitude and
  * longitude; damage is found, which vtkHDRReader passes on as whatever memory holds); else the
  * renderer's EnvironmentTexture (8 bits are taken as sRGB); else daylight (hasp::SkyModel). All
- * with the renderer's EnvironmentUp and EnvironmentRight as VTK's image based lighting has them.
- * The renderer's lights join it if LampsInPaths is on.
+ * with the renderer's EnvironmentUp and EnvironmentRight as VTK's image based lighting has them:
+ * the middle of a map lies towards Right, three quarters of its width towards Right x Up. The
+ * renderer's lights join it if LampsInPaths is on.
  *
  * Materials: vtkProperty's colour, and with physically based interpolation its metallic, roughness
  * and index of refraction; else a coat as bright and smooth as Specular and SpecularPower say. In
@@ -94,7 +95,8 @@ public:
   ///@}
 
   ///@{
-  /// Of lamps, in all modes but PathTraced, where they always cast one. Default on.
+  /// Of lamps, in all modes but PathTraced, where they always cast one. A vtkLight's
+  /// ShadowAttenuation is the share that is lost in it. Default on.
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
   vtkBooleanMacro(Shadows, bool);

@@ -47,8 +47,9 @@ int main(int argc, char* argv[])
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(bone);
   renderer->AddActor(part);
-  renderer->SetEnvironmentUp(0, 0, 1); // patients stand along z
-  renderer->SetEnvironmentRight(1, 0, 0);
+  // Patients stand along z and look along -y: the middle of a map is before the face.
+  renderer->SetEnvironmentUp(0, 0, 1);
+  renderer->SetEnvironmentRight(0, -1, 0);
   vtkNew<vtkHaspLightPass> light;
   light->SetModeToPathTraced();
   light->SetSamplesPerPixel(64);

@@ -4,6 +4,7 @@
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkLightCollection.h"
 #include "vtkPointData.h"
 #include "vtkTexture.h"
 
@@ -42,6 +43,20 @@ TEST(LightPass, ABallOfEitherKindShadowsTheFloor)
     EXPECT_GE(scene.Grey(lit, { 0, 0, 10 }), 250);
     scene.Pass->ShadowsOff();
     EXPECT_GE(scene.Grey(scene.Draw(), { 0, -9, -15 }), 250);
+  }
+}
+
+TEST(LightPass, ALightsShadowTakesTheShareItSays)
+{
+  TableScene scene(true);
+  vtkLight* lamp = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
+  lamp->SetIntensity(0.8);
+  for (const float share : { 1.0F, 0.5F, 0.0F })
+  {
+    lamp->SetShadowAttenuation(share);
+    const auto lit = scene.Draw();
+    EXPECT_NEAR(scene.Grey(lit, { 0, -9, -15 }), 204 * (1.0F - share), 2) << share;
+    EXPECT_NEAR(scene.Grey(lit, { 0, -12, -15 }), 204, 2) << share;
   }
 }
 
