@@ -71,7 +71,8 @@ void AddIsosurfaceOptions(CLI::App& verb, SceneChoices& choices, SceneOptions& s
     "OpenGL; the surface stays where it is");
   verb
     .add_option("--ambient-occlusion", drawing.ambientOcclusionMm,
-      "Darken what stands close to other bone: within so many mm, say 25. Rays on the CPU; of "
+      "Darken what stands close to bone or --surface: within so many mm, say 25. Rays on the CPU; "
+      "of "
       "active cells; raycaching then draws these")
     ->check(Within(1e-3, 1e6));
   verb.add_flag("--shadows", drawing.shadows,

@@ -12,7 +12,7 @@ TEST_F(DrawLight, SaysWhatItCannotRead)
 {
   this->WriteBall();
   EXPECT_EQ(this->Run("DrawLight no.mha 0 picture.png"), 1) << this->said;
-  this->Run("DrawLight ball.mha 0 picture.png no.hdr");
+  EXPECT_EQ(this->Run("DrawLight ball.mha 0 picture.png no.hdr"), 1);
   EXPECT_NE(this->said.find("environment no.hdr"), std::string::npos) << this->said;
 }
 

@@ -233,6 +233,7 @@ bool vtkHaspLightPass::Try(
   catch (const std::exception& e)
   {
     this->Internal->begun.reset();
+    this->Internal->traced = {};
     this->Internal->still = 0;
     if (this->Internal->complaint != e.what())
       vtkErrorMacro("Light is not drawn: " << e.what());

@@ -71,5 +71,6 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(picture->GetOutputPort());
   writer->SetFileName(argv[3]);
   writer->Write();
-  return reader->GetErrorCode() || writer->GetErrorCode();
+  const bool lit = light->GetSamples() == light->GetSamplesPerPixel(); // else it said why
+  return !lit || reader->GetErrorCode() || writer->GetErrorCode();
 }

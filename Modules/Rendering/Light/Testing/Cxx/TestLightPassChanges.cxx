@@ -198,6 +198,7 @@ TEST(LightPassChanges, WhatIsWrongIsSaidOnceAndThePictureIsAsDrawn)
   const auto wrong = scene.Draw(3);
   EXPECT_EQ(errors->Count, 1);
   EXPECT_FALSE(scene.Pass->IsRefining());
+  EXPECT_EQ(scene.Pass->GetSamples(), 0);
   EXPECT_NE(errors->Text.find("sky.hdr"), std::string::npos) << errors->Text;
   EXPECT_EQ(errors->Text.find("/no/such"), std::string::npos) << errors->Text;
   scene.Renderer->SetPass(nullptr);
