@@ -10,6 +10,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
+#include <QScopeGuard>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -70,6 +72,7 @@ void FrameView::DrawNow(const ProgressFunction& progress)
 {
   const double share = this->Scale;
   this->Rescale(1.0);
+  const auto awaited = qScopeGuard([this] { this->Awaited = nullptr; });
   this->Awaited = &progress;
   for (int frame = 0; frame < MostRefinements && !this->GivenUp; ++frame)
   {
@@ -77,7 +80,6 @@ void FrameView::DrawNow(const ProgressFunction& progress)
     if (!this->Coming.isActive()) // nobody asks for more
       break;
   }
-  this->Awaited = nullptr;
   if (this->IsHeld())
     this->Rescale(share); // of the drag
   if (this->GivenUp)

@@ -18,9 +18,10 @@
 namespace
 {
 
-/// Room for a viewport's pixels, four floats each; `pixels` are copied there if given.
+/// Room for a viewport's pixels, four values of VTK's type each; `pixels` are copied there if
+/// given.
 void MakePixels(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window,
-  const glm::ivec2& size, const glm::vec4* pixels)
+  const glm::ivec2& size, int type, const void* pixels)
 {
   if (!texture || texture->GetContext() != window)
   {
@@ -30,14 +31,14 @@ void MakePixels(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindo
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   }
   if (!texture->Create2DFromRaw(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y), 4,
-        VTK_FLOAT, const_cast<glm::vec4*>(pixels)))
+        type, const_cast<void*>(pixels)))
     throw std::runtime_error("light: the GPU has no room for a picture of " +
                              std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels");
 }
 
-std::size_t BytesOf(const vtkSmartPointer<vtkTextureObject>& texture)
+std::size_t BytesOf(vtkTextureObject* texture, std::size_t bytesAPixel)
 {
-  return texture ? std::size_t(texture->GetWidth()) * texture->GetHeight() * sizeof(glm::vec4) : 0;
+  return texture ? std::size_t(texture->GetWidth()) * texture->GetHeight() * bytesAPixel : 0;
 }
 
 } // namespace
@@ -73,7 +74,8 @@ int ReadDepths(const LightViewport& viewport, std::vector<float>& depths)
 void LightPicture::KeepBehind(vtkOpenGLRenderWindow* window, const LightViewport& viewport)
 {
   const glm::ivec2 &size = viewport.size, &from = viewport.origin;
-  MakePixels(this->Behind, window, size, nullptr);
+  // As VTK's windows have it: what has several samples a pixel is copied to the same format alone.
+  MakePixels(this->Behind, window, size, VTK_UNSIGNED_CHAR, nullptr);
   GLint drawn = 0, read = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
@@ -99,7 +101,7 @@ void LightPicture::Draw(vtkOpenGLRenderWindow* window, const LightViewport& view
 {
   if (picture.size() != std::size_t(viewport.size.x) * std::size_t(viewport.size.y))
     throw std::logic_error("light: the picture has another size than the viewport");
-  MakePixels(this->Texture, window, viewport.size, picture.data());
+  MakePixels(this->Texture, window, viewport.size, VTK_FLOAT, picture.data());
   vtkOpenGLState* state = window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable depth(state, GL_DEPTH_TEST), blend(state, GL_BLEND),
     cull(state, GL_CULL_FACE);
@@ -130,5 +132,5 @@ void LightPicture::Draw(vtkOpenGLRenderWindow* window, const LightViewport& view
 
 std::size_t LightPicture::Bytes() const
 {
-  return BytesOf(this->Texture) + BytesOf(this->Behind);
+  return BytesOf(this->Texture, 16) + BytesOf(this->Behind, 4);
 }

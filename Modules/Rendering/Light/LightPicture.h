@@ -21,7 +21,7 @@ struct LightViewport
 int ReadDepths(const LightViewport& viewport, std::vector<float>& depths);
 
 /// Draws pictures of light over what was drawn, without touching depth. Threads: RENDER, with the
-/// context current. 16 bytes a pixel of texture, from the first picture on, and as many for what is
+/// context current. 16 bytes a pixel of texture, from the first picture on, and 4 for what is
 /// behind. Both throw std::runtime_error if the GPU has no room.
 class LightPicture
 {

@@ -162,3 +162,13 @@ std::size_t LitActors::TreeBytes() const
                                : 0;
   return bytes;
 }
+
+bool AreSame(const std::vector<hasp::LitBody>& a, const std::vector<hasp::LitBody>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const hasp::LitBody& x, const hasp::LitBody& y)
+    {
+      return x.cells == y.cells && x.mesh == y.mesh && x.bodyToWorld == y.bodyToWorld &&
+             x.material == y.material && x.glow == y.glow;
+    });
+}

@@ -50,4 +50,7 @@ private:
   double Milliseconds = 0.0;
 };
 
+/// Surface for surface, place for place: nothing has changed.
+bool AreSame(const std::vector<hasp::LitBody>& a, const std::vector<hasp::LitBody>& b);
+
 #endif

@@ -56,16 +56,6 @@ hasp::PictureView ViewOf(vtkRenderer* renderer, const LightViewport& viewport)
   return { glm::make_mat4(clip->GetData()), viewport.size, {} };
 }
 
-bool AreSame(const std::vector<hasp::LitBody>& a, const std::vector<hasp::LitBody>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const hasp::LitBody& x, const hasp::LitBody& y)
-    {
-      return x.cells == y.cells && x.mesh == y.mesh && x.bodyToWorld == y.bodyToWorld &&
-             x.material == y.material && x.glow == y.glow;
-    });
-}
-
 } // namespace
 
 /// Draws what is opaque, and then its light.
@@ -122,7 +112,8 @@ struct vtkHaspLightPass::Internals
   std::vector<float> depths;
   double slack = 0.0; ///< pixels by which they may lie beside a pixel's centre
   hasp::LitPicture light;
-  hasp::LitPicture seen; ///< what is kept, beside paths
+  hasp::LitPicture seen;         ///< what is kept, beside paths
+  std::vector<float> seenDepths; ///< of what was drawn then
   LightPicture picture;
   /// What the last picture was asked to be.
   struct Wish
@@ -232,6 +223,7 @@ bool vtkHaspLightPass::Try(
   }
   catch (const std::exception& e)
   {
+    this->Internal->paths.Release();
     this->Internal->begun.reset();
     this->Internal->traced = {};
     this->Internal->still = 0;
@@ -296,6 +288,7 @@ void vtkHaspLightPass::Compose(const vtkRenderState* state)
     in.begun.reset();
     in.traced = {};
     in.seen = hasp::LitPicture(); // {} would keep its memory
+    in.seenDepths = std::vector<float>();
     in.kept.Light(*in.scene, view, { in.depths, in.slack }, this->Request(), in.light);
   }
   in.picture.Draw(window, viewport, in.light, exposure, paths);
@@ -332,8 +325,13 @@ void vtkHaspLightPass::TracePaths(vtkRenderWindow* window, bool same)
   hasp::SceneLightRequest request = this->Request();
   if (!this->TemporalAccumulation)
     request.kind = hasp::SceneLightRequest::Kind::Coverage;
-  if (!begun || (this->TemporalAccumulation && in.still <= KeptFrames))
+  // Who takes no part may come and go before the rest.
+  if (!begun || (this->TemporalAccumulation && in.still <= KeptFrames) ||
+      in.depths != in.seenDepths)
+  {
     in.kept.Light(*in.scene, in.view, { in.depths, in.slack }, request, in.seen);
+    in.seenDepths = in.depths;
+  }
   if (!begun)
   {
     in.begun.reset();
@@ -410,7 +408,7 @@ void vtkHaspLightPass::ListResources(hasp::ResourceList& list) const
                              : "not PathTraced: no thread" });
   list.push_back({ "light, picture",
     in.picture.Bytes() + (in.light.size() + in.seen.size()) * sizeof(glm::vec4) +
-      in.depths.size() * sizeof(float) + in.traced.Bytes(),
+      (in.depths.size() + in.seenDepths.size()) * sizeof(float) + in.traced.Bytes(),
     in.milliseconds, "of the last frame" });
 }
 

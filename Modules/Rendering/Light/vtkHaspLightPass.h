@@ -41,7 +41,8 @@
  * other kinds, and cells with labels of which something is said. ListResources counts them. Limits:
  * clipping planes cut what is seen, not what casts shadow; PathTraced does not see them at all, and
  * behind its smooth edges lies the background, not a vtkSkybox; with the window's multisamples
- * some pixels there keep a sample of what was drawn. Scalar colours of cells, edges and the
+ * some pixels there keep a sample of what was drawn. What mirrors throw of a sun onto others is
+ * found by few paths: white dots until there are thousands. Scalar colours of cells, edges and the
  * renderer's FXAA and SSAO are not seen; volumes are drawn after all surfaces.
  *
  * One pass is for one renderer: in another, while the first has it still, it is an error and

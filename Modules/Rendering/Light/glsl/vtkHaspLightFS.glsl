@@ -36,6 +36,6 @@ void main()
   float coverage = showsBehind ? met.a - 2.0 : met.a;
   vec3 color = clamp(exposure * met.rgb / max(coverage, 1e-6), 0.0, 1.0);
   fragOutput0 = vec4((encoded ? Encode(color) : color) * coverage, coverage);
-  if (showsBehind)
-    fragOutput0 += (1.0 - coverage) * texelFetch(behind, pixel, 0);
+  if (showsBehind) // alone: whatever alpha the background has, nothing of what was drawn stays
+    fragOutput0 = vec4(fragOutput0.rgb + (1.0 - coverage) * texelFetch(behind, pixel, 0).rgb, 1.0);
 }

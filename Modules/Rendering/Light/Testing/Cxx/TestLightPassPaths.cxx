@@ -37,11 +37,12 @@ TEST(LightPassPaths, SmoothEdgesShowTheBackgroundAndNotWhatWasDrawn)
   for (const int samples : { 0, 4 })
     for (const bool kept : { false, true })
     {
+      const bool gradient = kept == (samples == 0); // which VTK draws; else it clears, with alpha 0
       LightTestScene scene;
       scene.Window->SetMultiSamples(samples);
       scene.Renderer->SetBackground(0, 0, 0.5);
       scene.Renderer->SetBackground2(0, 0, 1.0);
-      scene.Renderer->GradientBackgroundOn();
+      scene.Renderer->SetGradientBackground(gradient);
       scene.AddCellBall(20, { -15, 0, 0 });
       scene.AddMeshBall(20, { 15, 0, 10 });
       scene.AddLamp({ 0, -100, 0 })->SetColor(0, 1, 0); // what mappers draw is green
@@ -65,6 +66,35 @@ TEST(LightPassPaths, SmoothEdgesShowTheBackgroundAndNotWhatWasDrawn)
       EXPECT_EQ(ColorAt(pixels, 0).b, 128) << "background";
       EXPECT_EQ(scene.Grey(pixels, { -15, -20, 0 }), 0);
     }
+}
+
+TEST(LightPassPaths, WhatTakesNoPartComesAndGoesWhenPathsAreDone)
+{
+  for (const bool kept : { false, true })
+  {
+    LightTestScene scene;
+    scene.AddCellBall(20, { 0, 0, 0 }, 0.8);
+    const auto mark = scene.AddMeshBall(5, { 0, -40, 20 });
+    mark->GetProperty()->SetColor(0, 1, 0);
+    mark->GetProperty()->LightingOff();
+    mark->VisibilityOff();
+    scene.Look({ 0, -130, 60 });
+    scene.Pass->SetModeToPathTraced();
+    scene.Pass->SetSamplesPerPixel(8);
+    scene.Pass->WaitForSamplesOn();
+    scene.Pass->SetTemporalAccumulation(kept);
+    const auto without = scene.Draw(8);
+    mark->VisibilityOn();
+    const auto with = scene.Draw();
+    const glm::ivec2 at = scene.PixelOf({ 0, -40, 20 });
+    const vtkIdType n = at.y * scene.Width + at.x;
+    EXPECT_EQ(ColorAt(with, n), glm::ivec3(0, 255, 0)) << kept;
+    mark->VisibilityOff();
+    const auto again = scene.Draw();
+    EXPECT_NEAR(ColorAt(again, n).r, ColorAt(without, n).r, kept ? 8 : 0) << "lit, not as drawn";
+    EXPECT_NEAR(ColorAt(again, n).b, ColorAt(without, n).b, kept ? 8 : 0);
+    EXPECT_NE(ColorAt(without, n), glm::ivec3(0, 255, 0));
+  }
 }
 
 TEST(LightPassPaths, ExposureMultipliesRadiance)
