@@ -79,6 +79,10 @@ TEST(LightPassMinimal, PathsAloneKeepNothingAndTheirThreadEnds)
   EXPECT_LE(Threads(), before);
   for (const char* name : { "environment", "kept", "paths" })
     EXPECT_EQ(scene.Bytes(name), 0U) << name;
+  BallScene lamps; // the picture is as large as if there had never been paths: no background
+  lamps.Pass->SetModeToLamps();
+  lamps.Draw();
+  EXPECT_EQ(scene.Bytes("picture"), lamps.Bytes("picture"));
 }
 
 TEST(LightPassMinimal, WithoutAPassMappersHoldNoLight)
